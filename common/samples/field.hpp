@@ -1,0 +1,125 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+/// One declaration per data field.
+///
+/// A struct that goes over the wire, into a file or into the configuration lists its fields once:
+///
+///   template <class Self, class Visitor>
+///   static void fields(Self& self, Visitor& visit) {
+///     visit(Field("arw_deg_per_sqrt_h", "angle random walk").in(0.0, 1e3), self.arw_deg_per_sqrt_h);
+///   }
+///
+/// The CDR codec, the strict JSON reader, the schema, the IDL of the profiles, the CSV and HDF5 columns and the
+/// reference page are visitors of that list. Order is the order on the wire.
+///
+/// Kinds of field: bool, the integers uint8/uint32/int64/uint64, double, std::string (with a bound), enums described by
+/// `EnumNames`, Vector3/Quaternion/Vector6 (fixed arrays of double), RunId, `std::vector<struct>` (with a bound), and
+/// nested structs. Configuration (never on the wire) may also use std::optional of these.
+namespace inslab {
+
+using Vector3 = Eigen::Vector3d;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix3 = Eigen::Matrix3d;
+using Quaternion = Eigen::Quaterniond;  // Hamilton; scalar first in files and on the wire
+
+/// What is known of a field besides its C++ type. The name carries the unit as its suffix.
+struct Field {
+  explicit constexpr Field(std::string_view field_name, std::string_view field_meaning = {})
+      : name(field_name), meaning(field_meaning) {}
+
+  /// Closed interval of admissible values, per element.
+  constexpr Field in(double low, double high) const {
+    Field field = *this;
+    field.minimum = low;
+    field.maximum = high;
+    return field;
+  }
+  /// Largest number of characters of a string or elements of a list.
+  constexpr Field at_most(std::size_t bound) const {
+    Field field = *this;
+    field.max_size = bound;
+    return field;
+  }
+  /// The key must be present in JSON; other fields keep their default when absent.
+  constexpr Field required() const {
+    Field field = *this;
+    field.is_required = true;
+    return field;
+  }
+  /// Part of the DDS key.
+  constexpr Field key() const {
+    Field field = *this;
+    field.is_key = true;
+    return field;
+  }
+  /// On the wire but not in JSON files: set by the software.
+  constexpr Field wire_only() const {
+    Field field = *this;
+    field.is_wire_only = true;
+    return field;
+  }
+
+  std::string_view name;
+  std::string_view meaning;
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+  std::size_t max_size = 64;
+  bool is_required = false;
+  bool is_key = false;
+  bool is_wire_only = false;
+};
+
+/// Specialised for every enum on the wire or in JSON: `type` is the IDL name, `prefix` the enumerators' prefix there,
+/// `values` their JSON names, in order from 0.
+template <class Enum>
+struct EnumNames;
+
+/// The JSON name of an enumerator; "?" when the value is outside the enum.
+template <class Enum>
+std::string_view enum_name(Enum value) {
+  const auto index = static_cast<std::size_t>(value);
+  return index < EnumNames<Enum>::values.size() ? EnumNames<Enum>::values[index] : std::string_view("?");
+}
+
+namespace detail {
+struct AnyVisitor {
+  template <class T>
+  void operator()(const Field&, T&) {}
+};
+template <class T, class = void>
+struct HasFields : std::false_type {};
+template <class T>
+struct HasFields<T, std::void_t<decltype(T::fields(std::declval<T&>(), std::declval<AnyVisitor&>()))>>
+    : std::true_type {};
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
+}  // namespace detail
+
+/// True for structs that list their fields.
+template <class T>
+inline constexpr bool has_fields = detail::HasFields<std::remove_const_t<T>>::value;
+
+/// True for std::vector.
+template <class T>
+inline constexpr bool is_list = detail::IsVector<std::remove_const_t<T>>::value;
+
+/// 128 random bits that tell one run from another.
+struct RunId {
+  std::array<std::uint8_t, 16> bytes{};
+  friend bool operator==(const RunId& a, const RunId& b) { return a.bytes == b.bytes; }
+  friend bool operator!=(const RunId& a, const RunId& b) { return !(a == b); }
+};
+
+}  // namespace inslab

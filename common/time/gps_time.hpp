@@ -1,0 +1,39 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace inslab::time {
+
+/// Typed 64-bit nanoseconds: sim time (since the scenario's start) and intervals.
+using Nanoseconds = std::chrono::nanoseconds;
+
+/// Seconds as double, for the models; exact to 1e-16 relative.
+constexpr double to_seconds(Nanoseconds t) {
+  return static_cast<double>(t.count()) * 1e-9;
+}
+
+/// Nearest nanosecond of `seconds`. Throws std::invalid_argument when it is not finite or beyond 292 years.
+Nanoseconds from_seconds(double seconds);
+
+/// GPS time: full week number (no rollover) and nanoseconds into the week, kept in [0, 604800 s).
+struct GpsTime {
+  std::uint32_t week = 0;
+  std::int64_t time_of_week_ns = 0;
+
+  friend bool operator==(const GpsTime& a, const GpsTime& b) {
+    return a.week == b.week && a.time_of_week_ns == b.time_of_week_ns;
+  }
+};
+
+/// `start` plus `elapsed`; weeks carry.
+GpsTime operator+(const GpsTime& start, Nanoseconds elapsed);
+
+/// `a - b`.
+Nanoseconds operator-(const GpsTime& a, const GpsTime& b);
+
+/// GPS time of a CLOCK_REALTIME reading (UTC, as POSIX counts it), with the leap seconds of IERS Bulletin C 70
+/// (July 2025): 18 s since 2017-01-01. Throws std::out_of_range before 1980-01-06.
+GpsTime gps_from_realtime(Nanoseconds since_1970_utc);
+
+}  // namespace inslab::time
