@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "samples/fault_profile.hpp"
+#include "samples/gnss_error_profile.hpp"
+#include "samples/gnss_fix.hpp"
+#include "samples/imu_error_profile.hpp"
+#include "samples/imu_sample.hpp"
+#include "samples/imu_truth.hpp"
+#include "samples/installation_profile.hpp"
+#include "samples/nav_solution.hpp"
+#include "samples/run_control.hpp"
+#include "samples/service_status.hpp"
+#include "samples/truth_state.hpp"
+#include "samples/vibration_profile.hpp"
+
+namespace inslab::wire {
+
+/// The IDL name of every struct that travels as a topic, and the file of idl/ that declares it.
+template <class T>
+struct WireType;
+
+#define INSLAB_WIRE_TYPE(Struct, File)                             \
+  template <>                                                      \
+  struct WireType<Struct> {                                        \
+    static constexpr std::string_view name = "inslab::" #Struct;   \
+    static constexpr std::string_view idl_file = File;             \
+  }
+
+INSLAB_WIRE_TYPE(TruthState, "truth.idl");
+INSLAB_WIRE_TYPE(ImuSample, "imu.idl");
+INSLAB_WIRE_TYPE(ImuTruth, "imu.idl");
+INSLAB_WIRE_TYPE(GnssFix, "gnss.idl");
+INSLAB_WIRE_TYPE(NavSolution, "nav.idl");
+INSLAB_WIRE_TYPE(ImuErrorProfile, "profile.idl");
+INSLAB_WIRE_TYPE(VibrationProfile, "profile.idl");
+INSLAB_WIRE_TYPE(InstallationProfile, "profile.idl");
+INSLAB_WIRE_TYPE(GnssErrorProfile, "profile.idl");
+INSLAB_WIRE_TYPE(FaultProfile, "profile.idl");
+INSLAB_WIRE_TYPE(ProfileAck, "control.idl");
+INSLAB_WIRE_TYPE(Installation, "control.idl");
+INSLAB_WIRE_TYPE(SimCommand, "control.idl");
+INSLAB_WIRE_TYPE(SimStatus, "control.idl");
+INSLAB_WIRE_TYPE(TimeMark, "control.idl");
+INSLAB_WIRE_TYPE(ServiceStatus, "control.idl");
+
+#undef INSLAB_WIRE_TYPE
+
+/// The product's own text of one file of idl/, with the files it includes put before it and no preprocessor line left: what a
+/// reader needs to decode the types in it. Throws std::out_of_range for a name that is not in idl/.
+std::string self_contained_idl(std::string_view idl_file);
+
+}  // namespace inslab::wire
