@@ -1,0 +1,47 @@
+#pragma once
+
+#include "nav/geodesy.hpp"
+
+namespace inslab::nav {
+
+enum class GravityModel {
+  Somigliana,  ///< WGS-84 closed form on the ellipsoid, second order in height
+  Series,      ///< GRS80 series to the fourth power of sin(latitude), linear and quadratic in height
+};
+
+/// Gravity (gravitation and centrifugal acceleration together) over the ellipsoid, with an optional constant
+/// disturbance.
+class Gravity {
+ public:
+  /// Departure of the Earth from the model, the same everywhere.
+  struct Disturbance {
+    double down_mgal = 0.0;                ///< added to the magnitude; 1 mGal = 1e-5 m/s^2
+    double deflection_north_arcsec = 0.0;  ///< xi: the plumb line's zenith lies north of the ellipsoid's normal
+    double deflection_east_arcsec = 0.0;   ///< eta: the plumb line's zenith lies east of the ellipsoid's normal
+  };
+
+  explicit Gravity(GravityModel model = GravityModel::Somigliana) : Gravity(model, Disturbance{}) {}
+  Gravity(GravityModel model, const Disturbance& disturbance);
+
+  /// Normal gravity in m/s^2, without the disturbance.
+  ///
+  /// Somigliana: NIMA TR8350.2 (4-1) with (4-3) for height; within 2e-7 m/s^2 of the exact normal field at 10 km and
+  /// 2e-4 at 100 km. Series: Moritz, Geodetic Reference System 1980, with the height terms of Moritz (2-123) in
+  /// numbers.
+  double normal_m_per_s2(double sin_latitude, double height_m) const;
+
+  /// Gravity in n, m/s^2: (-g xi, -g eta, g) with g the normal gravity plus the disturbance; first order in the angles.
+  Vector3 g_n(double sin_latitude, double height_m) const;
+  Vector3 g_n(const Geodetic& position) const;
+
+  /// Gravitation in e, m/s^2: G = g + omega_ie x (omega_ie x r), what a test mass in free fall feels in i.
+  Vector3 gravitation_e(const Geodetic& position) const;
+
+ private:
+  GravityModel model_;
+  double disturbance_m_per_s2_;
+  double deflection_north_rad_;
+  double deflection_east_rad_;
+};
+
+}  // namespace inslab::nav

@@ -1,0 +1,217 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "nav/gravity.hpp"
+#include "samples/field.hpp"
+#include "samples/violation.hpp"
+
+/// The motion part of a scenario: where the vehicle starts and what it does, segment after segment.
+///
+/// Frames: n is local NED at the vehicle, v is forward-right-down at the vehicle's reference point.
+/// Source: thesis 3.2.1 and table 3-1, with the extensions named in docs/models.md.
+namespace inslab::scenario {
+
+/// What one motion does. Numbers in the comments are the types of the thesis's table 3-1.
+enum class MotionType : std::uint32_t {
+  Uniform,        ///< 1: rest or constant velocity
+  DeltaSpeed,     ///< 2: a change of speed, acceleration a trapezoid
+  TargetSpeed,    ///< 3: to a speed, acceleration a trapezoid
+  ConstantAccel,  ///< 4
+  SineAccel,      ///< 5: A sin(2 pi t/T)
+  RampAccel,      ///< 6: linear from one value to another
+  Turn,           ///< 7: through an angle, angular acceleration of two triangles
+  ConstantRate,   ///< 8: a circle
+  SineRate,       ///< 9: A sin(2 pi t/T)
+  CosineRate,     ///< 91: A cos(2 pi t/T)
+  RampRate,       ///< 10: linear from one value to another
+};
+
+/// An axis of v.
+enum class Axis : std::uint32_t { X, Y, Z };
+
+/// One motion along or about one axis of v. Which parameters it has depends on `type`: visitors that describe the
+/// struct (schema, reference page) walk `fields` once for every value of `type`.
+struct Motion {
+  static constexpr bool has_discriminator = true;
+
+  MotionType type = MotionType::Uniform;
+  std::optional<Axis> axis;            ///< absent: see axis_of()
+  double speed_change_m_per_s = 0.0;   ///< delta_speed
+  double final_speed_m_per_s = 0.0;    ///< target_speed
+  double acceleration_m_per_s2 = 0.0;  ///< constant_accel
+  double amplitude_m_per_s2 = 0.0;     ///< sine_accel
+  double from_m_per_s2 = 0.0;          ///< ramp_accel
+  double to_m_per_s2 = 0.0;            ///< ramp_accel
+  double angle_deg = 0.0;              ///< turn
+  double rate_deg_per_s = 0.0;         ///< constant_rate
+  double amplitude_deg_per_s = 0.0;    ///< sine_rate, cosine_rate
+  double from_deg_per_s = 0.0;         ///< ramp_rate
+  double to_deg_per_s = 0.0;           ///< ramp_rate
+  double period_s = 1.0;               ///< sine_accel, sine_rate, cosine_rate
+  double ramp_fraction = 0.25;         ///< delta_speed, target_speed, turn
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit);
+};
+
+/// A stretch of time in which the same motions act together.
+struct Segment {
+  std::string name;
+  double duration_s = 0.0;
+  std::vector<Motion> motions;
+  bool keep_velocity_on_nose = true;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("name", "for messages and reports"), self.name);
+    visit(Field("duration_s", "rounded to the nanosecond").in(1e-6, 1e7).required(), self.duration_s);
+    visit(Field("motions", "act together; none: uniform").at_most(16), self.motions);
+    visit(Field("keep_velocity_on_nose", "the velocity turns with the vehicle; false: it keeps its direction (sway)"),
+          self.keep_velocity_on_nose);
+  }
+};
+
+/// Where and how the vehicle starts.
+struct InitialState {
+  double latitude_deg = 0.0;
+  double longitude_deg = 0.0;
+  double height_m = 0.0;
+  double speed_m_per_s = 0.0;
+  double roll_deg = 0.0;
+  double pitch_deg = 0.0;
+  double yaw_deg = 0.0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("latitude_deg", "WGS-84").in(-nav::kMaxLatitudeDeg, nav::kMaxLatitudeDeg).required(),
+          self.latitude_deg);
+    visit(Field("longitude_deg", "WGS-84, east positive").in(-180.0, 360.0).required(), self.longitude_deg);
+    visit(Field("height_m", "above the ellipsoid").in(nav::kMinHeightM, nav::kMaxHeightM).required(), self.height_m);
+    visit(Field("speed_m_per_s", "along x_v, relative to the Earth").in(-1e4, 1e4), self.speed_m_per_s);
+    visit(Field("roll_deg", "right side down").in(-180.0, 180.0), self.roll_deg);
+    visit(Field("pitch_deg", "nose up").in(-90.0, 90.0), self.pitch_deg);
+    visit(Field("yaw_deg", "of the nose, from north towards east").in(-180.0, 360.0), self.yaw_deg);
+  }
+};
+
+/// The Earth's gravity, of which errors of a navigation filter's own model are made.
+struct GravityOptions {
+  nav::GravityModel model = nav::GravityModel::Somigliana;
+  double disturbance_mgal = 0.0;
+  double deflection_north_arcsec = 0.0;
+  double deflection_east_arcsec = 0.0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("model", "somigliana: WGS-84 closed form; series: GRS80 series, as many filters have it"), self.model);
+    visit(Field("disturbance_mgal", "added to the magnitude").in(-1000.0, 1000.0), self.disturbance_mgal);
+    visit(Field("deflection_north_arcsec", "xi: the plumb line's zenith lies north of the normal").in(-200.0, 200.0),
+          self.deflection_north_arcsec);
+    visit(Field("deflection_east_arcsec", "eta: the plumb line's zenith lies east of the normal").in(-200.0, 200.0),
+          self.deflection_east_arcsec);
+  }
+};
+
+/// The motion of the vehicle. After its last segment the vehicle goes on as it is.
+struct Trajectory {
+  GravityOptions gravity;
+  InitialState initial;
+  std::vector<Segment> segments;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("gravity"), self.gravity);
+    visit(Field("initial", "state at the scenario's start").required(), self.initial);
+    visit(Field("segments", "one after the other").at_most(100000), self.segments);
+  }
+};
+
+/// True for the motions that turn the vehicle, false for those that accelerate it (and for uniform).
+bool is_angular(MotionType type);
+
+/// The axis a motion acts along or about: the one it names, or else z_v for angular and x_v for linear motions.
+Axis axis_of(const Motion& motion);
+
+/// The first rule that the trajectory breaks and that no single field's limits express, or nothing.
+std::optional<Violation> violation(const Trajectory& trajectory);
+
+template <class Self, class Visitor>
+void Motion::fields(Self& self, Visitor& visit) {
+  visit(Field("type", "the other parameters depend on it").required(), self.type);
+  if (self.type != MotionType::Uniform) {
+    visit(Field("axis", "of the vehicle; absent: x for accelerations, z for turns and rates"), self.axis);
+  }
+  const Field ramp_fraction =
+      Field("ramp_fraction", "share of the duration that the rise takes, and the fall").in(1e-6, 0.5);
+  const Field period = Field("period_s", "of the sinusoid").in(1e-3, 1e7).required();
+  switch (self.type) {
+    case MotionType::Uniform:
+      break;
+    case MotionType::DeltaSpeed:
+      visit(Field("speed_change_m_per_s", "reached at the end").in(-1e4, 1e4).required(), self.speed_change_m_per_s);
+      visit(ramp_fraction, self.ramp_fraction);
+      break;
+    case MotionType::TargetSpeed:
+      visit(Field("final_speed_m_per_s", "along the axis, reached at the end").in(-1e4, 1e4).required(),
+            self.final_speed_m_per_s);
+      visit(ramp_fraction, self.ramp_fraction);
+      break;
+    case MotionType::ConstantAccel:
+      visit(Field("acceleration_m_per_s2").in(-1e3, 1e3).required(), self.acceleration_m_per_s2);
+      break;
+    case MotionType::SineAccel:
+      visit(Field("amplitude_m_per_s2", "peak").in(-1e3, 1e3).required(), self.amplitude_m_per_s2);
+      visit(period, self.period_s);
+      break;
+    case MotionType::RampAccel:
+      visit(Field("from_m_per_s2", "at the segment's start").in(-1e3, 1e3).required(), self.from_m_per_s2);
+      visit(Field("to_m_per_s2", "at the segment's end").in(-1e3, 1e3).required(), self.to_m_per_s2);
+      break;
+    case MotionType::Turn:
+      visit(Field("angle_deg", "about z: right positive").in(-1e5, 1e5).required(), self.angle_deg);
+      visit(ramp_fraction, self.ramp_fraction);
+      break;
+    case MotionType::ConstantRate:
+      visit(Field("rate_deg_per_s", "about z: right positive").in(-1e4, 1e4).required(), self.rate_deg_per_s);
+      break;
+    case MotionType::SineRate:
+    case MotionType::CosineRate:
+      visit(Field("amplitude_deg_per_s", "peak").in(-1e4, 1e4).required(), self.amplitude_deg_per_s);
+      visit(period, self.period_s);
+      break;
+    case MotionType::RampRate:
+      visit(Field("from_deg_per_s", "at the segment's start").in(-1e4, 1e4).required(), self.from_deg_per_s);
+      visit(Field("to_deg_per_s", "at the segment's end").in(-1e4, 1e4).required(), self.to_deg_per_s);
+      break;
+  }
+}
+
+}  // namespace inslab::scenario
+
+namespace inslab {
+
+template <>
+struct EnumNames<nav::GravityModel> {
+  static constexpr std::string_view type = "GravityModel";
+  static constexpr std::string_view prefix = "GRAVITY_";
+  static constexpr std::array<std::string_view, 2> values{"somigliana", "series"};
+};
+template <>
+struct EnumNames<scenario::MotionType> {
+  static constexpr std::string_view type = "MotionType";
+  static constexpr std::string_view prefix = "MOTION_";
+  static constexpr std::array<std::string_view, 11> values{
+      "uniform", "delta_speed",   "target_speed", "constant_accel", "sine_accel", "ramp_accel",
+      "turn",    "constant_rate", "sine_rate",    "cosine_rate",    "ramp_rate"};
+};
+template <>
+struct EnumNames<scenario::Axis> {
+  static constexpr std::string_view type = "Axis";
+  static constexpr std::string_view prefix = "AXIS_";
+  static constexpr std::array<std::string_view, 3> values{"x", "y", "z"};
+};
+
+}  // namespace inslab
