@@ -1,0 +1,53 @@
+#include "io/output_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+
+#include "io/error.hpp"
+
+namespace inslab::io {
+
+OutputFile::OutputFile(const std::string& path) : path_(path) {
+  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (descriptor_ < 0) throw WriteError(path_, "create", errno);
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void OutputFile::append(const std::uint8_t* data, std::size_t size) {
+  // write() moves at most 2 GiB at once.
+  constexpr std::size_t kPiece = std::size_t{1} << 30;
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t count = ::write(descriptor_, data + done, std::min(kPiece, size - done));
+    if (count > 0) {
+      done += static_cast<std::size_t>(count);
+      continue;
+    }
+    if (count < 0 && errno == EINTR) continue;
+    const int error_number = count == 0 ? ENOSPC : errno;
+    if (done > 0 && ::ftruncate(descriptor_, static_cast<off_t>(size_)) == 0) {
+      ::lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET);
+    }
+    throw WriteError(path_, "write", error_number);
+  }
+  size_ += size;
+}
+
+void OutputFile::close() {
+  if (descriptor_ < 0) return;
+  // Errors of a delayed write show here. Pipes and devices cannot be synchronised and say EINVAL.
+  const bool synced = ::fsync(descriptor_) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+  const int sync_error = errno;
+  const int closed = ::close(std::exchange(descriptor_, -1));
+  if (!synced) throw WriteError(path_, "write to the disk", sync_error);
+  if (closed != 0 && errno != EINTR) throw WriteError(path_, "close", errno);
+}
+
+}  // namespace inslab::io
