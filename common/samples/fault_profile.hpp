@@ -3,6 +3,7 @@
 #include "samples/profile_request.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 /// Faults of one sensor, all off by default: topic inslab/profile/fault.
 struct FaultProfile {
@@ -31,4 +32,5 @@ struct FaultProfile {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

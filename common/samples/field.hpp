@@ -25,7 +25,11 @@
 /// Kinds of field: bool, the integers uint8/uint32/int64/uint64, double, std::string (with a bound), enums described by
 /// `EnumNames`, Vector3/Quaternion/Vector6 (fixed arrays of double), RunId, `std::vector<struct>` (with a bound), and
 /// nested structs. Configuration (never on the wire) may also use std::optional of these.
+///
+/// The structs live in the inline namespace `samples`, so that they share their names with the types generated from
+/// idl/, which live in `inslab` itself, without being the same types to the linker.
 namespace inslab {
+inline namespace samples {
 
 using Vector3 = Eigen::Vector3d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -122,4 +126,5 @@ struct RunId {
   friend bool operator!=(const RunId& a, const RunId& b) { return !(a == b); }
 };
 
+}  // namespace samples
 }  // namespace inslab

@@ -4,6 +4,7 @@
 #include "samples/profile_request.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 /// How one GNSS receiver errs: topic inslab/profile/gnss_error and the files of config/profiles/gnss.
 struct GnssErrorProfile {
@@ -40,4 +41,5 @@ struct GnssErrorProfile {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

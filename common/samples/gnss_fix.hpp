@@ -3,6 +3,7 @@
 #include "samples/stream_header.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 enum class FixType : std::uint32_t { None, Single, Differential, Float, Fixed };
 
@@ -65,4 +66,5 @@ struct GnssFix {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

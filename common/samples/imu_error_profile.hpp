@@ -3,6 +3,7 @@
 #include "samples/profile_request.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 /// Errors of one gyro triad, in the units of data sheets. Gauss-Markov sigma is the steady-state standard deviation.
 struct GyroErrors {
@@ -82,4 +83,5 @@ struct ImuErrorProfile {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

@@ -3,6 +3,7 @@
 #include "samples/stream_header.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 /// Which journal entry each part of an IMU sample was made under; 0 is what the scenario began with.
 struct ImuRevisions {
@@ -50,4 +51,5 @@ struct ImuSample {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

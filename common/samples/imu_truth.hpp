@@ -3,6 +3,7 @@
 #include "samples/imu_sample.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 /// One triad's error of one interval, term by term; rad for gyros, m/s for accelerometers. Sums to output minus truth.
 struct TriadErrorBudget {
@@ -64,4 +65,5 @@ struct ImuTruth {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

@@ -3,6 +3,7 @@
 #include "samples/profile_request.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 /// Where a sensor truly sits: topic inslab/profile/installation and the files of config/profiles/installation.
 struct InstallationProfile {
@@ -27,4 +28,5 @@ struct InstallationProfile {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

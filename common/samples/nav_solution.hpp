@@ -3,6 +3,7 @@
 #include "samples/field.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 enum class ReferencePoint : std::uint32_t { Imu, Vehicle, Antenna };
 enum class NavMode : std::uint32_t { Initializing, Aligning, Navigating, Coasting, Fault };
@@ -54,4 +55,5 @@ struct NavSolution {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

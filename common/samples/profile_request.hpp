@@ -3,6 +3,7 @@
 #include "samples/field.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 enum class SensorKind : std::uint32_t { Imu, Gnss };
 enum class ProfileKind : std::uint32_t { ImuError, Vibration, Installation, GnssError, Fault };
@@ -72,4 +73,5 @@ void profile_head_fields(Self& self, Visitor& visit) {
   visit(Field("name", "a word for the log").at_most(64), self.name);
 }
 
+}  // namespace samples
 }  // namespace inslab

@@ -3,6 +3,7 @@
 #include "samples/profile_request.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 enum class AckOutcome : std::uint32_t { Applied, Unchanged, Rejected, Superseded };
 enum class CommandKind : std::uint32_t { Stop };
@@ -137,4 +138,5 @@ struct TimeMark {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

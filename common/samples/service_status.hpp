@@ -3,6 +3,7 @@
 #include "samples/field.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 enum class ServiceState : std::uint32_t { Starting, Ready, Running, Finished, Fault };
 enum class StreamDirection : std::uint32_t { In, Out };
@@ -82,4 +83,5 @@ struct ServiceStatus {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

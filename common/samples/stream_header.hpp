@@ -3,6 +3,7 @@
 #include "samples/field.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 /// What every stream sample begins with: who sent which sample of which run, and when.
 struct StreamHeader {
@@ -26,4 +27,5 @@ struct StreamHeader {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

@@ -3,6 +3,7 @@
 #include "samples/stream_header.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 /// The vehicle's true state at an instant, with the exact integrals of the interval that ends there (idl/truth.idl).
 struct TruthState {
@@ -40,4 +41,5 @@ struct TruthState {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

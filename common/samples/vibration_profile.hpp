@@ -3,6 +3,7 @@
 #include "samples/profile_request.hpp"
 
 namespace inslab {
+inline namespace samples {
 
 enum class VibrationDomain : std::uint32_t { Sensor };
 
@@ -63,4 +64,5 @@ struct VibrationProfile {
   }
 };
 
+}  // namespace samples
 }  // namespace inslab

@@ -3,6 +3,7 @@
 #include <string>
 
 namespace inslab {
+inline namespace samples {
 
 /// A rule that a configuration or a profile breaks: where, and what was expected.
 struct Violation {
@@ -10,4 +11,5 @@ struct Violation {
   std::string reason;  ///< such as "is 0; the period of a sine lies above 0"
 };
 
+}  // namespace samples
 }  // namespace inslab

@@ -1,0 +1,20 @@
+#include "config/json_reader.hpp"
+
+namespace inslab::config::detail {
+
+std::string nearest_key(const std::string& key, const std::vector<std::string>& known) {
+  // A key is a quantity and its unit: the same beginning with another unit is the likeliest mistake, then one letter off.
+  std::string best;
+  std::size_t best_common = 3;
+  for (const std::string& candidate : known) {
+    const auto mismatch = std::mismatch(key.begin(), key.end(), candidate.begin(), candidate.end());
+    const auto common = static_cast<std::size_t>(mismatch.first - key.begin());
+    if (common > best_common) {
+      best_common = common;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace inslab::config::detail

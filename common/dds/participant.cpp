@@ -1,0 +1,105 @@
+#include "dds/participant.hpp"
+
+#include <cstdlib>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/dds/topic/Topic.hpp>
+#include <fastdds/dds/topic/TypeSupport.hpp>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+#include <stdexcept>
+
+namespace inslab::dds {
+
+namespace efd = eprosima::fastdds::dds;
+namespace efr = eprosima::fastdds::rtps;
+
+namespace {
+
+// Asked for; the kernel gives what net.core.rmem_max and wmem_max allow. With the defaults the readers' buffers
+// overrun and each hole costs a repair round.
+constexpr std::uint32_t kReceiveBufferBytes = 4u << 20;
+constexpr std::uint32_t kSendBufferBytes = 1u << 20;
+constexpr std::uint32_t kShmSegmentBytes = 16u << 20;
+constexpr std::uint32_t kShmQueueCapacity = 4096;
+
+std::shared_ptr<efr::UDPv4TransportDescriptor> udp_transport(const std::string& interface_address) {
+  auto udp = std::make_shared<efr::UDPv4TransportDescriptor>();
+  udp->receiveBufferSize = kReceiveBufferBytes;
+  udp->sendBufferSize = kSendBufferBytes;
+  udp->non_blocking_send = false;
+  if (!interface_address.empty()) udp->interfaceWhiteList.push_back(interface_address);
+  return udp;
+}
+
+void set_transport(efd::DomainParticipantQos& qos, const ParticipantOptions& options) {
+  if (options.transport == Transport::Default) return;
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports.push_back(udp_transport(options.interface_address));
+  if (options.transport == Transport::Shm) {
+    auto shm = std::make_shared<efr::SharedMemTransportDescriptor>();
+    shm->segment_size(kShmSegmentBytes);
+    shm->port_queue_capacity(kShmQueueCapacity);
+    qos.transport().user_transports.push_back(shm);
+  }
+}
+
+efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
+  auto& factory = *efd::DomainParticipantFactory::get_instance();
+  efd::DomainParticipantQos qos = efd::PARTICIPANT_QOS_DEFAULT;
+  const char* xml = std::getenv("FASTRTPS_DEFAULT_PROFILES_FILE");
+  const bool has_xml = xml != nullptr && *xml != '\0';
+  if (has_xml) {
+    // An XML profile has the last word on transport and discovery, and on nothing else.
+    factory.load_profiles();
+    factory.get_default_participant_qos(qos);
+  } else {
+    set_transport(qos, options);
+    qos.wire_protocol().builtin.discovery_config.leaseDuration = eprosima::fastrtps::Duration_t(10, 0);
+    qos.wire_protocol().builtin.discovery_config.leaseDuration_announcementperiod =
+        eprosima::fastrtps::Duration_t(1, 0);
+  }
+  qos.name(options.name);
+  return qos;
+}
+
+}  // namespace
+
+Participant::Participant(const ParticipantOptions& options) : options_(options) {
+  auto& factory = *efd::DomainParticipantFactory::get_instance();
+  if (options.domain > 232) {
+    throw std::runtime_error("DDS domain " + std::to_string(options.domain) + "; expected 0 to 232");
+  }
+  participant_ = factory.create_participant(options.domain, participant_qos(options));
+  if (participant_ == nullptr) {
+    throw std::runtime_error("no DDS participant on domain " + std::to_string(options.domain) + ", interface '" +
+                             options.interface_address + "': does the interface exist, are its ports free?");
+  }
+  efd::PublisherQos publisher_qos = efd::PUBLISHER_QOS_DEFAULT;
+  efd::SubscriberQos subscriber_qos = efd::SUBSCRIBER_QOS_DEFAULT;
+  if (!options.unit.empty()) {
+    publisher_qos.partition().push_back(options.unit.c_str());
+    subscriber_qos.partition().push_back(options.unit.c_str());
+  }
+  publisher_ = participant_->create_publisher(publisher_qos);
+  subscriber_ = participant_->create_subscriber(subscriber_qos);
+}
+
+Participant::~Participant() {
+  participant_->delete_contained_entities();
+  efd::DomainParticipantFactory::get_instance()->delete_participant(participant_);
+}
+
+efd::Topic& Participant::topic(const std::string& name, const efd::TypeSupport& type) {
+  if (auto* known = dynamic_cast<efd::Topic*>(participant_->lookup_topicdescription(name))) return *known;
+  if (type.register_type(participant_) != ReturnCode_t::RETCODE_OK) {
+    throw std::runtime_error("the type " + type.get_type_name() + " is registered differently already");
+  }
+  efd::Topic* topic = participant_->create_topic(name, type.get_type_name(), efd::TOPIC_QOS_DEFAULT);
+  if (topic == nullptr) throw std::runtime_error("no DDS topic " + name);
+  return *topic;
+}
+
+}  // namespace inslab::dds

@@ -1,0 +1,84 @@
+#include "dds/qos.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace inslab::dds {
+
+namespace efd = eprosima::fastdds::dds;
+using eprosima::fastrtps::Duration_t;
+
+namespace {
+
+constexpr std::uint32_t kMillisecond_ns = 1'000'000;
+const Duration_t kHeartbeatPeriod(0, 20 * kMillisecond_ns);
+const Duration_t kResponseDelay(0, 1 * kMillisecond_ns);
+constexpr std::int32_t kMaxInstances = 256;
+constexpr std::int32_t kJournalSamples = 20'000;
+constexpr std::int32_t kReaderSamples = 5000;
+
+std::int32_t one_second(double nominal_rate_hz) {
+  return std::max<std::int32_t>(64, static_cast<std::int32_t>(std::ceil(nominal_rate_hz)));
+}
+
+/// History and limits that both ends share.
+template <class Qos>
+void set_history(Qos& qos, Delivery delivery, std::int32_t stream_depth) {
+  auto& limits = qos.resource_limits();
+  if (delivery == Delivery::Latched) {
+    qos.history().kind = efd::KEEP_LAST_HISTORY_QOS;
+    qos.history().depth = 1;
+    limits.max_instances = kMaxInstances;
+    limits.max_samples_per_instance = 1;
+    limits.max_samples = kMaxInstances;
+    limits.allocated_samples = 8;
+  } else if (delivery == Delivery::Journal) {
+    qos.history().kind = efd::KEEP_ALL_HISTORY_QOS;
+    limits.max_instances = kMaxInstances;
+    limits.max_samples_per_instance = kJournalSamples;
+    limits.max_samples = kMaxInstances * kJournalSamples;
+    limits.allocated_samples = 8;
+  } else {
+    qos.history().kind = efd::KEEP_LAST_HISTORY_QOS;
+    qos.history().depth = stream_depth;
+    limits.max_instances = delivery == Delivery::Request ? kMaxInstances : 1;
+    limits.max_samples_per_instance = stream_depth;
+    limits.max_samples = limits.max_instances * stream_depth;
+    limits.allocated_samples = std::min(stream_depth, 128);
+  }
+}
+
+bool is_latched(Delivery delivery) {
+  return delivery == Delivery::Latched || delivery == Delivery::Journal;
+}
+
+}  // namespace
+
+efd::DataWriterQos writer_qos(Delivery delivery, double nominal_rate_hz) {
+  efd::DataWriterQos qos = efd::DATAWRITER_QOS_DEFAULT;
+  qos.reliability().kind = efd::RELIABLE_RELIABILITY_QOS;
+  qos.reliability().max_blocking_time = Duration_t(0, 100 * kMillisecond_ns);
+  qos.durability().kind = is_latched(delivery) ? efd::TRANSIENT_LOCAL_DURABILITY_QOS : efd::VOLATILE_DURABILITY_QOS;
+  qos.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
+  // Data sharing crashes, hangs at teardown and loses latched data in 2.9.
+  qos.data_sharing().off();
+  set_history(qos, delivery, one_second(nominal_rate_hz));
+  auto& times = qos.reliable_writer_qos().times;
+  times.heartbeatPeriod = kHeartbeatPeriod;
+  times.nackResponseDelay = kResponseDelay;
+  qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  return qos;
+}
+
+efd::DataReaderQos reader_qos(Delivery delivery, double nominal_rate_hz) {
+  efd::DataReaderQos qos = efd::DATAREADER_QOS_DEFAULT;
+  qos.reliability().kind = efd::RELIABLE_RELIABILITY_QOS;
+  qos.durability().kind = is_latched(delivery) ? efd::TRANSIENT_LOCAL_DURABILITY_QOS : efd::VOLATILE_DURABILITY_QOS;
+  qos.data_sharing().off();
+  set_history(qos, delivery, std::max(kReaderSamples, one_second(nominal_rate_hz)));
+  qos.reliable_reader_qos().times.heartbeatResponseDelay = kResponseDelay;
+  qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  return qos;
+}
+
+}  // namespace inslab::dds

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <fastdds/dds/topic/TypeSupport.hpp>
+#include <memory>
+#include <vector>
+
+#include "wire/cdr.hpp"
+#include "wire/wire_type.hpp"
+
+namespace inslab::dds {
+
+/// The bytes of one sample as they came over the wire, encapsulation included.
+template <class T>
+struct RawPayload {
+  std::vector<std::uint8_t> bytes;
+};
+
+/// Name, largest size and key of an IDL type, from the generated code.
+class GeneratedType {
+ public:
+  explicit GeneratedType(std::unique_ptr<eprosima::fastdds::dds::TopicDataType> type) : type_(std::move(type)) {}
+
+  const char* name() const { return type_->getName(); }
+  std::uint32_t max_size() const { return type_->m_typeSize; }
+  bool is_keyed() const { return type_->m_isGetKeyDefined; }
+  /// Key of a sample given as CDR. False when the generated code refuses the bytes.
+  bool key_of(std::vector<std::uint8_t>& cdr, eprosima::fastrtps::rtps::InstanceHandle_t& handle) const;
+
+ private:
+  std::unique_ptr<eprosima::fastdds::dds::TopicDataType> type_;
+};
+
+/// The generated type of a plain struct. Defined in type_adapter.cpp for every WireType.
+template <class T>
+GeneratedType generated_type();
+
+/// Lets Fast DDS carry the plain struct T (or RawPayload<T>) under its IDL type's name, with the codec of common/wire,
+/// which, unlike the generated one, does not throw on what a hostile writer sends.
+template <class T, class Carried = T>
+class TypeAdapter : public eprosima::fastdds::dds::TopicDataType {
+ public:
+  TypeAdapter() : generated_(generated_type<T>()) {
+    setName(generated_.name());
+    m_typeSize = generated_.max_size();
+    m_isGetKeyDefined = generated_.is_keyed();
+    // Cyclone DDS 0.10 rejects the TypeInformation that 2.9 would send, and would not see our writers at all.
+    auto_fill_type_information(false);
+    auto_fill_type_object(false);
+  }
+
+  bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override {
+    const auto& value = *static_cast<const Carried*>(data);
+    if constexpr (std::is_same_v<Carried, T>) {
+      const std::size_t size = wire::encoded_size(value);
+      if (size > payload->max_size) return false;
+      wire::encode_to(value, payload->data);
+      payload->length = static_cast<std::uint32_t>(size);
+    } else {
+      if (value.bytes.size() > payload->max_size) return false;
+      std::copy(value.bytes.begin(), value.bytes.end(), payload->data);
+      payload->length = static_cast<std::uint32_t>(value.bytes.size());
+    }
+    payload->encapsulation = CDR_LE;
+    return true;
+  }
+
+  bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override {
+    auto& value = *static_cast<Carried*>(data);
+    if constexpr (std::is_same_v<Carried, T>) {
+      const bool ok = wire::decode(payload->data, payload->length, value);
+      if (!ok) refused_.fetch_add(1, std::memory_order_relaxed);
+      return ok;
+    } else {
+      value.bytes.assign(payload->data, payload->data + payload->length);
+      return true;
+    }
+  }
+
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
+    const auto& value = *static_cast<const Carried*>(data);
+    return [&value]() {
+      if constexpr (std::is_same_v<Carried, T>) {
+        return static_cast<std::uint32_t>(wire::encoded_size(value));
+      } else {
+        return static_cast<std::uint32_t>(value.bytes.size());
+      }
+    };
+  }
+
+  void* createData() override { return new Carried(); }
+  void deleteData(void* data) override { delete static_cast<Carried*>(data); }
+
+  bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* handle, bool) override {
+    if (!m_isGetKeyDefined) return false;
+    std::vector<std::uint8_t> cdr;
+    if constexpr (std::is_same_v<Carried, T>) {
+      wire::encode(*static_cast<const T*>(data), cdr);
+    } else {
+      cdr = static_cast<const Carried*>(data)->bytes;
+    }
+    return generated_.key_of(cdr, *handle);
+  }
+
+  bool is_bounded() const override { return true; }
+
+  /// Samples whose bytes were no valid T.
+  std::uint64_t refused() const { return refused_.load(std::memory_order_relaxed); }
+
+ private:
+  GeneratedType generated_;
+  std::atomic<std::uint64_t> refused_{0};
+};
+
+}  // namespace inslab::dds
