@@ -94,9 +94,6 @@ Participant::~Participant() {
 
 efd::Topic& Participant::topic(const std::string& name, const efd::TypeSupport& type) {
   if (auto* known = dynamic_cast<efd::Topic*>(participant_->lookup_topicdescription(name))) return *known;
-  if (type.register_type(participant_) != ReturnCode_t::RETCODE_OK) {
-    throw std::runtime_error("the type " + type.get_type_name() + " is registered differently already");
-  }
   efd::Topic* topic = participant_->create_topic(name, type.get_type_name(), efd::TOPIC_QOS_DEFAULT);
   if (topic == nullptr) throw std::runtime_error("no DDS topic " + name);
   return *topic;

@@ -45,8 +45,8 @@ class Participant {
   eprosima::fastdds::dds::Publisher& publisher() const { return *publisher_; }
   eprosima::fastdds::dds::Subscriber& subscriber() const { return *subscriber_; }
 
-  /// The topic of that name, made at its first use with the given type and kept until the end. Throws
-  /// std::runtime_error when the type cannot be registered.
+  /// The topic of that name, made at its first use and kept until the end; its type is registered already. Throws
+  /// std::runtime_error when Fast DDS refuses it.
   eprosima::fastdds::dds::Topic& topic(const std::string& name, const eprosima::fastdds::dds::TypeSupport& type);
 
  private:

@@ -2,8 +2,10 @@
 
 #include <atomic>
 #include <cstdint>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "wire/cdr.hpp"
@@ -112,5 +114,23 @@ class TypeAdapter : public eprosima::fastdds::dds::TopicDataType {
   GeneratedType generated_;
   std::atomic<std::uint64_t> refused_{0};
 };
+
+/// The adapter of T in this participant, registered at its first use. Throws std::logic_error when the participant
+/// carries the same type in the other form (struct or raw) already: one process uses one form.
+template <class T, class Carried = T>
+eprosima::fastdds::dds::TypeSupport registered_type(eprosima::fastdds::dds::DomainParticipant& participant) {
+  using Adapter = TypeAdapter<T, Carried>;
+  const std::string name(wire::WireType<T>::name);
+  eprosima::fastdds::dds::TypeSupport known = participant.find_type(name);
+  if (!known.empty()) {
+    if (dynamic_cast<Adapter*>(known.get()) == nullptr) throw std::logic_error(name + " is in use in its other form");
+    return known;
+  }
+  eprosima::fastdds::dds::TypeSupport type(new Adapter());
+  if (type.register_type(&participant) != ReturnCode_t::RETCODE_OK) {
+    throw std::runtime_error("Fast DDS does not register the type " + name);
+  }
+  return type;
+}
 
 }  // namespace inslab::dds

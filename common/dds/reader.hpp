@@ -1,0 +1,140 @@
+#pragma once
+
+#include <spdlog/spdlog.h>
+
+#include <array>
+#include <atomic>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <functional>
+#include <mutex>
+#include <set>
+
+#include "dds/participant.hpp"
+#include "dds/qos.hpp"
+#include "dds/type_adapter.hpp"
+
+namespace inslab::dds {
+
+/// Which writer sent a sample, and its count there.
+struct SampleOrigin {
+  std::array<std::uint8_t, 16> writer{};
+  std::uint64_t number = 0;
+
+  friend bool operator<(const SampleOrigin& a, const SampleOrigin& b) {
+    return a.number != b.number ? a.number < b.number : a.writer < b.writer;
+  }
+};
+
+enum class Reliability { Reliable, BestEffort };
+
+/// Typed reader of one topic: `Carried` is T itself or RawPayload<T>. The callback runs in a thread of Fast DDS and
+/// must only enqueue. The participant outlives the reader.
+template <class T, class Carried = T>
+class Reader {
+ public:
+  using Callback = std::function<void(const Carried&, const SampleOrigin&)>;
+
+  /// Throws std::runtime_error when Fast DDS refuses the topic or its settings.
+  Reader(Participant& participant, const Topic<T>& topic, Callback callback,
+         Reliability reliability = Reliability::Reliable)
+      : subscriber_(participant.subscriber()), listener_(topic.name, std::move(callback)) {
+    auto& dds_topic = participant.topic(topic.name, registered_type<T, Carried>(participant.dds()));
+    auto qos = reader_qos(topic.delivery, topic.nominal_rate_hz);
+    if (reliability == Reliability::BestEffort) {
+      qos.reliability().kind = eprosima::fastdds::dds::BEST_EFFORT_RELIABILITY_QOS;
+    }
+    reader_ = subscriber_.create_datareader(&dds_topic, qos, &listener_);
+    if (reader_ == nullptr) throw std::runtime_error("Fast DDS makes no reader of " + topic.name);
+  }
+  ~Reader() {
+    // First no more callbacks, then no more reader: the callback's target may go right after this.
+    reader_->set_listener(nullptr);
+    subscriber_.delete_datareader(reader_);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  int matched_writers() const { return listener_.matched.load(); }
+  /// Samples that Fast DDS reports as gone before they could be taken.
+  std::uint64_t lost() const { return listener_.lost.load(); }
+
+ private:
+  struct Listener : eprosima::fastdds::dds::DataReaderListener {
+    Listener(std::string topic_name, Callback on_sample) : topic(std::move(topic_name)), callback(std::move(on_sample)) {}
+
+    void on_data_available(eprosima::fastdds::dds::DataReader* reader) override {
+      eprosima::fastdds::dds::SampleInfo info;
+      while (reader->take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
+        if (!info.valid_data) continue;
+        SampleOrigin origin;
+        const auto& writer = info.sample_identity.writer_guid();
+        std::copy(writer.guidPrefix.value, writer.guidPrefix.value + 12, origin.writer.begin());
+        std::copy(writer.entityId.value, writer.entityId.value + 4, origin.writer.begin() + 12);
+        origin.number = info.sample_identity.sequence_number().to64long();
+        callback(sample, origin);
+      }
+    }
+    void on_subscription_matched(eprosima::fastdds::dds::DataReader*,
+                                 const eprosima::fastdds::dds::SubscriptionMatchedStatus& status) override {
+      matched.store(status.current_count);
+    }
+    void on_requested_incompatible_qos(eprosima::fastdds::dds::DataReader*,
+                                       const eprosima::fastdds::dds::RequestedIncompatibleQosStatus& status) override {
+      spdlog::warn("a writer of {} cannot match our reader: QoS policy {} at fault", topic,
+                   static_cast<int>(status.last_policy_id));
+    }
+    void on_sample_lost(eprosima::fastdds::dds::DataReader*,
+                        const eprosima::fastdds::dds::SampleLostStatus& status) override {
+      lost.store(static_cast<std::uint64_t>(status.total_count));
+    }
+
+    std::string topic;
+    Callback callback;
+    Carried sample;
+    std::atomic<int> matched{0};
+    std::atomic<std::uint64_t> lost{0};
+  };
+
+  eprosima::fastdds::dds::Subscriber& subscriber_;
+  Listener listener_;
+  eprosima::fastdds::dds::DataReader* reader_ = nullptr;
+};
+
+/// Reader of what foreigners write: one reliable and one best-effort reader, so that writers of both kinds match and a
+/// reliable one is repaired; what arrives at both is handed on once.
+template <class T, class Carried = T>
+class OpenReader {
+ public:
+  using Callback = typename Reader<T, Carried>::Callback;
+
+  OpenReader(Participant& participant, const Topic<T>& topic, Callback callback)
+      : callback_(std::move(callback)),
+        reliable_(participant, topic, [this](const Carried& s, const SampleOrigin& o) { hand_on(s, o); }),
+        best_effort_(
+            participant, topic, [this](const Carried& s, const SampleOrigin& o) { hand_on(s, o); },
+            Reliability::BestEffort) {}
+
+  int matched_writers() const { return best_effort_.matched_writers(); }
+
+ private:
+  void hand_on(const Carried& sample, const SampleOrigin& origin) {
+    constexpr std::size_t kRemembered = 4096;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (!seen_.insert(origin).second) return;
+      if (seen_.size() > kRemembered) seen_.erase(seen_.begin());
+    }
+    callback_(sample, origin);
+  }
+
+  Callback callback_;
+  std::mutex mutex_;
+  std::set<SampleOrigin> seen_;
+  Reader<T, Carried> reliable_;
+  Reader<T, Carried> best_effort_;
+};
+
+}  // namespace inslab::dds
