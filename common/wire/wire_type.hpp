@@ -24,7 +24,7 @@ struct WireType;
 
 #define INSLAB_WIRE_TYPE(Struct, File)                             \
   template <>                                                      \
-  struct WireType<Struct> {                                        \
+  struct WireType<samples::Struct> {                                     \
     static constexpr std::string_view name = "inslab::" #Struct;   \
     static constexpr std::string_view idl_file = File;             \
   }

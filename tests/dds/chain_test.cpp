@@ -75,7 +75,9 @@ TEST_P(Chain, DeliversTenThousandSamplesInOrderAndToTheBit) {
     sample.q_nv = Quaternion(1.0, 1e-9 * static_cast<double>(i), 0.0, 0.0);
     ASSERT_TRUE(writer.write(sample));
     // Faster than any real run, yet inside the history of one second.
-    if (i % 500 == 499) ASSERT_TRUE(writer.wait_for_acknowledgments(seconds(10)));
+    if (i % 500 == 499) {
+      ASSERT_TRUE(writer.wait_for_acknowledgments(seconds(10)));
+    }
   }
   ASSERT_TRUE(received.wait_for(kSamples));
   const auto samples = received.samples();
@@ -175,7 +177,7 @@ TEST_P(Chain, UnitsDoNotHearEachOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Transports, Chain, testing::Values(Transport::Udp, Transport::Shm),
-                         [](const auto& info) { return info.param == Transport::Udp ? "Udp" : "Shm"; });
+                         [](const auto& instance) { return instance.param == Transport::Udp ? "Udp" : "Shm"; });
 
 }  // namespace
 }  // namespace inslab::dds

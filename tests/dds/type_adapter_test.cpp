@@ -126,8 +126,8 @@ TYPED_TEST(Codec, RefusesEveryTruncation) {
 TYPED_TEST(Codec, RefusesOtherRepresentations) {
   using Plain = typename TypeParam::PlainType;
   std::vector<std::uint8_t> bytes = filled_cdr<Plain>();
-  for (const std::uint8_t representation : {0x02, 0x03, 0x06, 0x07, 0x08, 0x09, 0x0a, 0x0b}) {
-    bytes[1] = representation;
+  for (const int representation : {0x02, 0x03, 0x06, 0x07, 0x08, 0x09, 0x0a, 0x0b}) {
+    bytes[1] = static_cast<std::uint8_t>(representation);
     Plain back;
     EXPECT_FALSE(wire::decode(bytes.data(), bytes.size(), back));
   }
