@@ -47,7 +47,9 @@ class ByteWriter {
     number(std::uint64_t{0});
     return out_.size();
   }
-  void end_record(std::size_t begin) { store(out_.data() + begin - 8, static_cast<std::uint64_t>(out_.size() - begin)); }
+  void end_record(std::size_t begin) {
+    store(out_.data() + begin - 8, static_cast<std::uint64_t>(out_.size() - begin));
+  }
 
   template <class T>
   static void store(std::uint8_t* at, T value) {

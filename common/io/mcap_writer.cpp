@@ -171,7 +171,14 @@ std::uint8_t* McapWriter::reserve(std::uint16_t channel_id, std::uint32_t sequen
                                   std::uint64_t publish_time_ns, std::size_t size) {
   OpenChannel& channel = channels_.at(channel_id);
   const std::size_t record_size = mcap::kRecordHeadSize + mcap::kMessageHeadSize + size;
-  if (chunk_size_ > 0 && chunk_size_ + record_size > options_.chunk_bytes) flush();
+  if (chunk_size_ > 0 && chunk_size_ + record_size > options_.chunk_bytes) {
+    try {
+      flush();
+    } catch (const WriteError&) {
+      ++messages_lost_;
+      throw;
+    }
+  }
   return place_message(channel, sequence, log_time_ns, publish_time_ns, size);
 }
 

@@ -18,9 +18,9 @@ namespace inslab::io {
 class McapWriter {
  public:
   struct Options {
-    std::string profile;               ///< MCAP's name for agreements on topics and types; ours has none
-    std::string library = "inslab";    ///< who wrote it
-    std::size_t chunk_bytes = 1 << 20; ///< before compression; a larger message gets a chunk of its own
+    std::string profile;                ///< MCAP's name for agreements on topics and types; ours has none
+    std::string library = "inslab";     ///< who wrote it
+    std::size_t chunk_bytes = 1 << 20;  ///< before compression; a larger message gets a chunk of its own
     int compression_level = kFastLevel;
   };
 
@@ -45,10 +45,11 @@ class McapWriter {
   std::uint16_t add_channel(std::uint16_t schema_id, std::string_view topic, std::string_view message_encoding,
                             const mcap::StringMap& metadata = {});
 
-  /// Adds one message. Throws WriteError, once: after it the log takes no more (failed() is true) and calls do nothing
-  /// but count. Throws std::out_of_range for a channel that was not added.
-  void write(std::uint16_t channel_id, std::uint32_t sequence, std::uint64_t log_time_ns,
-             std::uint64_t publish_time_ns, const std::uint8_t* data, std::size_t size);
+  /// Adds one message. Throws WriteError, once: neither the open chunk nor this message is in
+  /// the log then, and it takes no more (failed() is true): calls do nothing but count. Throws std::out_of_range for a
+  /// channel that was not added.
+  void write(std::uint16_t channel_id, std::uint32_t sequence, std::uint64_t log_time_ns, std::uint64_t publish_time_ns,
+             const std::uint8_t* data, std::size_t size);
 
   /// As write(), for a payload that the caller encodes in place: `size` bytes, to be filled before the next call.
   std::uint8_t* reserve(std::uint16_t channel_id, std::uint32_t sequence, std::uint64_t log_time_ns,
@@ -94,11 +95,11 @@ class McapWriter {
   std::vector<OpenChannel> channels_;
   std::vector<mcap::ChunkIndex> chunks_;
   std::vector<mcap::MetadataIndex> metadata_;
-  std::vector<std::uint8_t> chunk_;    ///< the open chunk, not compressed
-  std::size_t chunk_size_ = 0;         ///< of chunk_, bytes in use
+  std::vector<std::uint8_t> chunk_;  ///< the open chunk, not compressed
+  std::size_t chunk_size_ = 0;       ///< of chunk_, bytes in use
   std::uint64_t chunk_messages_ = 0;
-  mcap::ChunkIndex open_;              ///< the times of the open chunk
-  std::vector<std::uint8_t> record_;   ///< what is appended next
+  mcap::ChunkIndex open_;             ///< the times of the open chunk
+  std::vector<std::uint8_t> record_;  ///< what is appended next
   mcap::Statistics statistics_;
   std::uint32_t data_crc_ = 0;
   std::uint64_t messages_lost_ = 0;
