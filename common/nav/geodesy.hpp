@@ -22,7 +22,7 @@ bool in_domain(const Geodetic& position);
 /// Throws std::domain_error, naming the quantity, its value and its limits, where in_domain() is false.
 void check_domain(const Geodetic& position);
 
-/// Coordinates in e, m. Exact to rounding everywhere.
+/// Coordinates in e, m, everywhere: to the rounding of the results, 5e-10 m near the ground.
 Vector3 ecef_from_geodetic(const Geodetic& position);
 
 /// Inverse of ecef_from_geodetic(), to rounding of the results (half a unit in the last place of a longitude of 3 rad

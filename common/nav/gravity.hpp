@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
+
 #include "nav/geodesy.hpp"
 
 namespace inslab::nav {
 
-enum class GravityModel {
+enum class GravityModel : std::uint32_t {
   Somigliana,  ///< WGS-84 closed form on the ellipsoid, second order in height
   Series,      ///< GRS80 series to the fourth power of sin(latitude), linear and quadratic in height
 };
@@ -25,8 +27,8 @@ class Gravity {
 
   /// Normal gravity in m/s^2, without the disturbance.
   ///
-  /// Somigliana: NIMA TR8350.2 (4-1) with (4-3) for height; within 2e-7 m/s^2 of the exact normal field at 10 km and
-  /// 2e-4 at 100 km. Series: Moritz, Geodetic Reference System 1980, with the height terms of Moritz (2-123) in
+  /// Somigliana: NIMA TR8350.2 (4-1) with (4-3) for height; 1e-6 m/s^2 (0.1 mGal) from the exact normal field at
+  /// 10 km, 2e-4 at 100 km. Series: Moritz, Geodetic Reference System 1980, with the height terms of Moritz (2-123) in
   /// numbers.
   double normal_m_per_s2(double sin_latitude, double height_m) const;
 

@@ -130,13 +130,13 @@ struct Trajectory {
 };
 
 /// True for the motions that turn the vehicle, false for those that accelerate it (and for uniform).
-bool is_angular(MotionType type);
+inline bool is_angular(MotionType type);
 
 /// The axis a motion acts along or about: the one it names, or else z_v for angular and x_v for linear motions.
-Axis axis_of(const Motion& motion);
+inline Axis axis_of(const Motion& motion);
 
 /// The first rule that the trajectory breaks and that no single field's limits express, or nothing.
-std::optional<Violation> violation(const Trajectory& trajectory);
+inline std::optional<Violation> violation(const Trajectory& trajectory);
 
 template <class Self, class Visitor>
 void Motion::fields(Self& self, Visitor& visit) {
@@ -187,6 +187,66 @@ void Motion::fields(Self& self, Visitor& visit) {
       visit(Field("to_deg_per_s", "at the segment's end").in(-1e4, 1e4).required(), self.to_deg_per_s);
       break;
   }
+}
+
+namespace detail {
+
+inline std::string path_of_motion(std::size_t segment, std::size_t motion) {
+  return "segments[" + std::to_string(segment) + "].motions[" + std::to_string(motion) + "]";
+}
+
+/// A speed can be promised only when nothing else accelerates along the same axis.
+inline std::optional<Violation> target_speed_violation(const Segment& segment, std::size_t segment_index) {
+  for (std::size_t i = 0; i < segment.motions.size(); ++i) {
+    if (segment.motions[i].type != MotionType::TargetSpeed) continue;
+    for (std::size_t j = 0; j < segment.motions.size(); ++j) {
+      const Motion& other = segment.motions[j];
+      if (j == i || is_angular(other.type) || other.type == MotionType::Uniform) continue;
+      if (axis_of(other) == axis_of(segment.motions[i])) {
+        return Violation{path_of_motion(segment_index, j) + ".axis",
+                         "another motion of this segment holds a target speed along the same axis"};
+      }
+    }
+    if (segment.keep_velocity_on_nose) continue;
+    for (std::size_t j = 0; j < segment.motions.size(); ++j) {
+      if (is_angular(segment.motions[j].type)) {
+        return Violation{path_of_motion(segment_index, j) + ".type",
+                         "turns the axis of a target speed while keep_velocity_on_nose is false"};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace detail
+
+inline bool is_angular(MotionType type) {
+  switch (type) {
+    case MotionType::Turn:
+    case MotionType::ConstantRate:
+    case MotionType::SineRate:
+    case MotionType::CosineRate:
+    case MotionType::RampRate:
+      return true;
+    default:
+      return false;
+  }
+}
+
+inline Axis axis_of(const Motion& motion) { return motion.axis.value_or(is_angular(motion.type) ? Axis::Z : Axis::X); }
+
+inline std::optional<Violation> violation(const Trajectory& trajectory) {
+  for (std::size_t i = 0; i < trajectory.segments.size(); ++i) {
+    if (auto broken = detail::target_speed_violation(trajectory.segments[i], i)) return broken;
+  }
+  double total_s = 0.0;
+  for (std::size_t i = 0; i < trajectory.segments.size(); ++i) {
+    total_s += trajectory.segments[i].duration_s;
+    if (!(total_s <= 1e9)) {
+      return Violation{"segments[" + std::to_string(i) + "].duration_s", "brings the segments' total above 1e9 s"};
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace inslab::scenario

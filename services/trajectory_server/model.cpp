@@ -1,0 +1,123 @@
+#include "services/trajectory_server/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "nav/attitude.hpp"
+
+namespace inslab::trajectory {
+
+namespace {
+
+constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+
+const scenario::Trajectory& checked(const scenario::Trajectory& trajectory) {
+  if (const auto broken = scenario::violation(trajectory)) {
+    throw std::invalid_argument("trajectory." + broken->path + " " + broken->reason);
+  }
+  nav::check_domain({trajectory.initial.latitude_deg * kRadPerDeg, trajectory.initial.longitude_deg * kRadPerDeg,
+                     trajectory.initial.height_m});
+  return trajectory;
+}
+
+VehicleMotion vehicle_at_start(const scenario::Trajectory& trajectory) {
+  const scenario::InitialState& initial = trajectory.initial;
+  const scenario::GravityOptions& gravity = trajectory.gravity;
+  return VehicleMotion({initial.latitude_deg * kRadPerDeg, initial.longitude_deg * kRadPerDeg, initial.height_m},
+                       Vector3(initial.speed_m_per_s, 0.0, 0.0),
+                       nav::quaternion_from_rpy({initial.roll_deg * kRadPerDeg, initial.pitch_deg * kRadPerDeg,
+                                                 initial.yaw_deg * kRadPerDeg}),
+                       nav::Gravity(gravity.model, {gravity.disturbance_mgal, gravity.deflection_north_arcsec,
+                                                    gravity.deflection_east_arcsec}));
+}
+
+}  // namespace
+
+TrajectoryModel::TrajectoryModel(const scenario::Trajectory& trajectory, const time::Rate& truth_rate,
+                                 const time::GpsTime& start)
+    : trajectory_(checked(trajectory)), rate_(truth_rate), start_(start), vehicle_(vehicle_at_start(trajectory)) {
+  begin_segment();
+}
+
+TruthState TrajectoryModel::advance() {
+  rate_jump_ = false;
+  ++sample_;
+  const time::Nanoseconds end = rate_.at(sample_);
+  while (now_ < end) {
+    const time::Nanoseconds joint = segment_ < trajectory_.segments.size()
+                                        ? segment_start_ + vehicle_.segment().joints()[joint_]
+                                        : time::Nanoseconds::max();
+    integrate_to(std::min(joint, end));
+    if (now_ < joint) continue;
+    if (++joint_ < vehicle_.segment().joints().size()) continue;
+    ++segment_;
+    segment_start_ = now_;
+    const bool jumps = begin_segment();
+    rate_jump_ = jumps && now_ == end;
+  }
+  increments_ = vehicle_.take_increments();
+  require_domain();
+  return current();
+}
+
+/// In equal steps within one smooth piece of the segment.
+void TrajectoryModel::integrate_to(time::Nanoseconds end) {
+  const double t0_s = time::to_seconds(now_ - segment_start_);
+  const double t1_s = time::to_seconds(end - segment_start_);
+  // A hair more than one step is one step: 5 ms is not a binary number.
+  const auto steps = static_cast<int>(std::ceil((t1_s - t0_s) / vehicle_.longest_step_s() * (1.0 - 1e-9)));
+  double from_s = t0_s;
+  for (int i = 1; i <= steps; ++i) {
+    const double to_s = i == steps ? t1_s : t0_s + (t1_s - t0_s) * i / steps;
+    vehicle_.step(from_s, to_s);
+    from_s = to_s;
+  }
+  now_ = end;
+}
+
+bool TrajectoryModel::begin_segment() {
+  joint_ = 0;
+  return vehicle_.begin(segment_ < trajectory_.segments.size()
+                            ? MotionSegment(trajectory_.segments[segment_], vehicle_.v_v())
+                            : MotionSegment::endless());
+}
+
+void TrajectoryModel::require_domain() const {
+  if (nav::in_domain(vehicle_.position())) return;
+  try {
+    nav::check_domain(vehicle_.position());
+  } catch (const std::domain_error& error) {
+    const bool inside = segment_ < trajectory_.segments.size();
+    throw std::domain_error(
+        "at " + std::to_string(time::to_seconds(now_)) + " s, " +
+        (inside ? "segment " + std::to_string(segment_) + " '" + trajectory_.segments[segment_].name + "'"
+                : "after the last segment") +
+        ": " + error.what());
+  }
+}
+
+TruthState TrajectoryModel::current() const {
+  TruthState truth;
+  truth.header.sequence_number = sample_;
+  truth.header.sim_time_ns = now_.count();
+  const time::GpsTime gps = start_ + now_;
+  truth.header.gps_week = gps.week;
+  truth.header.gps_time_of_week_ns = gps.time_of_week_ns;
+  const nav::Geodetic position = vehicle_.position();
+  truth.latitude_rad = position.latitude_rad;
+  truth.longitude_rad = position.longitude_rad;
+  truth.height_m = position.height_m;
+  truth.v_n = vehicle_.v_n();
+  truth.q_nv = vehicle_.q_nv();
+  truth.omega_iv_v = vehicle_.omega_iv_v();
+  truth.f_v = vehicle_.f_v();
+  truth.dtheta_v = increments_.dtheta_v;
+  truth.dv_v = increments_.dv_v;
+  truth.interval_ns = sample_ == 0 ? 0 : rate_.period().count();
+  truth.segment_index = static_cast<std::uint32_t>(segment_);
+  truth.rate_jump = rate_jump_;
+  return truth;
+}
+
+}  // namespace inslab::trajectory

@@ -1,0 +1,185 @@
+#include "services/trajectory_server/vehicle_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "nav/attitude.hpp"
+#include "nav/wgs84.hpp"
+
+namespace inslab::trajectory {
+
+namespace {
+
+constexpr double kLongestStep_s = 5e-3;
+// The middle of a step is placed with the radii of curvature of its start: over 2 m that errs by 1e-7 m in the place
+// and 2e-14 m in the step.
+constexpr double kLongestStep_m = 2.0;
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kRoundingOfPi = 1.2246467991473532e-16;  // pi - kPi
+// Below this a difference of rates is rounding (a sine after whole periods), not a jump.
+constexpr double kJump_rad_per_s = 1e-12;
+
+Vector3 simpson(const Vector3& start, const Vector3& middle, const Vector3& end, double dt_s) {
+  return dt_s / 6.0 * (start + 4.0 * middle + end);
+}
+
+/// The integral over the first half of a step of the parabola through its start, middle and end.
+Vector3 first_half(const Vector3& start, const Vector3& middle, const Vector3& end, double dt_s) {
+  return dt_s / 24.0 * (5.0 * start + 8.0 * middle - end);
+}
+
+}  // namespace
+
+VehicleMotion::VehicleMotion(const nav::Geodetic& position, const Vector3& v_v, const Quaternion& q_nv,
+                             const nav::Gravity& gravity)
+    : gravity_(gravity),
+      segment_(MotionSegment::endless()),
+      latitude_rad_(position.latitude_rad),
+      longitude_rad_(nav::wrapped_to_pi(position.longitude_rad)),
+      height_m_(position.height_m),
+      v_v_at_start_(v_v) {
+  const Quaternion q = nav::canonical(q_nv);
+  const double components[4] = {q.w(), q.x(), q.y(), q.z()};
+  std::transform(components, components + 4, q_nv_, [](double c) { return nav::CompensatedSum(c); });
+  now_.C_nv = q.toRotationMatrix();
+  now_.v_n = now_.C_nv * v_v;
+  evaluate(now_, position.latitude_rad, position.height_m);
+}
+
+bool VehicleMotion::begin(MotionSegment segment) {
+  if (segment_.keeps_velocity_on_nose()) {
+    v_v_at_start_ += now_.motion.speed_gained_v;
+  } else {
+    v_v_at_start_ = v_v();
+  }
+  segment_ = std::move(segment);
+  if (!segment_.keeps_velocity_on_nose()) {
+    std::transform(now_.v_n.data(), now_.v_n.data() + 3, v_n_, [](double c) { return nav::CompensatedSum(c); });
+  }
+  const Vector3 omega_before = now_.motion.omega_nv_v;
+  now_.motion = segment_.at(0.0);
+  evaluate(now_, latitude_rad_.value(), height_m_.value());
+  return (now_.motion.omega_nv_v - omega_before).cwiseAbs().maxCoeff() > kJump_rad_per_s;
+}
+
+double VehicleMotion::longest_step_s() const {
+  const double speed = now_.v_n.norm();
+  const double step_s = std::min(kLongestStep_s, segment_.longest_step_s());
+  return speed * step_s > kLongestStep_m ? kLongestStep_m / speed : step_s;
+}
+
+void VehicleMotion::step(double t0_s, double t1_s) {
+  const double dt_s = t1_s - t0_s;
+  Instant middle, end;
+  middle.motion = segment_.at(t0_s + 0.5 * dt_s);
+  end.motion = segment_.at(t1_s);
+  find_velocities(middle, end, dt_s);
+
+  // Metres moved become radians by the radii of curvature at the start, then at the middle.
+  const auto latitude = [this](double north_m, double inverse_north_m) {
+    return latitude_rad_.value() + north_m * inverse_north_m;
+  };
+  const Vector3 half_way = first_half(now_.v_n, middle.v_n, end.v_n, dt_s);
+  evaluate(middle, latitude(half_way.x(), now_.inverse_north_m), height_m_.value() - half_way.z());
+  const Vector3 way = simpson(now_.v_n, middle.v_n, end.v_n, dt_s);
+  evaluate(end, latitude(way.x(), middle.inverse_north_m), height_m_.value() - way.z());
+
+  add_to_position(simpson(now_.position_rate, middle.position_rate, end.position_rate, dt_s));
+  increments_.dtheta_v += (end.motion.angle_nv_v - now_.motion.angle_nv_v) +
+                          simpson(now_.omega_in_v, middle.omega_in_v, end.omega_in_v, dt_s);
+  increments_.dv_v += (end.motion.speed_gained_v - now_.motion.speed_gained_v) +
+                      simpson(now_.f_rest_v, middle.f_rest_v, end.f_rest_v, dt_s);
+  now_ = end;
+}
+
+/// Attitude and velocity at the middle and the end of a step; turns q_nv_ and, off the nose, adds to v_n_.
+void VehicleMotion::find_velocities(Instant& middle, Instant& end, double dt_s) {
+  middle.C_nv = end.C_nv = now_.C_nv;
+  if (segment_.turns()) {
+    const Vector3 first = middle.motion.angle_nv_v - now_.motion.angle_nv_v;
+    const Vector3 second = end.motion.angle_nv_v - middle.motion.angle_nv_v;
+    // Rotation vectors of half the step and of all of it, for a rate that is linear in time; 0 about one axis.
+    const Vector3 coning = first.cross(second);
+    middle.C_nv = (q_nv() * nav::quaternion_from_rotation_vector(first + coning / 12.0)).toRotationMatrix();
+    turn(first + second + 2.0 / 3.0 * coning);
+    end.C_nv = q_nv().toRotationMatrix();
+  }
+  if (segment_.keeps_velocity_on_nose()) {
+    middle.v_n = middle.C_nv * (v_v_at_start_ + middle.motion.speed_gained_v);
+    end.v_n = end.C_nv * (v_v_at_start_ + end.motion.speed_gained_v);
+    return;
+  }
+  middle.v_n = end.v_n = now_.v_n;
+  if (!segment_.accelerates()) return;
+  const Vector3 a0_n = now_.C_nv * now_.motion.a_lin_v;
+  const Vector3 am_n = middle.C_nv * middle.motion.a_lin_v;
+  const Vector3 a1_n = end.C_nv * end.motion.a_lin_v;
+  middle.v_n += first_half(a0_n, am_n, a1_n, dt_s);
+  const Vector3 change = simpson(a0_n, am_n, a1_n, dt_s);
+  for (int i = 0; i < 3; ++i) v_n_[i].add(change[i]);
+  end.v_n = {v_n_[0].value(), v_n_[1].value(), v_n_[2].value()};
+}
+
+void VehicleMotion::evaluate(Instant& instant, double latitude_rad, double height_m) const {
+  using namespace nav::wgs84;
+  const double s = std::sin(latitude_rad), c = std::cos(latitude_rad);
+  const double inverse_w2 = 1.0 / (1.0 - e2 * s * s);
+  const double N = a_m * std::sqrt(inverse_w2);
+  const double M = N * (1.0 - e2) * inverse_w2;
+  const Vector3& v_n = instant.v_n;
+  instant.inverse_north_m = 1.0 / (M + height_m);
+  const double east_rate = v_n.y() / (N + height_m);
+  const double longitude_rate = east_rate / c;
+  const double latitude_rate = v_n.x() * instant.inverse_north_m;
+  instant.position_rate = {latitude_rate, longitude_rate, -v_n.z()};
+
+  const Vector3 omega_ie_n(omega_e_rad_per_s * c, 0.0, -omega_e_rad_per_s * s);
+  const Vector3 omega_en_n(east_rate, -latitude_rate, -longitude_rate * s);
+  const Matrix3 C_vn = instant.C_nv.transpose();
+  instant.omega_in_v = C_vn * (omega_ie_n + omega_en_n);
+  instant.f_rest_v = C_vn * ((2.0 * omega_ie_n + omega_en_n).cross(v_n) - gravity_.g_n(s, height_m));
+  if (segment_.turns() && segment_.keeps_velocity_on_nose()) {
+    instant.f_rest_v += instant.motion.omega_nv_v.cross(v_v_at_start_ + instant.motion.speed_gained_v);
+  }
+}
+
+void VehicleMotion::turn(const Vector3& rotation_vector_rad) {
+  // The change of q is formed, not the new q: its rounding is that of a small number, and the sums keep it.
+  const Quaternion turned = nav::quaternion_from_rotation_vector(0.5 * rotation_vector_rad);
+  const double dw = -2.0 * turned.vec().squaredNorm();  // cos(phi/2) - 1
+  const Vector3 dvec = 2.0 * turned.w() * turned.vec();
+  const Vector3 vec(q_nv_[1].value(), q_nv_[2].value(), q_nv_[3].value());
+  const double w = q_nv_[0].value();
+  const Vector3 vec_change = dw * vec + w * dvec + vec.cross(dvec);
+  q_nv_[0].add(dw * w - vec.dot(dvec));
+  for (int i = 0; i < 3; ++i) q_nv_[i + 1].add(vec_change[i]);
+
+  double norm2 = 0.0;
+  for (const auto& component : q_nv_) norm2 += component.value() * component.value();
+  const double correction = 0.5 * (1.0 - norm2);
+  for (auto& component : q_nv_) component.add(correction * component.value());
+}
+
+void VehicleMotion::add_to_position(const Vector3& change) {
+  latitude_rad_.add(change.x());
+  longitude_rad_.add(change.y());
+  height_m_.add(change.z());
+  if (std::abs(longitude_rad_.value()) > kPi) {
+    const double turn = longitude_rad_.value() > 0.0 ? -2.0 : 2.0;
+    longitude_rad_.add(turn * kPi);
+    longitude_rad_.add(turn * kRoundingOfPi);
+  }
+}
+
+Increments VehicleMotion::take_increments() { return std::exchange(increments_, Increments{}); }
+
+nav::Geodetic VehicleMotion::position() const {
+  return {latitude_rad_.value(), longitude_rad_.value(), height_m_.value()};
+}
+
+Quaternion VehicleMotion::q_nv() const {
+  return nav::canonical(Quaternion(q_nv_[0].value(), q_nv_[1].value(), q_nv_[2].value(), q_nv_[3].value()));
+}
+
+}  // namespace inslab::trajectory

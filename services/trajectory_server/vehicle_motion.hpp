@@ -1,0 +1,80 @@
+#pragma once
+
+#include "nav/compensated_sum.hpp"
+#include "nav/gravity.hpp"
+#include "samples/field.hpp"
+#include "services/trajectory_server/motion_segment.hpp"
+
+namespace inslab::trajectory {
+
+/// Exact integrals over a stretch of time, in the moving v axes.
+struct Increments {
+  Vector3 dtheta_v = Vector3::Zero();  ///< rad, of omega_iv_v
+  Vector3 dv_v = Vector3::Zero();      ///< m/s, of f_v
+};
+
+/// The vehicle carried through continuous time along one segment after another:
+///
+///   q_nv' = 1/2 q_nv * omega_nv_v          v_n' = C_nv (a_lin_v + omega_nv_v x (C_vn v_n))
+///   lat'  = v_N/(M+h)    lon' = v_E/((N+h) cos lat)    h' = -v_D
+///
+/// Method. With the velocity on the nose the second equation is (C_vn v_n)' = a_lin_v, so the velocity in v axes is the
+/// closed-form integral of the segment's motions; angles about one axis are closed-form too, and those about several
+/// differ by the coning term of a step's two halves (fourth order). What is left, position and the Earth's share of
+/// dtheta and dv, is slow: Simpson's rule on each step. Sums are compensated.
+/// Source: docs/models.md section 2; thesis (3-23)..(3-32).
+class VehicleMotion {
+ public:
+  /// `v_v` in m/s. The vehicle is at rest relative to v (endless uniform motion) until begin().
+  VehicleMotion(const nav::Geodetic& position, const Vector3& v_v, const Quaternion& q_nv, const nav::Gravity& gravity);
+
+  /// The next segment starts here. True when omega_nv_v jumps.
+  bool begin(MotionSegment segment);
+
+  /// Integrates from `t0_s` to `t1_s` of the segment; no corner lies between, and `t0_s` is where the last step ended.
+  void step(double t0_s, double t1_s);
+
+  /// A step as long as this keeps the promised accuracy: 5 ms, less where the motion is fast.
+  double longest_step_s() const;
+
+  /// The increments since the last call.
+  Increments take_increments();
+
+  const MotionSegment& segment() const { return segment_; }
+  nav::Geodetic position() const;
+  Quaternion q_nv() const;  ///< canonical
+  const Vector3& v_n() const { return now_.v_n; }
+  Vector3 v_v() const { return now_.C_nv.transpose() * now_.v_n; }
+  Vector3 omega_iv_v() const { return now_.motion.omega_nv_v + now_.omega_in_v; }
+  Vector3 f_v() const { return now_.motion.a_lin_v + now_.f_rest_v; }
+
+ private:
+  /// All quantities of one time.
+  struct Instant {
+    MotionInstant motion;
+    Matrix3 C_nv = Matrix3::Identity();
+    Vector3 v_n = Vector3::Zero();
+    Vector3 position_rate = Vector3::Zero();  ///< lat', lon', h'
+    Vector3 omega_in_v = Vector3::Zero();
+    Vector3 f_rest_v = Vector3::Zero();  ///< f_v - a_lin_v
+    double inverse_north_m = 0.0;        ///< 1/(M+h)
+  };
+
+  void evaluate(Instant& instant, double latitude_rad, double height_m) const;
+  void turn(const Vector3& rotation_vector_rad);
+  void find_velocities(Instant& middle, Instant& end, double dt_s);
+  void add_to_position(const Vector3& change);
+
+  nav::Gravity gravity_;
+  MotionSegment segment_;
+  nav::CompensatedSum latitude_rad_;
+  nav::CompensatedSum longitude_rad_;
+  nav::CompensatedSum height_m_;
+  nav::CompensatedSum q_nv_[4];  ///< w, x, y, z
+  nav::CompensatedSum v_n_[3];   ///< carried only while the velocity is not kept on the nose
+  Vector3 v_v_at_start_;         ///< of the segment
+  Instant now_;
+  Increments increments_;
+};
+
+}  // namespace inslab::trajectory
