@@ -1,0 +1,19 @@
+#pragma once
+
+#include "samples/field.hpp"
+
+namespace inslab::imu {
+
+/// What an IMU puts out for one interval: integrals of angular rate and specific force in the moving b axes.
+struct Increments {
+  Vector3 dtheta = Vector3::Zero();  ///< rad
+  Vector3 dv = Vector3::Zero();      ///< m/s
+
+  Increments& operator+=(const Increments& other) {
+    dtheta += other.dtheta;
+    dv += other.dv;
+    return *this;
+  }
+};
+
+}  // namespace inslab::imu

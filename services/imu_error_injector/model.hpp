@@ -1,0 +1,85 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "nav/gravity.hpp"
+#include "samples/fault_profile.hpp"
+#include "samples/imu_truth.hpp"
+#include "samples/truth_state.hpp"
+#include "services/imu_error_injector/installation.hpp"
+#include "services/imu_error_injector/triad_errors.hpp"
+#include "services/imu_error_injector/vibration.hpp"
+#include "time/rate.hpp"
+
+namespace inslab::imu {
+
+/// One IMU: from the vehicle's truth to what the IMU puts out, with the perfect IMU and the error budget beside it.
+///
+/// Same setup, profiles and truth: the same bits. A value type: a copy goes on as the original does.
+class ImuModel {
+ public:
+  struct Setup {
+    std::uint64_t seed = 0;
+    std::uint32_t sensor_number = 0;
+    time::Rate truth_rate;
+    time::Rate imu_rate;
+    nav::Gravity gravity;
+    ImuErrorProfile errors;
+    VibrationProfile vibration;
+    InstallationProfile installation;
+  };
+  struct Output {
+    ImuSample sample;
+    ImuTruth truth;
+  };
+
+  /// Throws std::invalid_argument when a profile breaks a rule of samples/profile_rules.hpp or when the IMU's period is
+  /// not a multiple of the truth's.
+  explicit ImuModel(const Setup& setup);
+
+  /// Swaps a profile from the next interval of the IMU on, in the order of the calls; samples from there carry its
+  /// journal number. Throws std::invalid_argument when it breaks a rule, and then changes nothing. What `continuity`
+  /// does is in Bias::retune, what `fade_s` does in Vibration. A new installation relocates the IMU between two
+  /// intervals: the next one begins at the new place, moving as it does there, and is marked as a discontinuity.
+  void apply(const ImuErrorProfile& profile);
+  void apply(const VibrationProfile& profile);
+  void apply(const InstallationProfile& profile);
+  void apply(const FaultProfile& profile);
+
+  /// The IMU's interval that ends at `truth`; nothing at the first truth sample that lies on the IMU's grid (it only
+  /// says where the first interval begins) and between two samples of a slower IMU. Sequence number and random draws
+  /// follow from sim time. Throws std::invalid_argument when `truth` does not continue the one before; the model is
+  /// then as it was.
+  std::optional<Output> measure(const TruthState& truth);
+
+ private:
+  using Profile = std::variant<ImuErrorProfile, VibrationProfile, InstallationProfile, FaultProfile>;
+
+  void begin_interval();
+  void take(const ImuErrorProfile& profile, std::uint64_t k);
+  void take(const VibrationProfile& profile, std::uint64_t k);
+  void take(const InstallationProfile& profile, std::uint64_t k);
+  void take(const FaultProfile& profile, std::uint64_t k);
+  Output end_interval(const TruthState& truth);
+
+  std::uint32_t sensor_number_;
+  std::int64_t truth_period_ns_;
+  std::int64_t imu_period_ns_;
+  nav::Gravity gravity_;
+
+  Installation installation_;
+  Vibration vibration_;
+  TriadErrors gyro_;
+  TriadErrors accel_;
+
+  std::optional<TruthState> previous_;
+  Installation::Instant start_;  ///< at `previous_`, under the present installation
+  Increments perfect_;           ///< of the interval that is open
+  bool discontinuity_ = false;
+  ImuRevisions revisions_;
+  std::vector<Profile> pending_;
+};
+
+}  // namespace inslab::imu
