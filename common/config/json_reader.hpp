@@ -1,8 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
-#include <set>
 
 #include "config/error.hpp"
 #include "config/json_file.hpp"
@@ -11,11 +9,6 @@
 namespace inslab::config {
 
 namespace detail {
-
-template <class T>
-struct IsOptional : std::false_type {};
-template <class T>
-struct IsOptional<std::optional<T>> : std::true_type {};
 
 /// The known key that looks most like `key`, for the message; empty when none begins alike.
 std::string nearest_key(const std::string& key, const std::vector<std::string>& known);
@@ -121,7 +114,7 @@ class JsonReader {
 
   template <class T>
   void read(const Field& field, const std::string& path, const Json& json, T& value) const {
-    if constexpr (IsOptional<T>::value) {
+    if constexpr (is_optional<T>) {
       typename T::value_type present{};
       read(field, path, json, present);
       value = std::move(present);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "config/json_file.hpp"
 #include "samples/field.hpp"
 
@@ -17,7 +15,7 @@ class JsonWriter {
   template <class T>
   void operator()(const Field& field, const T& value) {
     if (field.is_wire_only && !with_wire_only) return;
-    if constexpr (is_optional_value<T>()) {
+    if constexpr (is_optional<T>) {
       if (value) object[std::string(field.name)] = convert(*value);
     } else {
       object[std::string(field.name)] = convert(value);
@@ -25,11 +23,6 @@ class JsonWriter {
   }
 
  private:
-  template <class T>
-  static constexpr bool is_optional_value() {
-    return !has_fields<T> && std::is_constructible_v<T, std::nullopt_t>;
-  }
-
   template <class T>
   Json convert(const T& value) const {
     if constexpr (std::is_same_v<T, RunId>) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -109,6 +110,10 @@ template <class T>
 struct IsVector : std::false_type {};
 template <class T>
 struct IsVector<std::vector<T>> : std::true_type {};
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
 }  // namespace detail
 
 /// True for structs that list their fields.
@@ -118,6 +123,10 @@ inline constexpr bool has_fields = detail::HasFields<std::remove_const_t<T>>::va
 /// True for std::vector.
 template <class T>
 inline constexpr bool is_list = detail::IsVector<std::remove_const_t<T>>::value;
+
+/// True for std::optional.
+template <class T>
+inline constexpr bool is_optional = detail::IsOptional<std::remove_const_t<T>>::value;
 
 /// 128 random bits that tell one run from another.
 struct RunId {

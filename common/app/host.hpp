@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "samples/field.hpp"
+#include "time/gps_time.hpp"
+
+/// What the pure models must not know: clocks, the process, the machine.
+namespace inslab::app {
+
+time::Nanoseconds realtime_now();    ///< CLOCK_REALTIME
+time::Nanoseconds monotonic_now();   ///< CLOCK_MONOTONIC
+
+/// Sleeps until CLOCK_MONOTONIC shows `deadline`, to the microsecond: the last part is spun. Returns early on a signal.
+void sleep_until(time::Nanoseconds deadline);
+
+/// Asks the kernel for precise wake-ups of this thread.
+void use_precise_timers();
+
+RunId random_run_id();
+std::string run_id_text(const RunId& run_id);  ///< 32 hexadecimal digits
+
+std::string host_name();
+std::uint32_t process_id();
+std::uint64_t resident_bytes();
+/// The instruction set level that the bits of a run depend on, such as "x86-64 avx2 fma".
+std::string cpu_features();
+/// UTC as 20260131T235959Z.
+std::string utc_text(time::Nanoseconds realtime);
+
+}  // namespace inslab::app

@@ -1,0 +1,68 @@
+#include "app/service.hpp"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdlib>
+
+#include "app/exit_code.hpp"
+#include "app/shutdown.hpp"
+#include "config/error.hpp"
+
+namespace inslab::app {
+
+namespace {
+
+void set_up_logging(const char* name, const std::string& level) {
+  spdlog::set_default_logger(spdlog::stderr_color_mt(name));
+  spdlog::set_pattern("%H:%M:%S.%e %n %^%l%$: %v");
+  spdlog::set_level(spdlog::level::from_str(level));
+}
+
+void warn_of_environment() {
+  const char* server = std::getenv("ROS_DISCOVERY_SERVER");
+  if (server != nullptr && *server != '\0') {
+    spdlog::warn("ROS_DISCOVERY_SERVER={} is set: peers that use simple discovery will not see this process", server);
+  }
+}
+
+}  // namespace
+
+dds::ParticipantOptions participant_options(const NetworkOptions& network, const std::string& name) {
+  dds::ParticipantOptions options;
+  options.name = name;
+  options.domain = network.domain;
+  options.unit = network.unit;
+  options.transport = network.transport == "shm"       ? dds::Transport::Shm
+                      : network.transport == "default" ? dds::Transport::Default
+                                                       : dds::Transport::Udp;
+  options.interface_address = network.interface_address == "any" ? "" : network.interface_address;
+  return options;
+}
+
+Context::Context(std::string service, ServiceOptions options, scenario::LoadedScenario scenario)
+    : service_(std::move(service)),
+      options_(std::move(options)),
+      scenario_(std::move(scenario)),
+      participant_(participant_options(options_.network, service_)) {}
+
+int run_service(const char* name, const char* purpose, const ServiceTraits& traits, int argc, char** argv,
+                const std::function<int(Context&)>& body) {
+  ServiceOptions options;
+  if (const auto exit_code = parse(name, purpose, traits, argc, argv, options)) return *exit_code;
+  set_up_logging(name, options.log_level);
+  install_signal_handlers();
+  warn_of_environment();
+  try {
+    Context context(name, options, scenario::load(options.scenario));
+    return body(context);
+  } catch (const config::Error& error) {
+    spdlog::error("{}", error.what());
+    return kBadInput;
+  } catch (const std::exception& error) {
+    spdlog::error("{}", error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace inslab::app

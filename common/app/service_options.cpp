@@ -1,0 +1,44 @@
+#include "app/service_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "app/exit_code.hpp"
+
+namespace inslab::app {
+
+void NetworkOptions::add_to(CLI::App& app) {
+  app.add_option("--domain", domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
+  app.add_option("--unit", unit, "the vehicle's name on the network; becomes the DDS partition");
+  app.add_option("--transport", transport, "udp, shm, or default (what Fast DDS or its XML profile says)")
+      ->check(CLI::IsMember({"udp", "shm", "default"}))
+      ->capture_default_str();
+  app.add_option("--interface", interface_address, "IPv4 address to bind to; 'any' for every interface")
+      ->capture_default_str();
+}
+
+std::vector<std::string> NetworkOptions::as_arguments() const {
+  std::vector<std::string> arguments{"--domain",    std::to_string(domain), "--transport", transport,
+                                     "--interface", interface_address};
+  if (!unit.empty()) arguments.insert(arguments.end(), {"--unit", unit});
+  return arguments;
+}
+
+std::optional<int> parse(const char* name, const char* purpose, const ServiceTraits& traits, int argc, char** argv,
+                         ServiceOptions& options) {
+  CLI::App app(purpose, name);
+  app.add_option("--scenario", options.scenario, "scenario file (JSON)")->required();
+  options.network.add_to(app);
+  if (traits.has_sensor) app.add_option("--sensor", options.sensor, "number of the sensor in the scenario");
+  if (traits.has_log) app.add_option("--log", options.log_file, "file to write; default runs/NAME-TIME.mcap");
+  app.add_option("--log-level", options.log_level, "debug, info, warn or error")
+      ->check(CLI::IsMember({"debug", "info", "warn", "error"}))
+      ->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kOk : kBadInput;
+  }
+  return std::nullopt;
+}
+
+}  // namespace inslab::app

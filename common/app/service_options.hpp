@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace inslab::app {
+
+/// Where on the network: the same four options on every program.
+struct NetworkOptions {
+  std::uint32_t domain = 0;
+  std::string unit;
+  std::string transport = "udp";
+  std::string interface_address = "127.0.0.1";
+
+  /// Adds --domain, --unit, --transport and --interface.
+  void add_to(CLI::App& app);
+  /// The same as arguments for another program.
+  std::vector<std::string> as_arguments() const;
+};
+
+/// The command line of a service.
+struct ServiceOptions {
+  std::string scenario;
+  NetworkOptions network;
+  std::uint32_t sensor = 0;
+  std::string log_file;
+  std::string log_level = "info";
+};
+
+/// Which options a service has besides --scenario and those of the network.
+struct ServiceTraits {
+  bool has_sensor = false;
+  bool has_log = false;
+};
+
+/// Parses the command line; an exit code when there is nothing more to do (help, or an error that has been printed).
+std::optional<int> parse(const char* name, const char* purpose, const ServiceTraits& traits, int argc, char** argv,
+                         ServiceOptions& options);
+
+}  // namespace inslab::app

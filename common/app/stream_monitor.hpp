@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/latency_histogram.hpp"
+#include "samples/service_status.hpp"
+#include "samples/stream_header.hpp"
+
+namespace inslab::app {
+
+/// Counts one stream from its sequence numbers: what came, what is missing, what came late or twice, and how old it was.
+class StreamMonitor {
+ public:
+  StreamMonitor(std::string topic, StreamDirection direction);
+
+  /// A sample received at `received_realtime_ns`; another run id starts the counts afresh.
+  void received(const StreamHeader& header, std::int64_t received_realtime_ns);
+  /// A sample sent.
+  void sent() { ++samples_; }
+
+  std::uint64_t samples() const { return samples_; }
+  std::uint64_t lost() const { return lost_; }
+  std::uint64_t next_sequence() const { return next_sequence_; }
+  StreamStatus status() const;
+
+ private:
+  std::string topic_;
+  StreamDirection direction_;
+  RunId run_id_;
+  std::uint64_t samples_ = 0;
+  std::uint64_t next_sequence_ = 0;
+  std::uint64_t lost_ = 0;
+  std::uint64_t out_of_order_ = 0;
+  std::uint64_t duplicates_ = 0;
+  LatencyHistogram latency_;
+};
+
+}  // namespace inslab::app

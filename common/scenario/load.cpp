@@ -1,0 +1,121 @@
+#include "scenario/load.hpp"
+
+#include "config/json_reader.hpp"
+#include "samples/profile_rules.hpp"
+
+namespace inslab::scenario {
+
+namespace {
+
+template <class Profile>
+Profile read_profile(const std::filesystem::path& file, const SensorAddress& target) {
+  auto profile = config::read_file<Profile>(file);
+  profile.target = target;
+  if (auto broken = violation(profile)) throw config::Error(file.string(), broken->path, broken->reason);
+  return profile;
+}
+
+/// The profile a scenario names, relative to the scenario; an empty name leaves the default.
+template <class Profile>
+Profile named_profile(const std::filesystem::path& folder, const std::string& name, const SensorAddress& target) {
+  if (name.empty()) {
+    Profile profile;
+    profile.target = target;
+    profile.name = "default";
+    return profile;
+  }
+  return read_profile<Profile>(folder / name, target);
+}
+
+LoadedImu load_imu(const std::filesystem::path& folder, const ImuSensor& sensor) {
+  const SensorAddress target{SensorKind::Imu, sensor.number};
+  LoadedImu imu;
+  imu.number = sensor.number;
+  imu.rate = time::Rate(sensor.rate_hz);
+  imu.errors = named_profile<ImuErrorProfile>(folder, sensor.error_profile, target);
+  imu.vibration = named_profile<VibrationProfile>(folder, sensor.vibration_profile, target);
+  imu.installation = named_profile<InstallationProfile>(folder, sensor.installation_profile, target);
+  imu.nominal_installation = sensor.nominal_installation_profile.empty()
+                                 ? imu.installation
+                                 : named_profile<InstallationProfile>(folder, sensor.nominal_installation_profile, target);
+  return imu;
+}
+
+LoadedGnss load_gnss(const std::filesystem::path& folder, const GnssSensor& sensor) {
+  const SensorAddress target{SensorKind::Gnss, sensor.number};
+  LoadedGnss gnss;
+  gnss.number = sensor.number;
+  gnss.rate = time::Rate(sensor.rate_hz);
+  gnss.errors = named_profile<GnssErrorProfile>(folder, sensor.error_profile, target);
+  gnss.installation = named_profile<InstallationProfile>(folder, sensor.installation_profile, target);
+  gnss.nominal_installation = sensor.nominal_installation_profile.empty()
+                                  ? gnss.installation
+                                  : named_profile<InstallationProfile>(folder, sensor.nominal_installation_profile, target);
+  gnss.outages = sensor.outages;
+  return gnss;
+}
+
+}  // namespace
+
+AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target) {
+  switch (kind) {
+    case ProfileKind::ImuError: return read_profile<ImuErrorProfile>(file, target);
+    case ProfileKind::Vibration: return read_profile<VibrationProfile>(file, target);
+    case ProfileKind::Installation: return read_profile<InstallationProfile>(file, target);
+    case ProfileKind::GnssError: return read_profile<GnssErrorProfile>(file, target);
+    case ProfileKind::Fault: break;
+  }
+  return read_profile<FaultProfile>(file, target);
+}
+
+LoadedScenario load(const std::filesystem::path& file) {
+  LoadedScenario loaded;
+  loaded.file = file;
+  loaded.scenario = config::read_file<Scenario>(file);
+  const Scenario& scenario = loaded.scenario;
+  if (auto broken = violation(scenario)) throw config::Error(file.string(), broken->path, broken->reason);
+  loaded.truth_rate = time::Rate(scenario.truth_rate_hz);
+  loaded.truth_samples =
+      1 + static_cast<std::uint64_t>(time::from_seconds(scenario.duration_s) / loaded.truth_rate.period());
+  const std::filesystem::path folder = file.parent_path();
+  for (const ImuSensor& sensor : scenario.imu) loaded.imus.push_back(load_imu(folder, sensor));
+  for (const GnssSensor& sensor : scenario.gnss) loaded.gnss.push_back(load_gnss(folder, sensor));
+  std::uint64_t request_id = 1;
+  for (const ScheduledSwap& swap : scenario.swaps) {
+    AnyProfile request = load_profile(folder / swap.profile, swap.kind, {swap.sensor_kind, swap.sensor_number});
+    ProfileRequest& head = request_of(request);
+    head.request_id = request_id++;
+    head.apply_at_ns = time::from_seconds(swap.at_s).count();
+    head.continuity = swap.continuity;
+    head.fade_s = swap.fade_s;
+    loaded.swaps.push_back(std::move(request));
+  }
+  return loaded;
+}
+
+time::GpsTime LoadedScenario::start(time::Nanoseconds realtime_now) const {
+  if (scenario.start.at == StartAt::Now) return time::gps_from_realtime(realtime_now);
+  return {scenario.start.gps_week, time::from_seconds(scenario.start.gps_seconds_of_week_s).count()};
+}
+
+nav::Gravity LoadedScenario::gravity() const {
+  const GravityOptions& options = scenario.trajectory.gravity;
+  return nav::Gravity(options.model,
+                      {options.disturbance_mgal, options.deflection_north_arcsec, options.deflection_east_arcsec});
+}
+
+const LoadedImu& LoadedScenario::imu_number(std::uint32_t number) const {
+  for (const LoadedImu& imu : imus) {
+    if (imu.number == number) return imu;
+  }
+  throw config::Error(file.string(), "imu", "has no IMU number " + std::to_string(number));
+}
+
+const LoadedGnss& LoadedScenario::gnss_number(std::uint32_t number) const {
+  for (const LoadedGnss& receiver : gnss) {
+    if (receiver.number == number) return receiver;
+  }
+  throw config::Error(file.string(), "gnss", "has no GNSS receiver number " + std::to_string(number));
+}
+
+}  // namespace inslab::scenario

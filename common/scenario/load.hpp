@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+
+#include "scenario/scenario.hpp"
+#include "time/rate.hpp"
+
+namespace inslab::scenario {
+
+/// One IMU with its profiles read.
+struct LoadedImu {
+  std::uint32_t number = 0;
+  time::Rate rate{200.0};
+  ImuErrorProfile errors;
+  VibrationProfile vibration;
+  InstallationProfile installation;
+  InstallationProfile nominal_installation;
+};
+
+/// One GNSS receiver with its profiles read.
+struct LoadedGnss {
+  std::uint32_t number = 0;
+  time::Rate rate{5.0};
+  GnssErrorProfile errors;
+  InstallationProfile installation;
+  InstallationProfile nominal_installation;
+  std::vector<Outage> outages;
+};
+
+/// A scenario with every file it names read and checked.
+struct LoadedScenario {
+  std::filesystem::path file;
+  Scenario scenario;
+  time::Rate truth_rate{200.0};
+  std::uint64_t truth_samples = 0;  ///< sample 0 included
+  std::vector<LoadedImu> imus;
+  std::vector<LoadedGnss> gnss;
+  std::vector<AnyProfile> swaps;    ///< requests in order: target and request are filled in
+
+  /// GPS time of sim time 0; with `start: now` that of `realtime_now` (CLOCK_REALTIME).
+  time::GpsTime start(time::Nanoseconds realtime_now) const;
+  /// The gravity that the scenario's options describe.
+  nav::Gravity gravity() const;
+  /// Throws config::Error when the scenario has no such sensor.
+  const LoadedImu& imu_number(std::uint32_t number) const;
+  const LoadedGnss& gnss_number(std::uint32_t number) const;
+};
+
+/// Reads a scenario and everything it names. Throws config::Error naming file, path in it and reason.
+LoadedScenario load(const std::filesystem::path& file);
+
+/// Reads a profile file of that kind, checks its limits and rules for the given target. Throws config::Error.
+AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target);
+
+}  // namespace inslab::scenario

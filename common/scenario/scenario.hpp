@@ -1,0 +1,173 @@
+#pragma once
+
+#include "samples/any_profile.hpp"
+#include "scenario/trajectory.hpp"
+
+/// What a scenario file says. Paths in it are relative to the file; scenario/load.hpp follows them.
+namespace inslab::scenario {
+
+enum class StartAt : std::uint32_t { GpsTime, Now };
+
+/// GPS time of sim time 0.
+struct Start {
+  static constexpr bool has_discriminator = true;
+
+  StartAt at = StartAt::GpsTime;
+  std::uint32_t gps_week = 2399;
+  double gps_seconds_of_week_s = 0.0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit);
+};
+
+/// A stretch of sim time without fixes.
+struct Outage {
+  double start_s = 0.0;
+  double duration_s = 0.0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("start_s", "sim time").in(0.0, 1e7).required(), self.start_s);
+    visit(Field("duration_s").in(0.0, 1e7).required(), self.duration_s);
+  }
+};
+
+/// One IMU of the unit. Profiles are files; without one the IMU is ideal, still, and at the reference point.
+struct ImuSensor {
+  std::uint32_t number = 0;
+  double rate_hz = 200.0;
+  std::string error_profile;
+  std::string vibration_profile;
+  std::string installation_profile;
+  std::string nominal_installation_profile;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("number", "the N of inslab/imu/N").in(0.0, 63.0), self.number);
+    visit(Field("rate_hz", "the truth rate or a whole fraction of it").in(1e-3, 1e4).required(), self.rate_hz);
+    visit(Field("error_profile", "file; absent: an ideal IMU").at_most(4096), self.error_profile);
+    visit(Field("vibration_profile", "file; absent: still").at_most(4096), self.vibration_profile);
+    visit(Field("installation_profile", "file; absent: at the vehicle's reference point").at_most(4096),
+          self.installation_profile);
+    visit(Field("nominal_installation_profile", "file: what the app is told; absent: the true one").at_most(4096),
+          self.nominal_installation_profile);
+  }
+};
+
+/// One GNSS receiver of the unit.
+struct GnssSensor {
+  std::uint32_t number = 0;
+  double rate_hz = 5.0;
+  std::string error_profile;
+  std::string installation_profile;
+  std::string nominal_installation_profile;
+  std::vector<Outage> outages;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("number", "the N of inslab/gnss/N").in(0.0, 63.0), self.number);
+    visit(Field("rate_hz", "a whole fraction of the truth rate").in(1e-3, 1e4).required(), self.rate_hz);
+    visit(Field("error_profile", "file").at_most(4096).required(), self.error_profile);
+    visit(Field("installation_profile", "file; absent: at the vehicle's reference point").at_most(4096),
+          self.installation_profile);
+    visit(Field("nominal_installation_profile", "file: what the app is told; absent: the true one").at_most(4096),
+          self.nominal_installation_profile);
+    visit(Field("outages", "no fixes in these").at_most(10000), self.outages);
+  }
+};
+
+/// A profile that is swapped in while the run goes on.
+struct ScheduledSwap {
+  double at_s = 0.0;
+  ProfileKind kind = ProfileKind::ImuError;
+  SensorKind sensor_kind = SensorKind::Imu;
+  std::uint32_t sensor_number = 0;
+  std::string profile;
+  Continuity continuity = Continuity::Keep;
+  double fade_s = 0.0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("at_s", "sim time; the first sample after it is the first under the new profile").in(0.0, 1e7)
+              .required(),
+          self.at_s);
+    visit(Field("kind").required(), self.kind);
+    visit(Field("sensor_kind").required(), self.sensor_kind);
+    visit(Field("sensor_number").in(0.0, 63.0), self.sensor_number);
+    visit(Field("profile", "file").at_most(4096).required(), self.profile);
+    visit(Field("continuity", "what happens to the states of the random processes"), self.continuity);
+    visit(Field("fade_s", "vibration only: length of the smooth fade").in(0.0, 60.0), self.fade_s);
+  }
+};
+
+/// How a real-time run behaves.
+struct RealTime {
+  double max_lag_ms = 20.0;
+  double ready_timeout_s = 30.0;
+  bool whole_second_start = false;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("max_lag_ms", "a truth sample later than this ends the run as a fault").in(1.0, 1e5), self.max_lag_ms);
+    visit(Field("ready_timeout_s", "how long the trajectory server waits for the services the scenario needs")
+              .in(0.1, 3600.0),
+          self.ready_timeout_s);
+    visit(Field("whole_second_start", "begin at the next whole second of wall time"), self.whole_second_start);
+  }
+};
+
+/// A whole scenario file.
+struct Scenario {
+  std::string name;
+  std::string description;
+  std::uint64_t seed = 1;
+  Start start;
+  double duration_s = 0.0;
+  double truth_rate_hz = 200.0;
+  Trajectory trajectory;
+  std::vector<ImuSensor> imu;
+  std::vector<GnssSensor> gnss;
+  std::vector<ScheduledSwap> swaps;
+  RealTime real_time;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("name", "for logs and reports").at_most(64).required(), self.name);
+    visit(Field("description").at_most(1024), self.description);
+    visit(Field("seed", "of every random stream: the same seed gives the same bits").required(), self.seed);
+    visit(Field("start", "GPS time of sim time 0").required(), self.start);
+    visit(Field("duration_s").in(1e-3, 1e7).required(), self.duration_s);
+    visit(Field("truth_rate_hz", "the period is a whole number of nanoseconds").in(1.0, 1e4), self.truth_rate_hz);
+    visit(Field("trajectory", "the vehicle's motion").required(), self.trajectory);
+    visit(Field("imu", "the IMUs of this unit").at_most(8), self.imu);
+    visit(Field("gnss", "the GNSS receivers of this unit").at_most(8), self.gnss);
+    visit(Field("swaps", "profiles swapped while the run goes on").at_most(10000), self.swaps);
+    visit(Field("real_time"), self.real_time);
+  }
+};
+
+/// The first rule that the scenario breaks and that no single field's limits express, or nothing: periods that do not
+/// divide, sensors given twice, swaps of sensors that are not there or after the end, broken trajectories.
+std::optional<Violation> violation(const Scenario& scenario);
+
+template <class Self, class Visitor>
+void Start::fields(Self& self, Visitor& visit) {
+  visit(Field("at", "gps_time: as given; now: the wall clock at the start").required(), self.at);
+  if (self.at == StartAt::GpsTime) {
+    visit(Field("gps_week", "full week, no rollover").in(0.0, 100000.0).required(), self.gps_week);
+    visit(Field("gps_seconds_of_week_s").in(0.0, 604800.0).required(), self.gps_seconds_of_week_s);
+  }
+}
+
+}  // namespace inslab::scenario
+
+namespace inslab {
+
+template <>
+struct EnumNames<scenario::StartAt> {
+  static constexpr std::string_view type = "StartAt";
+  static constexpr std::string_view prefix = "START_";
+  static constexpr std::array<std::string_view, 2> values{"gps_time", "now"};
+};
+
+}  // namespace inslab

@@ -1,0 +1,66 @@
+#include "swap/journal.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "samples/limits.hpp"
+#include "samples/profile_rules.hpp"
+
+namespace inslab::swap {
+
+namespace {
+
+constexpr std::int64_t kLatest_ns = 10'000'000'000'000'000;  // 115 days: the longest scenario
+
+std::optional<Violation> rejection_of(const AnyProfile& request, const std::vector<SensorAddress>& sensors) {
+  auto broken = std::visit(
+      [](const auto& profile) {
+        auto limits = limit_violation(profile);
+        return limits ? limits : violation(profile);
+      },
+      request);
+  if (broken) return broken;
+  if (std::find(sensors.begin(), sensors.end(), target_of(request)) == sensors.end()) {
+    return Violation{"target_number", "names " + sensor_name(target_of(request)) + ", which this unit does not have"};
+  }
+  if (request_of(request).apply_at_ns > kLatest_ns) {
+    return Violation{"request.apply_at_ns", "lies more than 115 days after the start"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Journal::Journal(std::vector<SensorAddress> sensors, time::Rate truth_rate)
+    : sensors_(std::move(sensors)), truth_rate_(truth_rate) {}
+
+std::variant<AnyProfile, ProfileAck> Journal::submit(AnyProfile request, time::Nanoseconds now) {
+  if (const auto broken = rejection_of(request, sensors_)) {
+    ProfileAck ack;
+    ack.request_id = request_of(request).request_id;
+    ack.kind = kind_of(request);
+    ack.target = target_of(request);
+    ack.outcome = AckOutcome::Rejected;
+    ack.requested_time_ns = request_of(request).apply_at_ns;
+    // Bounds of the wire: a path or reason that does not fit would make the ack itself unsendable.
+    ack.field = broken->path.substr(0, 128);
+    ack.reason = broken->reason.substr(0, 256);
+    return ack;
+  }
+  ProfileRequest& head = request_of(request);
+  head.requested_at_ns = head.apply_at_ns;
+  head.requested_in_the_past = head.apply_at_ns >= 0 && head.apply_at_ns < now.count();
+  const std::int64_t period = truth_rate_.period().count();
+  const std::int64_t earliest = std::max(head.apply_at_ns, now.count());
+  head.apply_at_ns = (earliest + period - 1) / period * period;
+  head.journal_number = size() + 1;
+  apply_times_.insert(std::upper_bound(apply_times_.begin(), apply_times_.end(), head.apply_at_ns), head.apply_at_ns);
+  return request;
+}
+
+std::uint32_t Journal::in_effect(time::Nanoseconds t) const {
+  return static_cast<std::uint32_t>(std::lower_bound(apply_times_.begin(), apply_times_.end(), t.count()) -
+                                    apply_times_.begin());
+}
+
+}  // namespace inslab::swap

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "samples/any_profile.hpp"
+#include "samples/run_control.hpp"
+#include "time/rate.hpp"
+
+namespace inslab::swap {
+
+/// The one order of all accepted swaps. Its owner, the trajectory server, is its only writer; every service obeys it.
+///
+/// An entry with apply time T is in effect for the samples after T: for an IMU the intervals that begin at T or later,
+/// for a GNSS receiver the epochs after T. T lies on the truth grid.
+class Journal {
+ public:
+  /// `sensors` are those of the scenario: a request for another one is rejected.
+  Journal(std::vector<SensorAddress> sensors, time::Rate truth_rate);
+
+  /// Judges a request when the last truth sample sent was that of sim time `now`. Gives the numbered entry with its
+  /// apply time settled (a past or negative one becomes `now`, one between two grid points the later of them), or the
+  /// rejection, which changes nothing and names the offending field.
+  std::variant<AnyProfile, ProfileAck> submit(AnyProfile request, time::Nanoseconds now);
+
+  /// How many entries are in effect for a sample of sim time `t`.
+  std::uint32_t in_effect(time::Nanoseconds t) const;
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(apply_times_.size()); }
+
+ private:
+  std::vector<SensorAddress> sensors_;
+  time::Rate truth_rate_;
+  std::vector<std::int64_t> apply_times_;  // sorted
+};
+
+}  // namespace inslab::swap

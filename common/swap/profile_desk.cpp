@@ -1,0 +1,94 @@
+#include "swap/profile_desk.hpp"
+
+#include <algorithm>
+
+#include "wire/cdr.hpp"
+
+namespace inslab::swap {
+
+namespace {
+
+/// What makes two profiles the same: everything but the request.
+std::vector<std::uint8_t> parameters_of(const AnyProfile& profile) {
+  return std::visit(
+      [](auto copy) {
+        copy.request = {};
+        std::vector<std::uint8_t> bytes;
+        wire::encode(copy, bytes);
+        return bytes;
+      },
+      profile);
+}
+
+}  // namespace
+
+ProfileDesk::ProfileDesk(SensorAddress sensor, std::string service, const std::vector<AnyProfile>& in_use)
+    : sensor_(sensor), service_(std::move(service)) {
+  for (const AnyProfile& profile : in_use) parameters_in_use_[kind_of(profile)] = parameters_of(profile);
+}
+
+void ProfileDesk::add(const AnyProfile& entry) {
+  const ProfileRequest& head = request_of(entry);
+  if (!known_.insert(head.journal_number).second) return;
+  apply_times_.insert(std::upper_bound(apply_times_.begin(), apply_times_.end(), head.apply_at_ns), head.apply_at_ns);
+  if (target_of(entry) == sensor_) waiting_.emplace(std::make_pair(head.apply_at_ns, head.journal_number), entry);
+}
+
+bool ProfileDesk::complete_for(const TruthState& truth) const {
+  if (truth.journal_in_effect == 0) return true;
+  const auto before = std::lower_bound(apply_times_.begin(), apply_times_.end(), truth.header.sim_time_ns);
+  return static_cast<std::uint64_t>(before - apply_times_.begin()) >= truth.journal_in_effect;
+}
+
+ProfileAck ProfileDesk::ack_of(const AnyProfile& entry, AckOutcome outcome) const {
+  const ProfileRequest& head = request_of(entry);
+  ProfileAck ack;
+  ack.request_id = head.request_id;
+  ack.kind = kind_of(entry);
+  ack.target = target_of(entry);
+  ack.journal_number = head.journal_number;
+  ack.outcome = outcome;
+  ack.service = service_;
+  ack.requested_time_ns = head.requested_at_ns;
+  ack.apply_time_ns = head.apply_at_ns;
+  ack.requested_in_the_past = head.requested_in_the_past;
+  return ack;
+}
+
+std::vector<AnyProfile> ProfileDesk::take_due(std::int64_t sim_time_ns) {
+  std::map<ProfileKind, AnyProfile> latest;
+  while (!waiting_.empty() && waiting_.begin()->first.first < sim_time_ns) {
+    const AnyProfile entry = waiting_.begin()->second;
+    waiting_.erase(waiting_.begin());
+    const auto earlier = latest.find(kind_of(entry));
+    if (earlier != latest.end()) {
+      to_acknowledge_.push_back(ack_of(earlier->second, AckOutcome::Superseded));
+      latest.erase(earlier);
+    }
+    latest.emplace(kind_of(entry), entry);
+  }
+  std::vector<AnyProfile> due;
+  for (const auto& [kind, entry] : latest) {
+    std::vector<std::uint8_t> parameters = parameters_of(entry);
+    std::vector<std::uint8_t>& in_use = parameters_in_use_[kind];
+    // Asked to reset or redraw, the same parameters still change the states.
+    const bool unchanged = parameters == in_use && request_of(entry).continuity == Continuity::Keep;
+    to_acknowledge_.push_back(ack_of(entry, unchanged ? AckOutcome::Unchanged : AckOutcome::Applied));
+    if (!unchanged) due.push_back(entry);
+    in_use = std::move(parameters);
+  }
+  return due;
+}
+
+std::vector<ProfileAck> ProfileDesk::acknowledge(const StreamHeader& first_sample) {
+  std::vector<ProfileAck> acks;
+  acks.swap(to_acknowledge_);
+  for (ProfileAck& ack : acks) {
+    ack.run_id = first_sample.run_id;
+    ack.first_sample_time_ns = first_sample.sim_time_ns;
+    ack.first_sequence = first_sample.sequence_number;
+  }
+  return acks;
+}
+
+}  // namespace inslab::swap

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "samples/any_profile.hpp"
+#include "samples/run_control.hpp"
+#include "samples/stream_header.hpp"
+#include "samples/truth_state.hpp"
+
+namespace inslab::swap {
+
+/// Where a service keeps the journal: it says when a truth sample may be processed, which profiles take effect before
+/// it, and what to acknowledge after the first sample under them. Entries may arrive late, early and in any order; the
+/// outcome depends on the journal and the truth alone.
+class ProfileDesk {
+ public:
+  /// `in_use` holds the profiles the sensor began with.
+  ProfileDesk(SensorAddress sensor, std::string service, const std::vector<AnyProfile>& in_use);
+
+  /// Takes an entry of the journal, of any sensor; one that is known already is ignored.
+  void add(const AnyProfile& entry);
+
+  /// Whether every entry that is in effect for this sample has arrived.
+  bool complete_for(const TruthState& truth) const;
+
+  /// The entries of this sensor that take effect before the sample of sim time `sim_time_ns`, in order: at most one of
+  /// each kind, since a later one supersedes an earlier one of the same instant. Call once for every sample.
+  std::vector<AnyProfile> take_due(std::int64_t sim_time_ns);
+
+  /// The acknowledgements that wait for the first sample under the new profiles, which is the one with this header.
+  std::vector<ProfileAck> acknowledge(const StreamHeader& first_sample);
+
+ private:
+  ProfileAck ack_of(const AnyProfile& entry, AckOutcome outcome) const;
+
+  SensorAddress sensor_;
+  std::string service_;
+  std::set<std::uint32_t> known_;
+  std::vector<std::int64_t> apply_times_;                                     // of all sensors' entries, sorted
+  std::map<std::pair<std::int64_t, std::uint32_t>, AnyProfile> waiting_;      // by apply time and number
+  std::map<ProfileKind, std::vector<std::uint8_t>> parameters_in_use_;        // CDR without the request
+  std::vector<ProfileAck> to_acknowledge_;
+};
+
+}  // namespace inslab::swap

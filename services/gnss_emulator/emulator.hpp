@@ -1,0 +1,32 @@
+#pragma once
+
+#include "scenario/load.hpp"
+#include "services/gnss_emulator/model.hpp"
+#include "swap/profile_desk.hpp"
+
+namespace inslab::gnss {
+
+inline constexpr const char* kServiceName = "inslab-gnss-emulator";
+
+/// One GNSS receiver that obeys the journal: truth and journal entries in, fixes and acknowledgements out. Knows no bus
+/// and no clock; the live service and the one-process runner drive the same class.
+class Emulator {
+ public:
+  struct Result {
+    std::optional<GnssFix> fix;
+    std::vector<ProfileAck> acks;  ///< an outage keeps them back until the first fix after it
+  };
+
+  Emulator(const scenario::LoadedScenario& scenario, const scenario::LoadedGnss& gnss);
+
+  void add(const AnyProfile& entry) { desk_.add(entry); }
+  bool ready_for(const TruthState& truth) const { return desk_.complete_for(truth); }
+  /// Truth samples come in order, each once, when ready_for() says so.
+  Result process(const TruthState& truth);
+
+ private:
+  GnssModel model_;
+  swap::ProfileDesk desk_;
+};
+
+}  // namespace inslab::gnss

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "scenario/load.hpp"
+#include "services/imu_error_injector/model.hpp"
+#include "swap/profile_desk.hpp"
+
+namespace inslab::imu {
+
+inline constexpr const char* kServiceName = "inslab-imu-injector";
+
+/// One IMU that obeys the journal: truth and journal entries in, IMU samples and acknowledgements out. Knows no bus and
+/// no clock; the live service and the one-process runner drive the same class.
+class Injector {
+ public:
+  struct Result {
+    std::optional<ImuModel::Output> output;
+    std::vector<ProfileAck> acks;
+  };
+
+  Injector(const scenario::LoadedScenario& scenario, const scenario::LoadedImu& imu);
+
+  void add(const AnyProfile& entry) { desk_.add(entry); }
+  bool ready_for(const TruthState& truth) const { return desk_.complete_for(truth); }
+  /// Truth samples come in order, each once, when ready_for() says so.
+  Result process(const TruthState& truth);
+
+ private:
+  ImuModel model_;
+  swap::ProfileDesk desk_;
+};
+
+}  // namespace inslab::imu
