@@ -140,6 +140,10 @@ McapWriter::~McapWriter() {
 }
 
 std::uint16_t McapWriter::add_schema(std::string_view name, std::string_view encoding, std::string_view text) {
+  const auto same = std::find_if(schemas_.begin(), schemas_.end(), [&](const mcap::Schema& schema) {
+    return schema.name == name && schema.encoding == encoding && schema.text == text;
+  });
+  if (same != schemas_.end()) return same->id;
   if (schemas_.size() >= 65535) throw std::length_error(file_.path() + ": more than 65535 types");
   const auto id = static_cast<std::uint16_t>(schemas_.size() + 1);
   schemas_.push_back({id, std::string(name), std::string(encoding), std::string(text)});

@@ -37,7 +37,8 @@ class McapWriter {
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
-  /// Adds a type; the id is for add_channel(). Throws WriteError, std::length_error above 65535 types.
+  /// Adds a type, unless it is there already; the id is for add_channel(). Throws WriteError, std::length_error above
+  /// 65535 types.
   std::uint16_t add_schema(std::string_view name, std::string_view encoding, std::string_view text);
 
   /// Adds a topic of the type `schema_id` (0: none); the id is for write(). Throws WriteError, std::out_of_range for a

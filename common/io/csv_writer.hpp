@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/columns.hpp"
+#include "io/output_file.hpp"
+
+namespace inslab::io {
+
+/// Writes a table as CSV (RFC 4180, lines end in \n): one line of names, then the rows. Doubles have the fewest digits
+/// that read back to the same bits (at most 17); bool is 0 or 1; enums are their names; what is empty stays empty.
+class CsvWriter {
+ public:
+  /// Creates or empties the file. Throws WriteError.
+  CsvWriter(const std::string& path, const std::vector<Column>& columns);
+  ~CsvWriter();
+
+  /// One cell for each column. Throws WriteError.
+  void row(const Row& cells);
+
+  /// Throws WriteError.
+  void close();
+
+ private:
+  void drain();
+
+  OutputFile file_;
+  std::string buffer_;
+};
+
+}  // namespace inslab::io
