@@ -68,7 +68,9 @@ class Encoder {
 
  private:
   void align(std::size_t width) {
-    while (static_cast<std::size_t>(at_ - begin_) % width != 0) *at_++ = 0;
+    const std::size_t padding = (0 - static_cast<std::size_t>(at_ - begin_)) & (width - 1);
+    std::memset(at_, 0, padding);
+    at_ += padding;
   }
   template <class T>
   void put(T value) {

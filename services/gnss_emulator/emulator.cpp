@@ -1,5 +1,7 @@
 #include "services/gnss_emulator/emulator.hpp"
 
+#include "app/service_names.hpp"
+
 namespace inslab::gnss {
 
 namespace {
@@ -14,7 +16,7 @@ GnssModel::Setup setup_of(const scenario::LoadedScenario& scenario, const scenar
 
 Emulator::Emulator(const scenario::LoadedScenario& scenario, const scenario::LoadedGnss& gnss)
     : model_(setup_of(scenario, gnss)),
-      desk_({SensorKind::Gnss, gnss.number}, kServiceName, {gnss.errors, gnss.installation}) {}
+      desk_({SensorKind::Gnss, gnss.number}, app::kGnssEmulator, {gnss.errors, gnss.installation}) {}
 
 Emulator::Result Emulator::process(const TruthState& truth) {
   Result result;

@@ -6,8 +6,6 @@
 
 namespace inslab::gnss {
 
-inline constexpr const char* kServiceName = "inslab-gnss-emulator";
-
 /// One GNSS receiver that obeys the journal: truth and journal entries in, fixes and acknowledgements out. Knows no bus
 /// and no clock; the live service and the one-process runner drive the same class.
 class Emulator {

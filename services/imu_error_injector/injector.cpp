@@ -1,19 +1,21 @@
 #include "services/imu_error_injector/injector.hpp"
 
+#include "app/service_names.hpp"
+
 namespace inslab::imu {
 
 namespace {
 
 ImuModel::Setup setup_of(const scenario::LoadedScenario& scenario, const scenario::LoadedImu& imu) {
-  return {scenario.scenario.seed, imu.number,    scenario.truth_rate, imu.rate,
-          scenario.gravity(),     imu.errors,    imu.vibration,       imu.installation};
+  return {scenario.scenario.seed, imu.number, scenario.truth_rate, imu.rate,
+          scenario.gravity(),     imu.errors, imu.vibration,       imu.installation};
 }
 
 }  // namespace
 
 Injector::Injector(const scenario::LoadedScenario& scenario, const scenario::LoadedImu& imu)
     : model_(setup_of(scenario, imu)),
-      desk_({SensorKind::Imu, imu.number}, kServiceName, {imu.errors, imu.vibration, imu.installation}) {}
+      desk_({SensorKind::Imu, imu.number}, app::kImuInjector, {imu.errors, imu.vibration, imu.installation}) {}
 
 Injector::Result Injector::process(const TruthState& truth) {
   Result result;

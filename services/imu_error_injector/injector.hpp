@@ -6,8 +6,6 @@
 
 namespace inslab::imu {
 
-inline constexpr const char* kServiceName = "inslab-imu-injector";
-
 /// One IMU that obeys the journal: truth and journal entries in, IMU samples and acknowledgements out. Knows no bus and
 /// no clock; the live service and the one-process runner drive the same class.
 class Injector {

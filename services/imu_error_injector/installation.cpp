@@ -28,12 +28,11 @@ Installation::Instant Installation::at(const TruthState& truth) const {
   Instant instant{truth.omega_iv_v, Vector3::Zero(), sensor_site(truth, lever_arm_v_m_)};
   if (!has_arm_) return instant;
   // In the vehicle's NED: G = g + omega_ie x (omega_ie x r), so the centrifugal parts differ by the arm's own.
-  const nav::Geodetic vehicle{truth.latitude_rad, truth.longitude_rad, truth.height_m};
-  const Vector3 omega_ie_n = nav::omega_ie_n(truth.latitude_rad);
+  const SensorSite& site = instant.site;
+  const Vector3 g_at_vehicle = gravity_.g_n(site.sin_vehicle_latitude, truth.height_m);
+  const Vector3 g_at_imu = site.C_sn.transpose() * gravity_.g_n(site.sin_latitude, site.position.height_m);
   const Vector3 arm_n = truth.q_nv * lever_arm_v_m_;
-  const Vector3 difference_n = gravity_.g_n(vehicle) -
-                               instant.site.C_sn.transpose() * gravity_.g_n(instant.site.position) -
-                               omega_ie_n.cross(omega_ie_n.cross(arm_n));
+  const Vector3 difference_n = g_at_vehicle - g_at_imu - site.omega_ie_n.cross(site.omega_ie_n.cross(arm_n));
   instant.gravitation_difference_v = truth.q_nv.conjugate() * difference_n;
   return instant;
 }

@@ -95,14 +95,14 @@ void ImuModel::take(const FaultProfile& profile, std::uint64_t) {
   revisions_.fault = profile.request.journal_number;
 }
 
-ImuModel::Output ImuModel::end_interval(const TruthState& truth) {
+std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) {
   const std::int64_t end_ns = truth.header.sim_time_ns;
   const auto k = static_cast<std::uint64_t>(end_ns / imu_period_ns_ - 1);
   const double dt_s = static_cast<double>(imu_period_ns_) * 1e-9;
   const Increments vibration = vibration_.increments(end_ns - imu_period_ns_, end_ns);
 
-  Output out;
-  ImuTruth& perfect = out.truth;
+  std::optional<Output> out(std::in_place);  // filled in place: a kilobyte is not worth a copy
+  ImuTruth& perfect = out->truth;
   perfect.header = truth.header;
   perfect.header.sequence_number = k;
   perfect.header.publish_realtime_ns = 0;
@@ -122,7 +122,7 @@ ImuModel::Output ImuModel::end_interval(const TruthState& truth) {
   perfect.revisions = revisions_;
   discontinuity_ = false;
 
-  ImuSample& sample = out.sample;
+  ImuSample& sample = out->sample;
   sample.header = perfect.header;
   sample.sensor_number = sensor_number_;
   sample.dtheta_b = perfect.dtheta_b + perfect.gyro_error.sum();

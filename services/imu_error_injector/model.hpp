@@ -31,6 +31,7 @@ class ImuModel {
     InstallationProfile installation;
   };
   struct Output {
+    Output() {}  // spelt out, or std::optional would clear the kilobyte before the members set themselves
     ImuSample sample;
     ImuTruth truth;
   };
@@ -62,7 +63,7 @@ class ImuModel {
   void take(const VibrationProfile& profile, std::uint64_t k);
   void take(const InstallationProfile& profile, std::uint64_t k);
   void take(const FaultProfile& profile, std::uint64_t k);
-  Output end_interval(const TruthState& truth);
+  std::optional<Output> end_interval(const TruthState& truth);
 
   std::uint32_t sensor_number_;
   std::int64_t truth_period_ns_;

@@ -20,7 +20,17 @@ double turns(double frequency_hz, std::int64_t time_half_ns) {
   return (product - std::floor(product)) + rounding + frequency_hz * rest_s;
 }
 
-double sinc(double x) { return std::abs(x) < 1e-8 ? 1.0 : std::sin(x) / x; }
+/// Integral of cos(2 pi f t) over -dt/2..dt/2, s.
+double gain_s(double frequency_hz, double dt_s) {
+  const double x = units::kPi * frequency_hz * dt_s;
+  return std::abs(x) < 1e-8 ? dt_s : dt_s * std::sin(x) / x;
+}
+
+/// exp(2 pi i turns)
+std::complex<double> phasor(double turns) {
+  const double angle = 2.0 * units::kPi * turns;
+  return {std::cos(angle), std::sin(angle)};
+}
 
 }  // namespace
 
@@ -30,7 +40,7 @@ Vibration::Layer Vibration::layer_of(const VibrationProfile& profile) {
   const auto tone = [](const Vector3& amplitude, double frequency_hz, const Vector3& phase_deg) {
     const Vector3 phase_rad = phase_deg * units::kDeg;
     return Tone{frequency_hz, amplitude.cwiseProduct(phase_rad.array().cos().matrix()),
-                amplitude.cwiseProduct(phase_rad.array().sin().matrix())};
+                amplitude.cwiseProduct(phase_rad.array().sin().matrix()), 0, 0.0};
   };
   Layer layer;
   for (const auto& s : profile.linear) layer.linear.push_back(tone(s.amplitude_m_per_s2, s.frequency_hz, s.phase_deg));
@@ -59,6 +69,7 @@ void Vibration::drop_layers_until(std::size_t count) {
 
 Increments Vibration::increments(std::int64_t from_ns, std::int64_t to_ns) {
   Increments sum;
+  if (fades_.empty() && layers_[0].linear.empty() && layers_[0].angular.empty()) return sum;
   while (from_ns < to_ns) {
     std::int64_t until_ns = to_ns;
     for (std::size_t i = fades_.size(); i-- > 0;) {
@@ -82,12 +93,21 @@ Increments Vibration::increments(std::int64_t from_ns, std::int64_t to_ns) {
   return sum;
 }
 
-Vector3 Vibration::integral(const std::vector<Tone>& tones, const Span& span, const std::vector<Gate>& gates) {
+double Vibration::Tone::gain_over(std::int64_t interval_ns) {
+  if (interval_ns != cached_interval_ns) {
+    cached_interval_ns = interval_ns;
+    cached_gain_s = gain_s(frequency_hz, static_cast<double>(interval_ns) * 1e-9);
+  }
+  return cached_gain_s;
+}
+
+Vector3 Vibration::integral(std::vector<Tone>& tones, const Span& span, const std::vector<Gate>& gates) {
   Vector3 sum = Vector3::Zero();
-  for (const Tone& tone : tones) {
-    const std::complex<double> z =
-        gated_integral(tone.frequency_hz, turns(tone.frequency_hz, span.from_ns + span.to_ns), span, gates.data(),
-                       gates.data() + gates.size());
+  for (Tone& tone : tones) {
+    const double middle_turns = turns(tone.frequency_hz, span.from_ns + span.to_ns);
+    const std::complex<double> z = gates.empty() ? tone.gain_over(span.to_ns - span.from_ns) * phasor(middle_turns)
+                                                 : gated_integral(tone.frequency_hz, middle_turns, span, gates.data(),
+                                                                  gates.data() + gates.size());
     sum += z.imag() * tone.sine + z.real() * tone.cosine;
   }
   return sum;
@@ -97,10 +117,7 @@ Vector3 Vibration::integral(const std::vector<Tone>& tones, const Span& span, co
 std::complex<double> Vibration::gated_integral(double frequency_hz, double middle_turns, const Span& span,
                                                const Gate* gate, const Gate* end) {
   if (gate == end) {
-    const double dt_s = static_cast<double>(span.to_ns - span.from_ns) * 1e-9;
-    const double angle = 2.0 * units::kPi * middle_turns;
-    const double gain = dt_s * sinc(units::kPi * frequency_hz * dt_s);
-    return {gain * std::cos(angle), gain * std::sin(angle)};
+    return gain_s(frequency_hz, static_cast<double>(span.to_ns - span.from_ns) * 1e-9) * phasor(middle_turns);
   }
   // A gate is 1/2 -+ 1/2 cos(2 pi g (t - start)) with g = 1 / (2 length): half the tone and a quarter of each
   // neighbour.

@@ -32,9 +32,14 @@ class Vibration {
 
  private:
   struct Tone {
+    /// dt sinc(pi f dt), s: the part of an interval's integral that depends on its length alone, which seldom changes.
+    double gain_over(std::int64_t interval_ns);
+
     double frequency_hz;
     Vector3 sine;    ///< amplitude * cos(phase), SI
     Vector3 cosine;  ///< amplitude * sin(phase), SI
+    std::int64_t cached_interval_ns = 0;
+    double cached_gain_s = 0.0;
   };
   struct Layer {
     std::vector<Tone> linear;
@@ -57,7 +62,7 @@ class Vibration {
   static Layer layer_of(const VibrationProfile& profile);
   static std::complex<double> gated_integral(double frequency_hz, double middle_turns, const Span& span,
                                              const Gate* gate, const Gate* end);
-  static Vector3 integral(const std::vector<Tone>& tones, const Span& span, const std::vector<Gate>& gates);
+  static Vector3 integral(std::vector<Tone>& tones, const Span& span, const std::vector<Gate>& gates);
   void drop_layers_until(std::size_t count);
 
   std::vector<Layer> layers_;

@@ -1,0 +1,9 @@
+#include "app/service_names.hpp"
+#include "services/trajectory_server/server_on_bus.hpp"
+
+int main(int argc, char** argv) {
+  using namespace inslab;
+  return app::run_service(app::kTrajectoryServer, "Sends the vehicle's true motion and keeps the run's clock and journal",
+                          {false, false}, argc, argv,
+                          [](app::Context& context) { return trajectory::ServerOnBus(context).run(); });
+}

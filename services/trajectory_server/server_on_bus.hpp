@@ -1,0 +1,65 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "app/mailbox.hpp"
+#include "app/service.hpp"
+#include "app/status_board.hpp"
+#include "app/stream_monitor.hpp"
+#include "dds/reader.hpp"
+#include "services/trajectory_server/truth_source.hpp"
+
+namespace inslab::trajectory {
+
+/// The trajectory server on the bus: waits until every service that the scenario needs is ready, then sends the truth on
+/// a grid of absolute deadlines, journals the requests for swaps, and says how the run goes. The only clock of the run.
+class ServerOnBus {
+ public:
+  explicit ServerOnBus(app::Context& context);
+
+  /// Returns the exit code.
+  int run();
+
+ private:
+  using Message = std::variant<AnyProfile, SimCommand, ServiceStatus>;
+
+  template <class Profile>
+  void open_profile_topics(dds::Participant& participant);
+  bool handle_messages();
+  void judge(const AnyProfile& request);
+  std::vector<std::string> missing_services() const;
+  bool wait_until_ready();
+  void begin();
+  void send_next();
+  void send_time_mark();
+  void report_status();
+  int end(RunState state, const std::string& message);
+
+  app::Context& context_;
+  const scenario::LoadedScenario& scenario_;
+  RunId run_id_;
+  std::unique_ptr<TruthSource> source_;
+  SimStatus status_;
+  time::Nanoseconds zero_{0};         ///< CLOCK_MONOTONIC at sim time 0
+  time::Nanoseconds next_report_{0};  ///< CLOCK_MONOTONIC
+  std::uint64_t time_marks_ = 0;
+  bool stop_requested_ = false;
+  std::map<std::pair<std::string, std::uint32_t>, ServiceState> services_;
+
+  app::Mailbox<Message> mailbox_;
+  app::StreamMonitor truth_sent_;
+  app::StatusBoard board_;
+  dds::Writer<TruthState> truth_;
+  dds::Writer<SimStatus> sim_status_;
+  dds::Writer<Installation> installation_;
+  dds::Writer<TimeMark> time_mark_;
+  dds::Writer<ProfileAck> acks_;
+  std::vector<std::shared_ptr<void>> entities_;  ///< request readers and journal writers of the five kinds
+  std::map<ProfileKind, std::function<void(const AnyProfile&)>> write_journal_;
+  dds::OpenReader<SimCommand> commands_;
+  dds::Reader<ServiceStatus> service_status_;
+};
+
+}  // namespace inslab::trajectory

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <variant>
+
+#include "scenario/load.hpp"
+#include "services/trajectory_server/model.hpp"
+#include "swap/journal.hpp"
+
+namespace inslab::trajectory {
+
+
+/// The truth of a run together with its journal: what the trajectory server sends, without bus and clock. The live
+/// server and the one-process runner drive the same class.
+class TruthSource {
+ public:
+  TruthSource(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id);
+
+  /// Judges a request; see swap::Journal::submit.
+  std::variant<AnyProfile, ProfileAck> submit(const AnyProfile& request);
+
+  /// Whether a sample is left.
+  bool has_next() const { return taken_ < samples_; }
+  /// Sim time of the sample that take() gives next.
+  time::Nanoseconds next_time() const { return rate_.at(taken_); }
+  /// The next sample; requests submitted before this call can be in effect for it. Throws std::domain_error when the
+  /// vehicle leaves the valid domain.
+  TruthState take();
+  /// Computes the sample after the one taken last, so that take() costs nothing at its deadline. take() does it when
+  /// it was not called.
+  void prepare();
+
+  std::uint64_t taken() const { return taken_; }
+  std::uint32_t journal_size() const { return journal_.size(); }
+
+ private:
+  RunId run_id_;
+  time::Rate rate_;
+  std::uint64_t samples_;
+  TrajectoryModel model_;
+  swap::Journal journal_;
+  TruthState next_;
+  bool prepared_ = true;
+  std::uint64_t taken_ = 0;
+};
+
+}  // namespace inslab::trajectory
