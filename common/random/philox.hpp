@@ -17,7 +17,8 @@ struct RandomBits {
 /// given as two 64-bit words of which the low half comes first.
 /// Source: Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11, section 3.3 and table 2.
 template <int N>
-std::array<RandomBits, N> philox(std::uint64_t key, std::uint64_t block, std::uint64_t name) {
+__attribute__((always_inline)) inline std::array<RandomBits, N> philox(std::uint64_t key, std::uint64_t block,
+                                                                       std::uint64_t name) {
   constexpr std::uint64_t kLow = 0xFFFFFFFF;
   Words c0[N], c1[N], c2[N], c3[N];
   for (int i = 0; i < N; ++i) {

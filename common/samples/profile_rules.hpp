@@ -12,6 +12,7 @@
 /// Rules of profiles that span several fields; the limits of single fields stand in their declarations. Each function
 /// returns the first rule broken, or nothing.
 namespace inslab {
+inline namespace samples {
 
 inline constexpr double kMaxLeverArmM = 1000.0;
 
@@ -96,4 +97,5 @@ inline std::optional<Violation> violation(const FaultProfile& profile) {
                                 "is not 0; a bias jump is a fault of an imu");
 }
 
+}  // namespace samples
 }  // namespace inslab
