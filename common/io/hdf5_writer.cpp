@@ -11,14 +11,14 @@
 namespace inslab::io {
 namespace {
 
-constexpr hsize_t kRowsInChunk = 4096;
+constexpr hsize_t kRowsInChunk = 1024;
 constexpr std::size_t kLargestAttribute = 60000;  // an object header message holds 64 kB
 
+/// Declared as ASCII even where names hold UTF-8: HDF5 does not convert between the two, and Octave asks for ASCII.
 Hdf5Handle text_type(std::size_t size) {
   Hdf5Handle type(H5Tcopy(H5T_C_S1), &H5Tclose);
   H5Tset_size(type.get(), std::max<std::size_t>(size, 1));
   H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
-  H5Tset_cset(type.get(), H5T_CSET_UTF8);
   return type;
 }
 

@@ -25,6 +25,9 @@ class LogChannel {
     wire::encode_to(sample, log_->reserve(id_, sequence, log_time_ns, publish_time_ns, wire::encoded_size(sample)));
   }
 
+  /// For McapWriter::write() of payloads that are encoded already.
+  std::uint16_t id() const { return id_; }
+
  private:
   McapWriter* log_;
   std::uint16_t id_;
