@@ -65,12 +65,13 @@ TruthState TrajectoryModel::advance() {
 void TrajectoryModel::integrate_to(time::Nanoseconds end) {
   const double t0_s = time::to_seconds(now_ - segment_start_);
   const double t1_s = time::to_seconds(end - segment_start_);
+  const double span_s = time::to_seconds(end - now_);
   // A hair more than one step is one step: 5 ms is not a binary number.
-  const auto steps = static_cast<int>(std::ceil((t1_s - t0_s) / vehicle_.longest_step_s() * (1.0 - 1e-9)));
+  const int steps = static_cast<int>(std::ceil(span_s / vehicle_.longest_step_s() * (1.0 - 1e-9)));
   double from_s = t0_s;
   for (int i = 1; i <= steps; ++i) {
-    const double to_s = i == steps ? t1_s : t0_s + (t1_s - t0_s) * i / steps;
-    vehicle_.step(from_s, to_s);
+    const double to_s = i == steps ? t1_s : t0_s + span_s * i / steps;
+    vehicle_.step(from_s, to_s, span_s / steps);
     from_s = to_s;
   }
   now_ = end;

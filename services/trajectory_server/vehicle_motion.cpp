@@ -29,6 +29,19 @@ Vector3 first_half(const Vector3& start, const Vector3& middle, const Vector3& e
   return dt_s / 24.0 * (5.0 * start + 8.0 * middle - end);
 }
 
+/// 1/2 integral of angle x omega over a step: by how much the rotation vector exceeds the integral of the rate, to
+/// second order in the angle. Exact for rates that are polynomials of the fourth degree, the one through the step's
+/// three rates and its halves' two integrals; 0 for a rate about one axis. Source: P. Savage, Strapdown
+/// Analytics, 7.1.1.1, its coning integral evaluated for that polynomial.
+Vector3 coning(const MotionInstant& start, const MotionInstant& middle, const MotionInstant& end, double dt_s) {
+  const Vector3 first = middle.angle_nv_v - start.angle_nv_v;
+  const Vector3 second = end.angle_nv_v - middle.angle_nv_v;
+  const Vector3 w0 = dt_s * start.omega_nv_v, wm = dt_s * middle.omega_nv_v, w1 = dt_s * end.omega_nv_v;
+  return 8.0 / 21.0 * first.cross(second) + w0.cross(23.0 / 630.0 * first + second / 90.0) +
+         32.0 / 315.0 * wm.cross(second - first) - w1.cross(first / 90.0 + 23.0 / 630.0 * second) -
+         2.0 / 315.0 * (w0 - w1).cross(wm) - w0.cross(w1) / 1260.0;
+}
+
 }  // namespace
 
 VehicleMotion::VehicleMotion(const nav::Geodetic& position, const Vector3& v_v, const Quaternion& q_nv,
@@ -44,6 +57,7 @@ VehicleMotion::VehicleMotion(const nav::Geodetic& position, const Vector3& v_v, 
   std::transform(components, components + 4, q_nv_, [](double c) { return nav::CompensatedSum(c); });
   now_.C_nv = q.toRotationMatrix();
   now_.v_n = now_.C_nv * v_v;
+  now_.nose_v = v_v;
   evaluate(now_, position.latitude_rad, position.height_m);
 }
 
@@ -59,6 +73,7 @@ bool VehicleMotion::begin(MotionSegment segment) {
   }
   const Vector3 omega_before = now_.motion.omega_nv_v;
   now_.motion = segment_.at(0.0);
+  now_.nose_v = segment_.keeps_velocity_on_nose() ? v_v_at_start_ : Vector3::Zero();
   evaluate(now_, latitude_rad_.value(), height_m_.value());
   return (now_.motion.omega_nv_v - omega_before).cwiseAbs().maxCoeff() > kJump_rad_per_s;
 }
@@ -69,8 +84,7 @@ double VehicleMotion::longest_step_s() const {
   return speed * step_s > kLongestStep_m ? kLongestStep_m / speed : step_s;
 }
 
-void VehicleMotion::step(double t0_s, double t1_s) {
-  const double dt_s = t1_s - t0_s;
+void VehicleMotion::step(double t0_s, double t1_s, double dt_s) {
   Instant middle, end;
   middle.motion = segment_.at(t0_s + 0.5 * dt_s);
   end.motion = segment_.at(t1_s);
@@ -88,9 +102,18 @@ void VehicleMotion::step(double t0_s, double t1_s) {
   add_to_position(simpson(now_.position_rate, middle.position_rate, end.position_rate, dt_s));
   increments_.dtheta_v += (end.motion.angle_nv_v - now_.motion.angle_nv_v) +
                           simpson(now_.omega_in_v, middle.omega_in_v, end.omega_in_v, dt_s);
-  increments_.dv_v += (end.motion.speed_gained_v - now_.motion.speed_gained_v) +
-                      simpson(now_.f_rest_v, middle.f_rest_v, end.f_rest_v, dt_s);
+  increments_.dv_v += (end.motion.speed_gained_v - now_.motion.speed_gained_v) + turning(middle, end, dt_s) +
+                      simpson(now_.f_earth_v, middle.f_earth_v, end.f_earth_v, dt_s);
   now_ = end;
+}
+
+/// The integral of omega_nv_v x v_v over a step, by parts: exact while the speed is constant, however fast the turn.
+Vector3 VehicleMotion::turning(const Instant& middle, const Instant& end, double dt_s) const {
+  if (!segment_.turns() || !segment_.keeps_velocity_on_nose()) return Vector3::Zero();
+  const Vector3 first = middle.motion.angle_nv_v - now_.motion.angle_nv_v;
+  const Vector3 whole = end.motion.angle_nv_v - now_.motion.angle_nv_v;
+  return whole.cross(end.nose_v) -
+         simpson(Vector3::Zero(), first.cross(middle.motion.a_lin_v), whole.cross(end.motion.a_lin_v), dt_s);
 }
 
 /// Attitude and velocity at the middle and the end of a step; turns q_nv_ and, off the nose, adds to v_n_.
@@ -99,15 +122,17 @@ void VehicleMotion::find_velocities(Instant& middle, Instant& end, double dt_s) 
   if (segment_.turns()) {
     const Vector3 first = middle.motion.angle_nv_v - now_.motion.angle_nv_v;
     const Vector3 second = end.motion.angle_nv_v - middle.motion.angle_nv_v;
-    // Rotation vectors of half the step and of all of it, for a rate that is linear in time; 0 about one axis.
-    const Vector3 coning = first.cross(second);
-    middle.C_nv = (q_nv() * nav::quaternion_from_rotation_vector(first + coning / 12.0)).toRotationMatrix();
-    turn(first + second + 2.0 / 3.0 * coning);
+    // Half-way the rate may be taken as linear: its error stays in this step's quadratures.
+    const Vector3 half_way = first + first.cross(second) / 12.0;
+    middle.C_nv = (q_nv() * nav::quaternion_from_rotation_vector(half_way)).toRotationMatrix();
+    turn(first + second + coning(now_.motion, middle.motion, end.motion, dt_s));
     end.C_nv = q_nv().toRotationMatrix();
   }
   if (segment_.keeps_velocity_on_nose()) {
-    middle.v_n = middle.C_nv * (v_v_at_start_ + middle.motion.speed_gained_v);
-    end.v_n = end.C_nv * (v_v_at_start_ + end.motion.speed_gained_v);
+    middle.nose_v = v_v_at_start_ + middle.motion.speed_gained_v;
+    end.nose_v = v_v_at_start_ + end.motion.speed_gained_v;
+    middle.v_n = middle.C_nv * middle.nose_v;
+    end.v_n = end.C_nv * end.nose_v;
     return;
   }
   middle.v_n = end.v_n = now_.v_n;
@@ -138,10 +163,7 @@ void VehicleMotion::evaluate(Instant& instant, double latitude_rad, double heigh
   const Vector3 omega_en_n(east_rate, -latitude_rate, -longitude_rate * s);
   const Matrix3 C_vn = instant.C_nv.transpose();
   instant.omega_in_v = C_vn * (omega_ie_n + omega_en_n);
-  instant.f_rest_v = C_vn * ((2.0 * omega_ie_n + omega_en_n).cross(v_n) - gravity_.g_n(s, height_m));
-  if (segment_.turns() && segment_.keeps_velocity_on_nose()) {
-    instant.f_rest_v += instant.motion.omega_nv_v.cross(v_v_at_start_ + instant.motion.speed_gained_v);
-  }
+  instant.f_earth_v = C_vn * ((2.0 * omega_ie_n + omega_en_n).cross(v_n) - gravity_.g_n(s, height_m));
 }
 
 void VehicleMotion::turn(const Vector3& rotation_vector_rad) {

@@ -20,8 +20,8 @@ struct Increments {
 ///
 /// Method. With the velocity on the nose the second equation is (C_vn v_n)' = a_lin_v, so the velocity in v axes is the
 /// closed-form integral of the segment's motions; angles about one axis are closed-form too, and those about several
-/// differ by the coning term of a step's two halves (fourth order). What is left, position and the Earth's share of
-/// dtheta and dv, is slow: Simpson's rule on each step. Sums are compensated.
+/// differ by the coning integral of a step. What is left, position and the Earth's share of dtheta and dv, is slow:
+/// Simpson's rule on each step. Sums are compensated.
 /// Source: docs/models.md section 2; thesis (3-23)..(3-32).
 class VehicleMotion {
  public:
@@ -32,7 +32,8 @@ class VehicleMotion {
   bool begin(MotionSegment segment);
 
   /// Integrates from `t0_s` to `t1_s` of the segment; no corner lies between, and `t0_s` is where the last step ended.
-  void step(double t0_s, double t1_s);
+  /// `dt_s` is t1 - t0 from whole nanoseconds: the difference of two doubles would err by 1e-13 s after an hour.
+  void step(double t0_s, double t1_s, double dt_s);
 
   /// A step as long as this keeps the promised accuracy: 5 ms, less where the motion is fast.
   double longest_step_s() const;
@@ -46,7 +47,7 @@ class VehicleMotion {
   const Vector3& v_n() const { return now_.v_n; }
   Vector3 v_v() const { return now_.C_nv.transpose() * now_.v_n; }
   Vector3 omega_iv_v() const { return now_.motion.omega_nv_v + now_.omega_in_v; }
-  Vector3 f_v() const { return now_.motion.a_lin_v + now_.f_rest_v; }
+  Vector3 f_v() const { return now_.motion.a_lin_v + now_.turning_v() + now_.f_earth_v; }
 
  private:
   /// All quantities of one time.
@@ -56,13 +57,17 @@ class VehicleMotion {
     Vector3 v_n = Vector3::Zero();
     Vector3 position_rate = Vector3::Zero();  ///< lat', lon', h'
     Vector3 omega_in_v = Vector3::Zero();
-    Vector3 f_rest_v = Vector3::Zero();  ///< f_v - a_lin_v
-    double inverse_north_m = 0.0;        ///< 1/(M+h)
+    Vector3 f_earth_v = Vector3::Zero();  ///< of f_v: Coriolis and gravity
+    Vector3 nose_v = Vector3::Zero();     ///< v_v while it is kept on the nose, or else 0
+    double inverse_north_m = 0.0;         ///< 1/(M+h)
+    /// Of f_v: the acceleration that keeps the velocity on the nose.
+    Vector3 turning_v() const { return motion.omega_nv_v.cross(nose_v); }
   };
 
   void evaluate(Instant& instant, double latitude_rad, double height_m) const;
   void turn(const Vector3& rotation_vector_rad);
   void find_velocities(Instant& middle, Instant& end, double dt_s);
+  Vector3 turning(const Instant& middle, const Instant& end, double dt_s) const;
   void add_to_position(const Vector3& change);
 
   nav::Gravity gravity_;

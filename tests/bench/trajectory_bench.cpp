@@ -1,0 +1,42 @@
+// The cost of one truth sample: the promise is a million steps per second at 200 Hz, whatever the table's length.
+
+#include <benchmark/benchmark.h>
+
+#include "services/trajectory_server/model.hpp"
+#include "tests/unit/trajectory_server/tables.hpp"
+
+namespace inslab::trajectory {
+namespace {
+
+void drive(benchmark::State& state, const scenario::Trajectory& trajectory, double rate_hz) {
+  TrajectoryModel model(trajectory, time::Rate(rate_hz), {2300, 0});
+  double sum = 0.0;
+  for (auto _ : state) benchmark::DoNotOptimize(sum += model.advance().dv_v.x());
+  state.SetItemsProcessed(state.iterations());
+}
+
+void Static(benchmark::State& state) { drive(state, tables::at_wuhan(), 200.0); }
+void Vehicle(benchmark::State& state) { drive(state, tables::vehicle(), 200.0); }
+void Aircraft(benchmark::State& state) { drive(state, tables::aircraft(), 200.0); }
+void Ship(benchmark::State& state) { drive(state, tables::ship(), 200.0); }
+void VehicleAt1kHz(benchmark::State& state) { drive(state, tables::vehicle(), 1000.0); }
+
+void ManySegments(benchmark::State& state) {
+  scenario::Trajectory table = tables::at_wuhan();
+  for (int i = 0; i < state.range(0); ++i) {
+    table.segments.push_back(tables::segment(1.0, {tables::target_speed(i % 2 == 0 ? 10.0 : 5.0)}));
+    table.segments.push_back(tables::segment(1.0, {tables::turn(i % 2 == 0 ? 20.0 : -20.0)}));
+  }
+  drive(state, table, 200.0);
+}
+
+// 240000 samples are 20 minutes: what follows the table is cheaper and not counted.
+BENCHMARK(Static)->Iterations(240000);
+BENCHMARK(Vehicle)->Iterations(240000);
+BENCHMARK(Aircraft)->Iterations(240000);
+BENCHMARK(Ship)->Iterations(240000);
+BENCHMARK(VehicleAt1kHz)->Iterations(1200000);
+BENCHMARK(ManySegments)->Arg(600)->Arg(50000)->Iterations(240000);
+
+}  // namespace
+}  // namespace inslab::trajectory

@@ -1,0 +1,139 @@
+// The truth against itself: what is published as a derivative or an integral is one of what else is published.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "nav/attitude.hpp"
+#include "nav/wgs84.hpp"
+#include "services/trajectory_server/model.hpp"
+#include "tests/unit/trajectory_server/tables.hpp"
+
+namespace inslab::trajectory {
+namespace {
+
+constexpr double kUlpOfTwoRad = 4.4e-16;
+
+std::vector<TruthState> run(const scenario::Trajectory& trajectory, double rate_hz, double seconds) {
+  TrajectoryModel model(trajectory, time::Rate(rate_hz), {2300, 0});
+  std::vector<TruthState> truth{model.current()};
+  const auto steps = static_cast<std::size_t>(std::lround(seconds * rate_hz));
+  while (truth.size() <= steps) truth.push_back(model.advance());
+  return truth;
+}
+
+nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
+
+using Table = scenario::Trajectory (*)();
+class TruthConsistency : public testing::TestWithParam<Table> {};
+
+TEST_P(TruthConsistency, DoesNotDependOnTheGrid) {
+  const auto coarse = run(GetParam()(), 200.0, 400.0);
+  const auto fine = run(GetParam()(), 1000.0, 400.0);
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    const TruthState &a = coarse[i], &b = fine[5 * i];
+    ASSERT_EQ(a.header.sim_time_ns, b.header.sim_time_ns);
+    // 1e-9 m and the unit in the last place that the angles are published with.
+    ASSERT_LT(nav::ned_from(position(a), position(b)).norm(), 1e-9 + kUlpOfTwoRad * nav::wgs84::a_m) << i;
+    ASSERT_LT((a.v_n - b.v_n).norm(), 1e-10) << i;
+    ASSERT_LT(nav::angle_between(a.q_nv, b.q_nv), 1e-12) << i;
+    ASSERT_EQ(a.segment_index, b.segment_index);
+  }
+}
+
+TEST_P(TruthConsistency, IncrementsOfFineSamplesAddUpToThoseOfCoarse) {
+  const auto coarse = run(GetParam()(), 200.0, 400.0);
+  const auto fine = run(GetParam()(), 1000.0, 400.0);
+  for (std::size_t i = 1; i < coarse.size(); ++i) {
+    Vector3 dtheta = Vector3::Zero(), dv = Vector3::Zero();
+    for (std::size_t j = 5 * i - 4; j <= 5 * i; ++j) {
+      dtheta += fine[j].dtheta_v;
+      dv += fine[j].dv_v;
+    }
+    // Attitudes apart by 1e-12 rad turn 0.05 m/s by 5e-14 m/s.
+    ASSERT_LT((dtheta - coarse[i].dtheta_v).norm(), 1e-15) << i;
+    ASSERT_LT((dv - coarse[i].dv_v).norm(), 5e-14) << i;
+  }
+}
+
+TEST_P(TruthConsistency, PositionChangesAsTheVelocitySays) {
+  // Central differences at 1 kHz: the truncation dt^2 a'/6 is 1e-6 * jerk/6, 2e-6 m/s at 10 m/s^3; the rounding of a
+  // longitude, 1.4e-9 m in two positions over 2 ms, is 1.4e-6 m/s.
+  const auto truth = run(GetParam()(), 1000.0, 400.0);
+  for (std::size_t i = 1; i + 1 < truth.size(); ++i) {
+    if (truth[i - 1].segment_index != truth[i + 1].segment_index) continue;  // the acceleration may jump between
+    const Vector3 velocity = (nav::ned_from(position(truth[i]), position(truth[i + 1])) -
+                              nav::ned_from(position(truth[i]), position(truth[i - 1]))) /
+                             2e-3;
+    ASSERT_LT((velocity - truth[i].v_n).norm(), 4e-6) << i;
+  }
+}
+
+TEST_P(TruthConsistency, AttitudeChangesAsTheIncrementsOfAngleSay) {
+  // q_nv(k+1) = q_nn' q_nv(k) q(dtheta): over 1 ms dtheta is the rotation vector but for coning, dtheta' x dtheta''/12
+  // of some (0.1 rad/s * 1 ms)(1 rad/s^2 * 1e-6)/12 = 1e-11 rad.
+  const auto truth = run(GetParam()(), 1000.0, 400.0);
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    const Vector3 omega_in_n =
+        nav::omega_ie_n(truth[i].latitude_rad) + nav::omega_en_n(position(truth[i]), truth[i].v_n);
+    const Quaternion q = nav::quaternion_from_rotation_vector(-omega_in_n * 1e-3) * truth[i - 1].q_nv *
+                         nav::quaternion_from_rotation_vector(truth[i].dtheta_v);
+    ASSERT_LT(nav::angle_between(q, truth[i].q_nv), 2e-11) << i;
+  }
+}
+
+TEST_P(TruthConsistency, RateAndSpecificForceAreTheDerivativesOfTheIncrements) {
+  // The mean of an interval is the mean of its ends but for dt^2/12 of the second derivative: at 1 kHz 1e-7 of some
+  // 10 rad/s^3 or 100 m/s^4. A corner of an acceleration off the grid costs dt/8 of the change of slope, which is up to
+  // 22 m/s/5.25 s/1.75 s = 2.4 m/s^3 here: 3e-4 m/s^2. Intervals that hold a joint, where rate or force may jump, are
+  // left out.
+  const auto truth = run(GetParam()(), 1000.0, 400.0);
+  for (std::size_t i = 2; i < truth.size(); ++i) {
+    if (truth[i].segment_index != truth[i - 1].segment_index) continue;
+    ASSERT_LT((truth[i].dtheta_v * 1e3 - 0.5 * (truth[i].omega_iv_v + truth[i - 1].omega_iv_v)).norm(), 1e-6) << i;
+    ASSERT_LT((truth[i].dv_v * 1e3 - 0.5 * (truth[i].f_v + truth[i - 1].f_v)).norm(), 3e-4) << i;
+  }
+}
+
+TEST_P(TruthConsistency, StateIsContinuousAtEveryJoint) {
+  // Over a millisecond around a joint: speed times 1 ms (250 m/s), 20 m/s^2 times 1 ms, 1 rad/s times 1 ms.
+  const auto truth = run(GetParam()(), 1000.0, 400.0);
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    ASSERT_LT(nav::ned_from(position(truth[i - 1]), position(truth[i])).norm(), 0.25);
+    ASSERT_LT((truth[i].v_n - truth[i - 1].v_n).norm(), 0.02);
+    ASSERT_LT(nav::angle_between(truth[i - 1].q_nv, truth[i].q_nv), 1e-3);
+  }
+}
+
+TEST_P(TruthConsistency, QuaternionsAreCanonical) {
+  for (const TruthState& truth : run(GetParam()(), 200.0, 400.0)) {
+    ASSERT_GE(truth.q_nv.w(), 0.0);
+    ASSERT_NEAR(truth.q_nv.norm(), 1.0, 4e-16);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Tables, TruthConsistency,
+                         testing::Values(tables::basic, tables::vehicle, tables::aircraft, tables::ship));
+
+TEST(Truth, IsTheSameBitsEveryTime) {
+  const auto once = run(tables::aircraft(), 200.0, 100.0);
+  const auto again = run(tables::aircraft(), 200.0, 100.0);
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    ASSERT_EQ(once[i].latitude_rad, again[i].latitude_rad);
+    ASSERT_EQ(once[i].dv_v, again[i].dv_v);
+    ASSERT_EQ(once[i].dtheta_v, again[i].dtheta_v);
+  }
+}
+
+TEST(Truth, KeepsASlowRateGridAsExact) {
+  // 1 Hz is integrated in the same small steps: 200 of 5 ms.
+  const auto slow = run(tables::basic(), 1.0, 400.0);
+  const auto usual = run(tables::basic(), 200.0, 400.0);
+  const double apart_m = nav::ned_from(position(slow.back()), position(usual.back())).norm();
+  EXPECT_LT(apart_m, 1e-9 + kUlpOfTwoRad * nav::wgs84::a_m);
+}
+
+}  // namespace
+}  // namespace inslab::trajectory
