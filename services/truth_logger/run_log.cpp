@@ -1,0 +1,50 @@
+#include "services/truth_logger/run_log.hpp"
+
+#include "config/json_writer.hpp"
+
+namespace inslab::logger {
+
+namespace {
+
+constexpr const char* kVersion = INSLAB_VERSION;
+
+io::McapWriter::Options log_options() {
+  io::McapWriter::Options options;
+  options.library = std::string("inslab ") + kVersion;
+  return options;
+}
+
+}  // namespace
+
+std::string profile_record(ProfileKind kind, const SensorAddress& sensor, std::uint32_t journal_number) {
+  return "profile/" + std::string(enum_name(kind)) + "/" + sensor_name(sensor) + "/" + std::to_string(journal_number);
+}
+
+RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario, const std::string& cpu_features)
+    : path_(path), file_(path, log_options()) {
+  file_.metadata("scenario", {{"file", scenario.file.filename().string()},
+                              {"name", scenario.scenario.name},
+                              {"json", config::to_json(scenario.scenario).dump(2)}});
+  file_.metadata("build", {{"version", kVersion}, {"cpu_features", cpu_features}});
+  for (const auto& imu : scenario.imus) {
+    add_profile(imu.errors);
+    add_profile(imu.vibration);
+    add_profile(imu.installation);
+  }
+  for (const auto& gnss : scenario.gnss) {
+    add_profile(gnss.errors);
+    add_profile(gnss.installation);
+  }
+}
+
+void RunLog::add_profile(const AnyProfile& entry) {
+  file_.metadata(profile_record(kind_of(entry), target_of(entry), request_of(entry).journal_number),
+                 {{"name", name_of(entry)},
+                  {"json", std::visit([](const auto& profile) { return config::wire_to_json(profile).dump(2); }, entry)}});
+}
+
+void RunLog::add_ack(const ProfileAck& ack) {
+  file_.metadata("ack/" + std::to_string(++acks_), {{"json", config::wire_to_json(ack).dump(2)}});
+}
+
+}  // namespace inslab::logger

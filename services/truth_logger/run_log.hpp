@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/log_channel.hpp"
+#include "scenario/load.hpp"
+
+namespace inslab::logger {
+
+/// The log of one run, live or offline: what every channel and metadata record is called and holds.
+///
+/// Metadata: "scenario" (the scenario as read, with every default written out), "build" (version, instruction set),
+/// "profile/KIND/SENSOR/NUMBER" (number 0: what the scenario began with; else the journal's), "ack/NUMBER".
+class RunLog {
+ public:
+  /// Creates the file and describes the scenario in it. Throws io::WriteError.
+  RunLog(const std::string& path, const scenario::LoadedScenario& scenario, const std::string& cpu_features);
+
+  io::McapWriter& file() { return file_; }
+  const std::string& path() const { return path_; }
+
+  /// Keeps an entry of the journal as JSON.
+  void add_profile(const AnyProfile& entry);
+  /// Keeps an acknowledgement as JSON.
+  void add_ack(const ProfileAck& ack);
+
+ private:
+  std::string path_;
+  io::McapWriter file_;
+  std::uint64_t acks_ = 0;
+};
+
+/// Name of the metadata record of a profile.
+std::string profile_record(ProfileKind kind, const SensorAddress& sensor, std::uint32_t journal_number);
+
+}  // namespace inslab::logger
