@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "config/json_reader.hpp"
+#include "samples/profile_rules.hpp"
+
+/// The profiles that come with the product: each is read strictly, breaks no rule, and bears its file's name.
+namespace inslab {
+namespace {
+
+std::filesystem::path folder(const std::string& kind) {
+  return std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "profiles" / kind;
+}
+
+template <class Profile>
+void check_files(const std::string& kind, const std::set<std::string>& expected) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder(kind))) {
+    const auto profile = config::read_file<Profile>(entry.path());
+    const auto broken = violation(profile);
+    EXPECT_FALSE(broken.has_value()) << entry.path() << ": " << broken->path << ' ' << broken->reason;
+    EXPECT_EQ(profile.name, entry.path().stem().string());
+    EXPECT_FALSE(profile.source.empty()) << entry.path();
+    names.insert(profile.name);
+  }
+  for (const std::string& name : expected) EXPECT_EQ(names.count(name), 1U) << kind << '/' << name;
+}
+
+TEST(ProfileFiles, ImuProfilesAreValid) {
+  check_files<ImuErrorProfile>("imu", {"ideal", "pos830", "stim300", "adis16488", "mems_automotive"});
+}
+
+TEST(ProfileFiles, VibrationProfilesAreValid) {
+  check_files<VibrationProfile>("vibration", {"none", "car", "rotorcraft"});
+}
+
+TEST(ProfileFiles, InstallationProfilesAreValid) {
+  check_files<InstallationProfile>("installation", {"centre", "imu_trunk", "antenna_roof", "antenna_trunk"});
+}
+
+TEST(ProfileFiles, GnssProfilesAreValid) {
+  check_files<GnssErrorProfile>("gnss", {"rtk", "ppp", "dgnss", "single_point"});
+}
+
+TEST(ProfileFiles, AScalarMeansAllThreeAxes) {
+  const auto stim300 = config::read_file<ImuErrorProfile>(folder("imu") / "stim300.json");
+  EXPECT_EQ(stim300.gyro.bias_gm_sigma_deg_per_h, Vector3::Constant(0.5));
+  EXPECT_EQ(stim300.accel.vrw_m_per_s_per_sqrt_h, Vector3::Constant(0.07));
+}
+
+}  // namespace
+}  // namespace inslab
