@@ -2,19 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace inslab::trajectory {
 
 namespace {
 constexpr double kTwoPi = 2.0 * 3.14159265358979323846;
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 }  // namespace
 
-double ConstantProfile::step_s() const { return kNoLimit; }
 double ConstantProfile::largest() const { return std::abs(value_); }
 
-double RampProfile::step_s() const { return kNoLimit; }
 double RampProfile::largest() const { return std::max(std::abs(from_), std::abs(to_)); }
 
 SinusoidProfile::SinusoidProfile(Phase phase, double amplitude, double period_s)
@@ -58,7 +54,6 @@ double TrapezoidProfile::integral(double t_s) const {
 }
 
 std::vector<double> TrapezoidProfile::corners() const { return {ramp_s_, duration_s_ - ramp_s_}; }
-double TrapezoidProfile::step_s() const { return kNoLimit; }
 double TrapezoidProfile::largest() const { return std::abs(peak_); }
 
 TurnProfile::TurnProfile(double area, double duration_s, double ramp_fraction)
@@ -92,7 +87,6 @@ double TurnProfile::integral(double t_s) const {
 std::vector<double> TurnProfile::corners() const {
   return {0.5 * ramp_s_, ramp_s_, duration_s_ - ramp_s_, duration_s_ - 0.5 * ramp_s_};
 }
-double TurnProfile::step_s() const { return kNoLimit; }
 double TurnProfile::largest() const { return std::abs(0.25 * k_ * ramp_s_ * ramp_s_); }
 
 }  // namespace inslab::trajectory

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -8,8 +9,11 @@
 /// Each has `value(t)`, an acceleration or an angular rate in whatever unit it was given; `integral(t)`, the
 /// closed-form integral of value from 0 to t, so that speeds and angles carry no quadrature error; `corners()`, the
 /// times inside the duration where a derivative jumps, where integration has to be split; and `step_s()`, a step within
-/// which the value is smooth enough for a fourth-order method (infinity: no limit of its own). Times are in s.
+/// which the value is smooth enough for a fourth-order method (infinity: no limit of its own); `largest()`, a bound of
+/// |value|. Times are in s.
 namespace inslab::trajectory {
+
+inline constexpr double kNoStepLimit_s = std::numeric_limits<double>::infinity();
 
 /// Types 4 and 8: value(t) = c.
 class ConstantProfile {
@@ -18,7 +22,7 @@ class ConstantProfile {
   double value(double) const { return value_; }
   double integral(double t_s) const { return value_ * t_s; }
   std::vector<double> corners() const { return {}; }
-  double step_s() const;
+  double step_s() const { return kNoStepLimit_s; }
   double largest() const;
 
  private:
@@ -32,7 +36,7 @@ class RampProfile {
   double value(double t_s) const { return from_ + slope_ * t_s; }
   double integral(double t_s) const { return t_s * (from_ + 0.5 * slope_ * t_s); }
   std::vector<double> corners() const { return {}; }
-  double step_s() const;
+  double step_s() const { return kNoStepLimit_s; }
   double largest() const;
 
  private:
@@ -65,7 +69,7 @@ class TrapezoidProfile {
   double value(double t_s) const;
   double integral(double t_s) const;
   std::vector<double> corners() const;
-  double step_s() const;
+  double step_s() const { return kNoStepLimit_s; }
   double largest() const;
 
  private:
@@ -84,7 +88,7 @@ class TurnProfile {
   double value(double t_s) const;
   double integral(double t_s) const;
   std::vector<double> corners() const;
-  double step_s() const;
+  double step_s() const { return kNoStepLimit_s; }
   double largest() const;
 
  private:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace inslab::trajectory {
@@ -10,7 +9,6 @@ namespace inslab::trajectory {
 namespace {
 
 constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 // Simpson's rule on a vector that turns by 0.02 rad errs by 0.02^4/2880 = 6e-11 of it.
 constexpr double kLargestTurnPerStep_rad = 0.02;
@@ -53,7 +51,7 @@ MotionSegment::MotionSegment(const scenario::Segment& segment, const Vector3& v_
   const time::Nanoseconds duration = time::from_seconds(segment.duration_s);
   const double duration_s = time::to_seconds(duration);
   double rate_sum = 0.0;
-  longest_step_s_ = kNoLimit;
+  longest_step_s_ = kNoStepLimit_s;
   for (const scenario::Motion& motion : segment.motions) {
     const auto axis = static_cast<Eigen::Index>(scenario::axis_of(motion));
     const std::optional<MotionProfile> profile = profile_of(motion, duration_s, v_v[axis]);
@@ -78,7 +76,7 @@ MotionSegment::MotionSegment(const scenario::Segment& segment, const Vector3& v_
 
 MotionSegment MotionSegment::endless() {
   MotionSegment rest;
-  rest.longest_step_s_ = kNoLimit;
+  rest.longest_step_s_ = kNoStepLimit_s;
   rest.joints_.push_back(time::Nanoseconds::max());
   return rest;
 }

@@ -137,11 +137,13 @@ void VehicleMotion::find_velocities(Instant& middle, Instant& end, double dt_s) 
   }
   middle.v_n = end.v_n = now_.v_n;
   if (!segment_.accelerates()) return;
-  const Vector3 a0_n = now_.C_nv * now_.motion.a_lin_v;
-  const Vector3 am_n = middle.C_nv * middle.motion.a_lin_v;
-  const Vector3 a1_n = end.C_nv * end.motion.a_lin_v;
-  middle.v_n += first_half(a0_n, am_n, a1_n, dt_s);
-  const Vector3 change = simpson(a0_n, am_n, a1_n, dt_s);
+  // The integral of C_nv a_lin by parts: exact while the attitude is constant, however fast the sway.
+  const Vector3 gained_m = middle.motion.speed_gained_v - now_.motion.speed_gained_v;
+  const Vector3 gained_1 = end.motion.speed_gained_v - now_.motion.speed_gained_v;
+  const Vector3 rest_m = middle.C_nv * middle.motion.omega_nv_v.cross(gained_m);
+  const Vector3 rest_1 = end.C_nv * end.motion.omega_nv_v.cross(gained_1);
+  middle.v_n += middle.C_nv * gained_m - first_half(Vector3::Zero(), rest_m, rest_1, dt_s);
+  const Vector3 change = end.C_nv * gained_1 - simpson(Vector3::Zero(), rest_m, rest_1, dt_s);
   for (int i = 0; i < 3; ++i) v_n_[i].add(change[i]);
   end.v_n = {v_n_[0].value(), v_n_[1].value(), v_n_[2].value()};
 }

@@ -117,6 +117,35 @@ TEST_P(TruthConsistency, QuaternionsAreCanonical) {
 INSTANTIATE_TEST_SUITE_P(Tables, TruthConsistency,
                          testing::Values(tables::basic, tables::vehicle, tables::aircraft, tables::ship));
 
+/// Where two grids leave the vehicle, in m apart.
+double apart_m(const scenario::Trajectory& trajectory, double rate_hz, double finer_hz, double seconds) {
+  const auto end = [&](double hz) {
+    TrajectoryModel model(trajectory, time::Rate(hz), {2300, 0});
+    for (long i = std::lround(seconds * hz); i > 0; --i) model.advance();
+    return position(model.current());
+  };
+  return nav::ned_from(end(rate_hz), end(finer_hz)).norm();
+}
+
+TEST(Truth, StaysTheSameOverAnHourOfSwayOnAnyGrid) {
+  scenario::Trajectory hour = tables::ship();
+  hour.segments[0].duration_s = 3600.0;
+  EXPECT_LT(apart_m(hour, 200.0, 1000.0, 3600.0), 1e-9 + kUlpOfTwoRad * nav::wgs84::a_m);
+}
+
+TEST(Truth, ResolvesSwayFasterThanItsGrid) {
+  // 10 Hz of heave and 4 and 5 Hz of angles; against steps a tenth as long, whose error is 1e-4 of it: the error of an
+  // hour's motion, here a twelfth of it, stays below 1e-6 m.
+  using tables::Axis;
+  using tables::MotionType;
+  scenario::Trajectory rough = tables::at_wuhan();
+  rough.segments = {tables::segment(300.0, {tables::sinusoid(MotionType::CosineRate, 30.0, 0.2, Axis::X),
+                                            tables::sinusoid(MotionType::SineRate, 20.0, 0.25, Axis::Y),
+                                            tables::sinusoid(MotionType::SineAccel, 5.0, 0.1, Axis::Z)})};
+  rough.segments[0].keep_velocity_on_nose = false;
+  EXPECT_LT(apart_m(rough, 200.0, 10000.0, 300.0), 1e-6 / 12.0);
+}
+
 TEST(Truth, IsTheSameBitsEveryTime) {
   const auto once = run(tables::aircraft(), 200.0, 100.0);
   const auto again = run(tables::aircraft(), 200.0, 100.0);
