@@ -103,6 +103,12 @@ herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* text) {
 void throw_hdf5_error(const std::string& path, const std::string& action) {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, &keep_innermost, &reason);
+  // The drivers quote the system's own words.
+  constexpr std::string_view kQuote = "error message = '";
+  if (const std::size_t quote = reason.find(kQuote); quote != std::string::npos) {
+    reason = reason.substr(quote + kQuote.size());
+    reason.resize(std::min(reason.size(), reason.find('\'')));
+  }
   throw WriteError(path + ": cannot " + action + ": " + reason);
 }
 
@@ -178,7 +184,10 @@ struct Hdf5Writer::State {
 };
 
 Hdf5Writer::Hdf5Writer(const std::string& path) : state_(std::make_unique<State>()) {
-  // The library prints its errors unless told not to; they go into exceptions here.
+  // After a full disk the library crashes in its own clean-up at exit (1.10.8), so it is told to have none; close()
+  // does what is needed. It prints its errors unless told not to; they go into exceptions here.
+  static const herr_t kNoCleanUp = H5dont_atexit();
+  static_cast<void>(kNoCleanUp);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   state_->path = path;
   state_->file =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "io/log_types.hpp"
 #include "io/mcap_reader.hpp"
@@ -88,13 +89,14 @@ LogInfo inspect_log(const std::string& path) {
     topics.emplace(id, TopicScan(channel, schema == reader.schemas().end() ? "" : schema->second.name));
   }
   std::optional<RunId> newest_run;
+  std::set<std::string> known_runs;
   reader.for_each([&](const mcap::Message& message) {
     const SampleStamp* stamp = topics.at(message.channel_id).add(message);
     // A service that waits for its run has no id yet.
     if (stamp != nullptr && stamp->run_id && *stamp->run_id != RunId() && stamp->run_id != newest_run) {
       newest_run = stamp->run_id;
       const std::string name = to_hex(*newest_run);
-      if (std::find(info.run_ids.begin(), info.run_ids.end(), name) == info.run_ids.end()) info.run_ids.push_back(name);
+      if (known_runs.insert(name).second) info.run_ids.push_back(name);
     }
     return true;
   });

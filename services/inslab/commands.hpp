@@ -7,10 +7,16 @@ class App;
 }
 
 /// The subcommands of `inslab`. Each function declares its options on `app`; when the command line chose it, `action`
-/// does the work and returns the exit code (0 done, 2 bad input).
+/// does the work and returns the exit code (app/exit_code.hpp).
 namespace inslab::cli {
 
+void add_run(CLI::App& app, std::function<int()>& action);
+void add_simulate(CLI::App& app, std::function<int()>& action);
+void add_status(CLI::App& app, std::function<int()>& action);
+void add_swap(CLI::App& app, std::function<int()>& action);
+void add_check(CLI::App& app, std::function<int()>& action);
 void add_info(CLI::App& app, std::function<int()>& action);
 void add_export(CLI::App& app, std::function<int()>& action);
+void add_reference(CLI::App& app, std::function<int()>& action);
 
 }  // namespace inslab::cli

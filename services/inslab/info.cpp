@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "io/error.hpp"
@@ -12,6 +14,7 @@
 namespace inslab::cli {
 namespace {
 
+constexpr std::size_t kRunsShown = 3;
 constexpr std::size_t kGapsShown = 10;
 constexpr std::size_t kLongestValue = 100;
 
@@ -38,7 +41,10 @@ void print_head(const io::LogInfo& info) {
             << info.message_count << " messages in " << info.chunk_count << " chunks, written by " << info.library
             << "\n";
   std::cout << (info.closed_properly ? "closed properly" : "NOT closed properly: " + info.ending) << "\n";
-  for (const std::string& run : info.run_ids) std::cout << "run " << run << "\n";
+  for (std::size_t i = 0; i < info.run_ids.size() && i < kRunsShown; ++i) {
+    std::cout << "run " << info.run_ids[i] << "\n";
+  }
+  if (info.run_ids.size() > kRunsShown) std::cout << "and " << info.run_ids.size() - kRunsShown << " more runs\n";
   for (const auto& record : info.metadata) {
     for (const auto& [key, value] : record.values) {
       std::cout << record.name << "." << key << ": " << shortened(value) << "\n";

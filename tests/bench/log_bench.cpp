@@ -41,7 +41,9 @@ StreamHeader header_of(int k) {
 std::vector<Step> make_steps() {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal;
-  const auto noise = [&](double sigma) { return Vector3(sigma * normal(engine), sigma * normal(engine), sigma * normal(engine)); };
+  const auto noise = [&](double sigma) {
+    return Vector3(sigma * normal(engine), sigma * normal(engine), sigma * normal(engine));
+  };
   std::vector<Step> steps(kSteps);
   for (int k = 0; k < kSteps; ++k) {
     const double t = 0.005 * k;
@@ -93,7 +95,8 @@ template <class T>
 std::size_t put(io::McapWriter& writer, std::uint16_t channel, const T& sample) {
   const auto time = static_cast<std::uint64_t>(sample.header.sim_time_ns);
   const std::size_t size = wire::encoded_size(sample);
-  wire::encode_to(sample, writer.reserve(channel, static_cast<std::uint32_t>(sample.header.sequence_number), time, time, size));
+  wire::encode_to(sample,
+                  writer.reserve(channel, static_cast<std::uint32_t>(sample.header.sequence_number), time, time, size));
   return size;
 }
 
