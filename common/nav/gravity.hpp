@@ -28,8 +28,8 @@ class Gravity {
   /// Normal gravity in m/s^2, without the disturbance.
   ///
   /// Somigliana: NIMA TR8350.2 (4-1) with (4-3) for height; 1e-6 m/s^2 (0.1 mGal) from the exact normal field at
-  /// 10 km, 2e-4 at 100 km. Series: Moritz, Geodetic Reference System 1980, with the height terms of Moritz (2-123) in
-  /// numbers.
+  /// 10 km, 2e-4 at 100 km. Series: H. Moritz, Geodetic Reference System
+  /// 1980, with the linear and quadratic height terms in numbers.
   double normal_m_per_s2(double sin_latitude, double height_m) const;
 
   /// Gravity in n, m/s^2: (-g xi, -g eta, g) with g the normal gravity plus the disturbance; first order in the angles.
