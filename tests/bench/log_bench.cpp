@@ -128,8 +128,8 @@ void BM_LogWrite(benchmark::State& state) {
 }
 BENCHMARK(BM_LogWrite)
     ->ArgNames({"zstd_level", "chunk_kib"})
-    ->ArgsProduct({{-20, -7, -5, -3, -2, -1, 1, 2, 3}, {1024}})
-    ->ArgsProduct({{-1}, {128, 256, 512, 2048, 4096}})
+    ->ArgsProduct({{-7, -5, -3, -1, 1, 2, 3}, {1024}})
+    ->ArgsProduct({{-1}, {256, 4096}})
     ->MinTime(1.0)
     ->Unit(benchmark::kMillisecond);
 
