@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace inslab::time {
@@ -25,6 +24,14 @@ constexpr std::array<LeapSecond, 19> kLeapSeconds{{
     {773020800, 10},  {820454400, 11},  {867715200, 12},  {915148800, 13},  {1136073600, 14},
     {1230768000, 15}, {1341100800, 16}, {1435708800, 17}, {1483228800, 18},
 }};
+
+std::int64_t gps_minus_utc_s(std::int64_t unix_seconds) {
+  std::int64_t offset_s = 0;
+  for (const LeapSecond& leap : kLeapSeconds) {
+    if (unix_seconds >= leap.unix_seconds) offset_s = leap.gps_minus_utc_s;
+  }
+  return offset_s;
+}
 
 }  // namespace
 
@@ -58,13 +65,18 @@ GpsTime gps_from_realtime(Nanoseconds since_1970_utc) {
   if (unix_seconds < kGpsEpochUnixSeconds) {
     throw std::out_of_range("GPS time begins on 1980-01-06");
   }
-  std::int64_t offset_s = 0;
-  for (const LeapSecond& leap : kLeapSeconds) {
-    if (unix_seconds >= leap.unix_seconds) offset_s = leap.gps_minus_utc_s;
-  }
   const std::int64_t since_epoch_ns =
-      since_1970_utc.count() - kGpsEpochUnixSeconds * kNsPerSecond + offset_s * kNsPerSecond;
+      since_1970_utc.count() + (gps_minus_utc_s(unix_seconds) - kGpsEpochUnixSeconds) * kNsPerSecond;
   return {static_cast<std::uint32_t>(since_epoch_ns / kNsPerWeek), since_epoch_ns % kNsPerWeek};
+}
+
+Nanoseconds realtime_from_gps(const GpsTime& gps) {
+  const std::int64_t gps_as_unix_ns =
+      static_cast<std::int64_t>(gps.week) * kNsPerWeek + gps.time_of_week_ns + kGpsEpochUnixSeconds * kNsPerSecond;
+  // The offset of an instant 18 s off at most: right except within that distance of a leap second, so look twice.
+  const std::int64_t first_guess_s = gps_minus_utc_s(gps_as_unix_ns / kNsPerSecond);
+  const std::int64_t offset_s = gps_minus_utc_s(gps_as_unix_ns / kNsPerSecond - first_guess_s);
+  return Nanoseconds(gps_as_unix_ns - offset_s * kNsPerSecond);
 }
 
 }  // namespace inslab::time

@@ -36,4 +36,7 @@ Nanoseconds operator-(const GpsTime& a, const GpsTime& b);
 /// (July 2025): 18 s since 2017-01-01. Throws std::out_of_range before 1980-01-06.
 GpsTime gps_from_realtime(Nanoseconds since_1970_utc);
 
+/// The CLOCK_REALTIME reading at a GPS time; undoes gps_from_realtime except within a leap second.
+Nanoseconds realtime_from_gps(const GpsTime& gps);
+
 }  // namespace inslab::time

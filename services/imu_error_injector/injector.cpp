@@ -14,17 +14,22 @@ ImuModel::Setup setup_of(const scenario::LoadedScenario& scenario, const scenari
 }  // namespace
 
 Injector::Injector(const scenario::LoadedScenario& scenario, const scenario::LoadedImu& imu)
-    : model_(setup_of(scenario, imu)),
+    : imu_period_(imu.rate.period()),
+      model_(setup_of(scenario, imu)),
       desk_({SensorKind::Imu, imu.number}, app::kImuInjector, {imu.errors, imu.vibration, imu.installation}) {}
 
 Injector::Result Injector::process(const TruthState& truth) {
   Result result;
-  for (const AnyProfile& entry : desk_.take_due(truth.header.sim_time_ns)) {
-    std::visit(
-        [this](const auto& profile) {
-          if constexpr (!std::is_same_v<std::decay_t<decltype(profile)>, GnssErrorProfile>) model_.apply(profile);
-        },
-        entry);
+  // An IMU slower than the truth swaps between two of its own intervals: only where one begins is anything due.
+  const bool interval_begins = (truth.header.sim_time_ns - truth.interval_ns) % imu_period_.count() == 0;
+  if (interval_begins) {
+    for (const AnyProfile& entry : desk_.take_due(truth.header.sim_time_ns)) {
+      std::visit(
+          [this](const auto& profile) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(profile)>, GnssErrorProfile>) model_.apply(profile);
+          },
+          entry);
+    }
   }
   result.output = model_.measure(truth);
   if (result.output) {

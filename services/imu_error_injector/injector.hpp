@@ -23,6 +23,7 @@ class Injector {
   Result process(const TruthState& truth);
 
  private:
+  time::Nanoseconds imu_period_;
   ImuModel model_;
   swap::ProfileDesk desk_;
 };

@@ -38,9 +38,12 @@ RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario
 }
 
 void RunLog::add_profile(const AnyProfile& entry) {
-  file_.metadata(profile_record(kind_of(entry), target_of(entry), request_of(entry).journal_number),
+  const ProfileRequest& request = request_of(entry);
+  file_.metadata(profile_record(kind_of(entry), target_of(entry), request.journal_number),
                  {{"name", name_of(entry)},
-                  {"json", std::visit([](const auto& profile) { return config::wire_to_json(profile).dump(2); }, entry)}});
+                  {"journal_number", std::to_string(request.journal_number)},
+                  {"apply_at_ns", std::to_string(request.apply_at_ns)},
+                  {"json", std::visit([](const auto& profile) { return config::to_json(profile).dump(2); }, entry)}});
 }
 
 void RunLog::add_ack(const ProfileAck& ack) {

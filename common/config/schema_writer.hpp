@@ -1,0 +1,137 @@
+#pragma once
+
+#include "config/json_file.hpp"
+#include "samples/field.hpp"
+
+namespace inslab::config {
+
+namespace detail {
+
+template <class T, class = void>
+struct HasDiscriminator : std::false_type {};
+template <class T>
+struct HasDiscriminator<T, std::enable_if_t<T::has_discriminator>> : std::true_type {};
+
+/// The schema of a struct; of one whose fields depend on its first, an enum, one alternative for each enumerator.
+template <class T>
+Json schema_of_struct();
+
+class SchemaWriter {
+ public:
+  Json properties = Json::object();
+  Json required = Json::array();
+
+  template <class T>
+  void operator()(const Field& field, T& value) {
+    if (field.is_wire_only) return;
+    const std::string key(field.name);
+    properties[key] = schema_of(field, value);
+    if (!field.meaning.empty()) properties[key]["description"] = std::string(field.meaning);
+    if (field.is_required) required.push_back(key);
+  }
+
+ private:
+  static void add_limits(const Field& field, Json& schema) {
+    if (std::isfinite(field.minimum)) schema["minimum"] = field.minimum;
+    if (std::isfinite(field.maximum)) schema["maximum"] = field.maximum;
+  }
+  static Json number(const Field& field) {
+    Json schema{{"type", "number"}};
+    add_limits(field, schema);
+    return schema;
+  }
+
+  template <class T>
+  static Json schema_of(const Field& field, const T& value) {
+    if constexpr (is_optional<T>) {
+      return schema_of(field, typename T::value_type{});
+    } else if constexpr (std::is_same_v<T, bool>) {
+      return {{"type", "boolean"}, {"default", value}};
+    } else if constexpr (std::is_enum_v<T>) {
+      Json schema{{"enum", Json::array()}};
+      for (const std::string_view name : EnumNames<T>::values) schema["enum"].push_back(std::string(name));
+      if (!field.is_required) schema["default"] = std::string(enum_name(value));
+      return schema;
+    } else if constexpr (std::is_same_v<T, double>) {
+      Json schema = number(field);
+      if (!field.is_required) schema["default"] = value;
+      return schema;
+    } else if constexpr (std::is_integral_v<T>) {
+      Json schema{{"type", "integer"}};
+      add_limits(field, schema);
+      if (std::is_unsigned_v<T> && !schema.contains("minimum")) schema["minimum"] = 0;
+      if (!field.is_required) schema["default"] = value;
+      return schema;
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      return {{"type", "string"}, {"maxLength", field.max_size}};
+    } else if constexpr (is_list<T>) {
+      typename T::value_type element{};
+      return {{"type", "array"}, {"maxItems", field.max_size}, {"items", schema_of(Field(""), element)}};
+    } else if constexpr (has_fields<T>) {
+      return schema_of_struct<T>();
+    } else {
+      const auto size = static_cast<std::size_t>(value.size());
+      const Json list{{"type", "array"}, {"items", number(field)}, {"minItems", size}, {"maxItems", size}};
+      return {{"anyOf", Json::array({number(field), list})}, {"default", 0.0}};
+    }
+  }
+};
+
+template <class T>
+Json schema_of_fields(T& value) {
+  SchemaWriter writer;
+  T::fields(value, writer);
+  Json schema{{"type", "object"}, {"properties", writer.properties}, {"additionalProperties", false}};
+  if (!writer.required.empty()) schema["required"] = writer.required;
+  return schema;
+}
+
+/// Sets the first enum field: the discriminator.
+struct DiscriminatorSetter {
+  std::size_t index;
+  std::string key;
+  std::size_t alternatives = 0;
+
+  template <class T>
+  void operator()(const Field& field, T& value) {
+    if constexpr (std::is_enum_v<T>) {
+      if (!key.empty()) return;
+      key = field.name;
+      alternatives = EnumNames<T>::values.size();
+      value = static_cast<T>(index);
+    }
+  }
+};
+
+template <class T>
+Json schema_of_struct() {
+  if constexpr (HasDiscriminator<T>::value) {
+    Json alternatives = Json::array();
+    for (std::size_t i = 0, count = 1; i < count; ++i) {
+      T value;
+      DiscriminatorSetter setter{i, {}, 0};
+      T::fields(value, setter);
+      count = setter.alternatives;
+      Json schema = schema_of_fields(value);
+      schema["properties"][setter.key] = {{"const", schema["properties"][setter.key]["enum"][i]}};
+      alternatives.push_back(schema);
+    }
+    return {{"oneOf", alternatives}};
+  } else {
+    T value;
+    return schema_of_fields(value);
+  }
+}
+
+}  // namespace detail
+
+/// JSON Schema (draft 2020-12) of the files that read_file<T> accepts. Rules that span several fields are not in it.
+template <class T>
+Json schema(const std::string& title) {
+  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
+  schema.update(detail::schema_of_struct<T>());
+  if (schema.contains("properties")) schema["properties"]["$schema"] = {{"type", "string"}};
+  return schema;
+}
+
+}  // namespace inslab::config

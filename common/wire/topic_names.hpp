@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "samples/profile_request.hpp"
+
+/// The names of the topics, on the bus and in the logs.
+namespace inslab::wire::topic_names {
+
+inline constexpr const char* kTruth = "inslab/truth";
+inline constexpr const char* kNav = "inslab/nav";
+inline constexpr const char* kInstallation = "inslab/installation";
+inline constexpr const char* kSimStatus = "inslab/sim/status";
+inline constexpr const char* kSimCommand = "inslab/sim/command";
+inline constexpr const char* kServiceStatus = "inslab/service_status";
+inline constexpr const char* kTimeMark = "inslab/time_mark";
+inline constexpr const char* kProfileAck = "inslab/profile_ack";
+
+inline std::string imu(std::uint32_t number) { return "inslab/imu/" + std::to_string(number); }
+inline std::string imu_truth(std::uint32_t number) { return "inslab/imu_truth/" + std::to_string(number); }
+inline std::string gnss(std::uint32_t number) { return "inslab/gnss/" + std::to_string(number); }
+inline std::string request(ProfileKind kind) { return "inslab/profile/" + std::string(enum_name(kind)); }
+inline std::string journal(ProfileKind kind) { return "inslab/journal/" + std::string(enum_name(kind)); }
+
+}  // namespace inslab::wire::topic_names

@@ -1,0 +1,90 @@
+#include "services/inslab/child_processes.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <thread>
+
+namespace inslab::cli {
+
+ChildProcesses::~ChildProcesses() {
+  poll();
+  if (all_ended()) return;
+  terminate();
+  wait_for_end(std::chrono::seconds(5));
+  if (!all_ended()) signal_all(SIGKILL);
+  wait_for_end(std::chrono::seconds(5));
+}
+
+void ChildProcesses::start(const std::string& program, const std::vector<std::string>& arguments) {
+  const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / program;
+  if (access(path.c_str(), X_OK) != 0) throw std::runtime_error(path.string() + ": " + std::strerror(errno));
+  std::vector<char*> argv{const_cast<char*>(program.c_str())};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  const pid_t pid = fork();
+  if (pid < 0) throw std::runtime_error("cannot start " + program + ": " + std::strerror(errno));
+  if (pid == 0) {
+    setpgid(0, 0);
+    execv(path.c_str(), argv.data());
+    _exit(127);
+  }
+  children_.push_back({program, pid, false, 0});
+}
+
+void ChildProcesses::poll() {
+  for (Child& child : children_) {
+    int status = 0;
+    if (child.ended || waitpid(child.pid, &status, WNOHANG) != child.pid) continue;
+    child.ended = true;
+    child.exit_code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  }
+}
+
+bool ChildProcesses::all_ended() const {
+  for (const Child& child : children_) {
+    if (!child.ended) return false;
+  }
+  return true;
+}
+
+std::optional<std::string> ChildProcesses::failure() const {
+  for (const Child& child : children_) {
+    if (!child.ended || child.exit_code == 0) continue;
+    if (child.exit_code > 128) return child.program + " was ended by signal " + std::to_string(child.exit_code - 128);
+    return child.program + " ended with exit code " + std::to_string(child.exit_code);
+  }
+  return std::nullopt;
+}
+
+bool ChildProcesses::has_ended(const std::string& program) const {
+  for (const Child& child : children_) {
+    if (child.program == program && child.ended) return true;
+  }
+  return false;
+}
+
+void ChildProcesses::signal_all(int signal) const {
+  for (const Child& child : children_) {
+    if (!child.ended) kill(child.pid, signal);
+  }
+}
+
+void ChildProcesses::terminate() {
+  signal_all(SIGTERM);
+}
+
+void ChildProcesses::wait_for_end(std::chrono::nanoseconds timeout) {
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
+  while (!all_ended() && std::chrono::steady_clock::now() < deadline) {
+    poll();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
+}  // namespace inslab::cli

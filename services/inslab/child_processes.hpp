@@ -1,0 +1,47 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace inslab::cli {
+
+/// The processes that `inslab run` has started. Each has its own process group, so that Ctrl-C at the terminal reaches
+/// only the one who started them, who ends them in order.
+class ChildProcesses {
+ public:
+  ChildProcesses() = default;
+  ~ChildProcesses();  ///< ends those that still run: SIGTERM, then SIGKILL after 5 s
+  ChildProcesses(const ChildProcesses&) = delete;
+  ChildProcesses& operator=(const ChildProcesses&) = delete;
+
+  /// Starts a program that stands beside this one. Throws std::runtime_error when it cannot.
+  void start(const std::string& program, const std::vector<std::string>& arguments);
+
+  /// Notes who has ended. Does not wait.
+  void poll();
+  bool all_ended() const;
+  /// The first that ended with another exit code than 0, in words; nothing when all is well.
+  std::optional<std::string> failure() const;
+  /// Whether the program has ended already.
+  bool has_ended(const std::string& program) const;
+  /// Sends SIGTERM to all that run.
+  void terminate();
+  void wait_for_end(std::chrono::nanoseconds timeout);
+
+ private:
+  struct Child {
+    std::string program;
+    pid_t pid = 0;
+    bool ended = false;
+    int exit_code = 0;  ///< 128 + signal when a signal ended it
+  };
+  void signal_all(int signal) const;
+
+  std::vector<Child> children_;
+};
+
+}  // namespace inslab::cli

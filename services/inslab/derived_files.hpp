@@ -1,0 +1,18 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace inslab::cli {
+
+/// A file of the product that follows from the parameter declarations; a test compares it with the one committed.
+struct DerivedFile {
+  std::string path;  ///< in the product's sources
+  std::function<std::string()> text;
+};
+
+/// The schemas of config/schema, idl/profile.idl and docs/parameters.md.
+const std::vector<DerivedFile>& derived_files();
+
+}  // namespace inslab::cli

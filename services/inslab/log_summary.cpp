@@ -1,0 +1,144 @@
+#include "services/inslab/log_summary.hpp"
+
+#include <algorithm>
+
+#include "app/stream_monitor.hpp"
+#include "config/json_reader.hpp"
+#include "services/truth_logger/run_log.hpp"
+#include "wire/wire_type.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+template <class T>
+std::optional<T> decoded(const io::mcap::Message& message) {
+  T value;
+  if (!wire::decode(message.data, message.size, value)) return std::nullopt;
+  return value;
+}
+
+/// What is being gathered while the log is read.
+class Gatherer {
+ public:
+  explicit Gatherer(LogSummary& summary) : summary_(summary) {}
+
+  void take(const std::string& topic, const std::string& type, const io::mcap::Message& message) {
+    if (type == wire::WireType<TruthState>::name) return stream<TruthState>(topic, message);
+    if (type == wire::WireType<ImuSample>::name) return stream<ImuSample>(topic, message);
+    if (type == wire::WireType<ImuTruth>::name) return stream<ImuTruth>(topic, message);
+    if (type == wire::WireType<GnssFix>::name) return stream<GnssFix>(topic, message);
+    if (type == wire::WireType<ProfileAck>::name) {
+      if (auto ack = decoded<ProfileAck>(message)) summary_.acks.push_back(*ack);
+    } else if (type == wire::WireType<SimStatus>::name) {
+      if (auto status = decoded<SimStatus>(message)) summary_.last_status = *status;
+    } else if (type == wire::WireType<ServiceStatus>::name) {
+      if (auto status = decoded<ServiceStatus>(message)) services_[{status->service, status->sensor_number}] = *status;
+    } else if (topic.rfind("inslab/journal/", 0) == 0) {
+      journal(type, message);
+    }
+  }
+
+  void finish() {
+    for (auto& [topic, monitor] : monitors_) summary_.streams[topic].logged = monitor.status();
+    for (const auto& [key, status] : services_) {
+      summary_.services.push_back(status);
+      if (status.state != ServiceState::Finished && status.state != ServiceState::Fault) continue;
+      for (const StreamStatus& stream : status.streams) {
+        if (stream.direction == StreamDirection::Out) summary_.streams[stream.topic].sent = stream.samples;
+      }
+    }
+  }
+
+ private:
+  template <class T>
+  void stream(const std::string& topic, const io::mcap::Message& message) {
+    const auto sample = decoded<T>(message);
+    if (!sample) return;
+    auto found = monitors_.find(topic);
+    if (found == monitors_.end()) {
+      found = monitors_.emplace(topic, app::StreamMonitor(topic, StreamDirection::In)).first;
+    }
+    found->second.received(sample->header, static_cast<std::int64_t>(message.log_time_ns));
+  }
+
+  void journal(const std::string& type, const io::mcap::Message& message) {
+    journal_entry<ImuErrorProfile>(type, message);
+    journal_entry<VibrationProfile>(type, message);
+    journal_entry<InstallationProfile>(type, message);
+    journal_entry<GnssErrorProfile>(type, message);
+    journal_entry<FaultProfile>(type, message);
+  }
+  template <class Profile>
+  void journal_entry(const std::string& type, const io::mcap::Message& message) {
+    if (type != wire::WireType<Profile>::name) return;
+    if (auto entry = decoded<Profile>(message)) summary_.profiles.push_back({entry->request.apply_at_ns, *entry});
+  }
+
+  LogSummary& summary_;
+  std::map<std::string, app::StreamMonitor> monitors_;
+  std::map<std::pair<std::string, std::uint32_t>, ServiceStatus> services_;
+};
+
+template <class Profile>
+void read_initial(const io::McapReader& log, const SensorAddress& sensor, LogSummary& summary) {
+  const std::string name = logger::profile_record(Profile::kind, sensor, 0);
+  for (const auto& record : log.metadata()) {
+    if (record.name != name) continue;
+    const std::string place = log.path() + " (metadata " + name + ")";
+    auto profile = config::from_json<Profile>(config::parse_json(record.values.at("json"), place), place);
+    profile.target = sensor;
+    summary.profiles.push_back({-1, profile});
+  }
+}
+
+void read_metadata(const io::McapReader& log, LogSummary& summary) {
+  for (const auto& record : log.metadata()) {
+    if (record.name != "scenario") continue;
+    const std::string place = log.path() + " (metadata scenario)";
+    summary.scenario =
+        config::from_json<scenario::Scenario>(config::parse_json(record.values.at("json"), place), place);
+  }
+  for (const auto& imu : summary.scenario.imu) {
+    const SensorAddress sensor{SensorKind::Imu, imu.number};
+    read_initial<ImuErrorProfile>(log, sensor, summary);
+    read_initial<VibrationProfile>(log, sensor, summary);
+    read_initial<InstallationProfile>(log, sensor, summary);
+  }
+  for (const auto& gnss : summary.scenario.gnss) {
+    const SensorAddress sensor{SensorKind::Gnss, gnss.number};
+    read_initial<GnssErrorProfile>(log, sensor, summary);
+    read_initial<InstallationProfile>(log, sensor, summary);
+  }
+}
+
+}  // namespace
+
+const AnyProfile* LogSummary::in_use(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const {
+  const ProfileInUse* latest = nullptr;
+  for (const ProfileInUse& candidate : profiles) {
+    if (kind_of(candidate.profile) != kind || !(target_of(candidate.profile) == sensor)) continue;
+    if (candidate.apply_at_ns >= sim_time_ns) continue;
+    if (latest == nullptr || candidate.apply_at_ns >= latest->apply_at_ns) latest = &candidate;
+  }
+  return latest == nullptr ? nullptr : &latest->profile;
+}
+
+LogSummary summarize(const io::McapReader& log) {
+  LogSummary summary;
+  read_metadata(log, summary);
+  Gatherer gatherer(summary);
+  log.for_each([&](const io::mcap::Message& message) {
+    const auto& channel = log.channels().at(message.channel_id);
+    gatherer.take(channel.topic, log.schemas().at(channel.schema_id).name, message);
+    return true;
+  });
+  gatherer.finish();
+  // Requests of one journal come over five topics, which keep no order among each other.
+  std::stable_sort(summary.profiles.begin(), summary.profiles.end(), [](const ProfileInUse& a, const ProfileInUse& b) {
+    return request_of(a.profile).journal_number < request_of(b.profile).journal_number;
+  });
+  return summary;
+}
+
+}  // namespace inslab::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/mcap_reader.hpp"
+#include "samples/any_profile.hpp"
+#include "samples/run_control.hpp"
+#include "samples/service_status.hpp"
+#include "scenario/scenario.hpp"
+
+namespace inslab::cli {
+
+/// One stream as its writer and as the log saw it.
+struct StreamSummary {
+  std::optional<std::uint64_t> sent;  ///< as the service said when it finished; nothing when it did not
+  StreamStatus logged;
+};
+
+/// A profile and from when on a sensor used it.
+struct ProfileInUse {
+  std::int64_t apply_at_ns = -1;  ///< negative: from the start
+  AnyProfile profile;
+};
+
+/// What a log says about the run as a whole.
+struct LogSummary {
+  scenario::Scenario scenario;
+  std::optional<SimStatus> last_status;
+  std::map<std::string, StreamSummary> streams;  ///< by topic
+  std::vector<ServiceStatus> services;           ///< the last report of each
+  std::vector<ProfileAck> acks;
+  std::vector<ProfileInUse> profiles;            ///< what the scenario began with, and the journal in its order
+
+  /// The profile of that kind and sensor in use for a sample of sim time `t`; null when there is none.
+  const AnyProfile* in_use(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const;
+};
+
+/// Reads a whole log once. Throws io::ReadError, config::Error when what it says of scenario and profiles is no JSON of
+/// ours.
+LogSummary summarize(const io::McapReader& log);
+
+}  // namespace inslab::cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "services/gnss_emulator/emulator.hpp"
+#include "services/imu_error_injector/injector.hpp"
+#include "services/trajectory_server/truth_source.hpp"
+
+namespace inslab::cli {
+
+/// Where the samples of an offline run go; every function is called in the order of sim time.
+class RunSink {
+ public:
+  virtual ~RunSink() = default;
+  virtual void journal(const AnyProfile& entry) = 0;
+  virtual void truth(const TruthState& truth) = 0;
+  virtual void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) = 0;
+  virtual void gnss(std::size_t index, const GnssFix& fix) = 0;
+  virtual void ack(const ProfileAck& ack) = 0;
+};
+
+/// The models of all services in one process, without DDS, as fast as they go. For the same scenario and seed its
+/// samples are those of the live run, bit for bit (run id and publish times aside).
+class OfflineRun {
+ public:
+  /// Journals the scenario's schedule of swaps at once; an entry that the journal rejects goes to `sink` as an ack.
+  OfflineRun(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id, RunSink& sink);
+
+  /// One truth sample and what follows from it; false when none is left. Throws std::domain_error when the vehicle
+  /// leaves the valid domain.
+  bool step();
+
+  time::Nanoseconds sim_time() const { return sim_time_; }
+
+ private:
+  RunSink& sink_;
+  trajectory::TruthSource source_;
+  std::vector<imu::Injector> injectors_;
+  std::vector<gnss::Emulator> emulators_;
+  time::Nanoseconds sim_time_{0};
+};
+
+}  // namespace inslab::cli

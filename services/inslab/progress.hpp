@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "time/gps_time.hpp"
+
+namespace inslab::cli {
+
+/// A bar on a terminal; on anything else a line every tenth of the way.
+class Progress {
+ public:
+  Progress(std::string name, time::Nanoseconds duration);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(time::Nanoseconds sim_time);
+
+ private:
+  std::string name_;
+  double duration_s_;
+  bool terminal_;
+  int shown_ = -1;
+};
+
+}  // namespace inslab::cli

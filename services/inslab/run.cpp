@@ -1,0 +1,145 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "app/exit_code.hpp"
+#include "app/host.hpp"
+#include "app/service.hpp"
+#include "app/service_names.hpp"
+#include "app/shutdown.hpp"
+#include "services/inslab/child_processes.hpp"
+#include "services/inslab/commands.hpp"
+#include "services/inslab/progress.hpp"
+#include "services/inslab/run_summary.hpp"
+#include "services/inslab/swap_client.hpp"
+
+namespace inslab::cli {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+namespace {
+
+struct RunOptions {
+  std::string scenario;
+  std::string log_file;
+  app::NetworkOptions network;
+  bool verbose = false;
+};
+
+/// A run from start to summary.
+class LiveRun {
+ public:
+  LiveRun(const RunOptions& options, const scenario::LoadedScenario& loaded)
+      : options_(options),
+        loaded_(loaded),
+        participant_(app::participant_options(options.network, "inslab-run")),
+        client_(participant_) {}
+
+  /// Starts one process for each service of the scenario.
+  void start_services() {
+    std::vector<std::string> common{"--scenario", options_.scenario, "--log-level", options_.verbose ? "info" : "warn"};
+    const std::vector<std::string> network = options_.network.as_arguments();
+    common.insert(common.end(), network.begin(), network.end());
+    const auto with = [&common](std::initializer_list<std::string> more) {
+      std::vector<std::string> arguments = common;
+      arguments.insert(arguments.end(), more);
+      return arguments;
+    };
+    children_.start(app::kTruthLogger, with({"--log", options_.log_file}));
+    for (const auto& imu : loaded_.imus) {
+      children_.start(app::kImuInjector, with({"--sensor", std::to_string(imu.number)}));
+    }
+    for (const auto& gnss : loaded_.gnss) {
+      children_.start(app::kGnssEmulator, with({"--sensor", std::to_string(gnss.number)}));
+    }
+    children_.start(app::kTrajectoryServer, common);
+  }
+
+  /// Sends the scheduled swaps while the run goes on; returns when every process has ended or something went wrong.
+  void follow() {
+    Progress progress(loaded_.scenario.name, time::from_seconds(loaded_.scenario.duration_s));
+    bool told_to_stop = false;
+    while (!children_.all_ended()) {
+      children_.poll();
+      const auto status = client_.status();
+      if (status) {
+        progress.show(time::Nanoseconds(status->sim_time_ns));
+        send_due_swaps(*status);
+      }
+      if (app::shutdown_requested() && !told_to_stop) {
+        told_to_stop = true;
+        stop_deadline_ = app::monotonic_now() + seconds(10);
+        if (!client_.connected() || !client_.stop()) children_.terminate();
+      }
+      if (children_.has_ended(app::kTrajectoryServer) && !stop_deadline_) {
+        stop_deadline_ = app::monotonic_now() + seconds(15);
+      }
+      if (stop_deadline_ && app::monotonic_now() > *stop_deadline_) return;
+      std::this_thread::sleep_for(milliseconds(20));
+    }
+  }
+
+  std::optional<std::string> failure() const {
+    if (app::shutdown_requested()) return "stopped by a signal";
+    if (!children_.all_ended()) return "a service did not end";
+    if (next_swap_ < loaded_.swaps.size()) return "the run ended before all swaps were sent";
+    return children_.failure();
+  }
+
+ private:
+  /// A request goes out a second of sim time before it takes effect: ample for the journal, and still while it runs.
+  void send_due_swaps(const SimStatus& status) {
+    constexpr std::int64_t kLead_ns = 1'000'000'000;
+    while (next_swap_ < loaded_.swaps.size() && client_.connected()) {
+      const AnyProfile& request = loaded_.swaps[next_swap_];
+      const bool early = request_of(request).apply_at_ns > status.sim_time_ns + kLead_ns;
+      if (early || !client_.send(request)) return;
+      ++next_swap_;
+    }
+  }
+
+  const RunOptions& options_;
+  const scenario::LoadedScenario& loaded_;
+  dds::Participant participant_;
+  SwapClient client_;
+  ChildProcesses children_;
+  std::size_t next_swap_ = 0;
+  std::optional<time::Nanoseconds> stop_deadline_;
+};
+
+int run(RunOptions options) {
+  const scenario::LoadedScenario loaded = scenario::load(options.scenario);
+  if (options.log_file.empty()) {
+    options.log_file = "runs/" + loaded.scenario.name + "-" + app::utc_text(app::realtime_now()) + ".mcap";
+  }
+  std::optional<std::string> failure;
+  {
+    LiveRun live(options, loaded);
+    live.start_services();
+    live.follow();
+    failure = live.failure();
+  }
+  if (!std::filesystem::exists(options.log_file)) {
+    std::fprintf(stderr, "inslab run: %s; there is no log\n", failure ? failure->c_str() : "the logger wrote nothing");
+    return app::kFailed;
+  }
+  const bool good = print_run_summary(options.log_file, failure);
+  return good ? app::kOk : app::kFailed;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, std::function<int()>& action) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Run a scenario live: one process for each service, real DDS, real time");
+  command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
+  command->add_option("--log", options->log_file, "file to write; default runs/NAME-TIME.mcap");
+  command->add_flag("-v,--verbose", options->verbose, "show what the services say");
+  options->network.add_to(*command);
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace inslab::cli

@@ -1,0 +1,131 @@
+#include "services/inslab/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include "services/inslab/swap_evidence.hpp"
+#include "time/gps_time.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+double seconds_of(std::int64_t ns) {
+  return time::to_seconds(time::Nanoseconds(ns));
+}
+
+std::string milliseconds_of(double seconds) {
+  return seconds < 0.0 ? "-" : fmt::format("{:.3f}", seconds * 1e3);
+}
+
+/// Collects what does not hold, to be said at the end.
+class Verdict {
+ public:
+  void require(bool holds, const std::string& otherwise) {
+    ++checks_;
+    if (!holds) broken_.push_back(otherwise);
+  }
+  bool good() const { return broken_.empty(); }
+  void print() const {
+    fmt::print("\n");
+    for (const std::string& line : broken_) fmt::print("FAILED: {}\n", line);
+    fmt::print("{} of {} checks held\n", checks_ - broken_.size(), checks_);
+  }
+
+ private:
+  std::size_t checks_ = 0;
+  std::vector<std::string> broken_;
+};
+
+void print_head(const LogSummary& summary) {
+  fmt::print("\n{}: {}\n", summary.scenario.name, summary.scenario.description);
+  if (!summary.last_status) return;
+  const SimStatus& status = *summary.last_status;
+  fmt::print("{} after {:.3f} s of sim time at {} Hz; {} overruns, largest lag {:.3f} ms{}\n", enum_name(status.state),
+             seconds_of(status.sim_time_ns), summary.scenario.truth_rate_hz, status.overruns, status.lag_max_s * 1e3,
+             status.message.empty() ? "" : "; " + status.message);
+}
+
+void print_streams(const LogSummary& summary, Verdict& verdict) {
+  fmt::print("\n{:<22}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", "topic", "sent", "received", "lost", "out of order",
+             "p50 ms", "p99 ms", "max ms");
+  for (const auto& [topic, stream] : summary.streams) {
+    const StreamStatus& logged = stream.logged;
+    fmt::print("{:<22}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", topic,
+               stream.sent ? std::to_string(*stream.sent) : "unknown", logged.samples, logged.lost, logged.out_of_order,
+               milliseconds_of(logged.latency_p50_s), milliseconds_of(logged.latency_p99_s),
+               milliseconds_of(logged.latency_max_s));
+    verdict.require(stream.sent.has_value(), topic + ": its service did not finish, so what it sent is unknown");
+    verdict.require(!stream.sent || *stream.sent == logged.samples,
+                    fmt::format("{}: {} sent, {} received", topic, stream.sent.value_or(0), logged.samples));
+    verdict.require(logged.lost == 0 && logged.duplicates == 0,
+                    fmt::format("{}: {} lost, {} twice", topic, logged.lost, logged.duplicates));
+  }
+  fmt::print("latency: from the writer's publish time to receipt by the logger\n");
+}
+
+void print_services(const LogSummary& summary, Verdict& verdict) {
+  fmt::print("\n{:<30}{:>8}{:>10}{:>8}{:>12}\n", "service", "sensor", "state", "RSS MB", "queue depth");
+  for (const ServiceStatus& status : summary.services) {
+    fmt::print("{:<30}{:>8}{:>10}{:>8.1f}{:>12}\n", status.service, status.sensor_number, enum_name(status.state),
+               static_cast<double>(status.rss_bytes) * 1e-6, status.queue_depth_max);
+    verdict.require(status.state == ServiceState::Finished,
+                    fmt::format("{} {}: {}", status.service, enum_name(status.state), status.message));
+  }
+}
+
+std::string shown(const Measured& measured) {
+  return fmt::format("{:>11.5g} / {:<11.5g}{}", measured.value, measured.promised, measured.holds ? "  " : " !");
+}
+
+void print_swap(std::size_t number, const SwapEvidence& swap, Verdict& verdict) {
+  const ProfileAck& ack = swap.ack;
+  const std::string what = fmt::format("swap {}: {} '{}' for {}", number, enum_name(ack.kind), swap.profile_name,
+                                       sensor_name(ack.target));
+  fmt::print("\n{}: {} at {:.3f} s, first sample under it {:.3f} s, sequence {}\n", what, enum_name(ack.outcome),
+             seconds_of(ack.apply_time_ns), seconds_of(ack.first_sample_time_ns), ack.first_sequence);
+  verdict.require(swap.first_sample_holds, what + ": the acknowledged sample is not the first with that revision");
+  if (swap.lines.empty()) return;
+  fmt::print("  {:<38}{:<13}{:^27}{:^27}\n", "measured / promised", "", "before", "after");
+  for (const EvidenceLine& line : swap.lines) {
+    fmt::print("  {:<38}{:<13}{}{}\n", line.quantity, line.unit, shown(line.before), shown(line.after));
+    for (const Measured* measured : {&line.before, &line.after}) {
+      verdict.require(measured->holds,
+                      fmt::format("{}: {} is {:.5g} {}; promised {:.5g}, within {:.2g}", what, line.quantity,
+                                  measured->value, line.unit, measured->promised, measured->tolerance));
+    }
+  }
+}
+
+void print_swaps(const io::McapReader& log, const LogSummary& summary, Verdict& verdict) {
+  std::size_t number = 0;
+  for (const SwapEvidence& swap : weigh_swaps(log, summary)) print_swap(++number, swap, verdict);
+  for (const ProfileAck& ack : summary.acks) {
+    if (ack.outcome == AckOutcome::Applied) continue;
+    fmt::print("\n{} for {}: {} {} {}\n", enum_name(ack.kind), sensor_name(ack.target), enum_name(ack.outcome),
+               ack.field, ack.reason);
+    verdict.require(ack.outcome != AckOutcome::Rejected, fmt::format("a swap was rejected: {}: {}", ack.field, ack.reason));
+  }
+  verdict.require(summary.acks.size() >= summary.scenario.swaps.size(),
+                  fmt::format("{} swaps were scheduled, {} acknowledged", summary.scenario.swaps.size(),
+                              summary.acks.size()));
+}
+
+}  // namespace
+
+bool print_run_summary(const std::string& log_path, const std::optional<std::string>& failure) {
+  const io::McapReader log(log_path);
+  const LogSummary summary = summarize(log);
+  Verdict verdict;
+  verdict.require(!failure, failure.value_or(""));
+  verdict.require(log.closed_properly(), "the log was not closed: " + log.ending());
+  verdict.require(summary.last_status && summary.last_status->state == RunState::Finished, "the run did not finish");
+  print_head(summary);
+  print_streams(summary, verdict);
+  print_services(summary, verdict);
+  print_swaps(log, summary, verdict);
+  verdict.print();
+  fmt::print("log {}\n", log_path);
+  return verdict.good();
+}
+
+}  // namespace inslab::cli

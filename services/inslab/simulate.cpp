@@ -1,0 +1,85 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "app/exit_code.hpp"
+#include "app/host.hpp"
+#include "app/shutdown.hpp"
+#include "services/inslab/commands.hpp"
+#include "services/inslab/log_sink.hpp"
+#include "services/inslab/progress.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+struct SimulateOptions {
+  std::string scenario;
+  std::string directory = "runs";
+  bool without_log = false;
+};
+
+/// Counts and forgets: what an offline run costs without its log.
+class CountingSink : public RunSink {
+ public:
+  void journal(const AnyProfile&) override {}
+  void truth(const TruthState&) override {}
+  void imu(std::size_t, const ImuSample&, const ImuTruth&) override {}
+  void gnss(std::size_t, const GnssFix&) override {}
+  void ack(const ProfileAck&) override {}
+};
+
+/// Runs to the end, or to a signal; returns the sim time reached.
+time::Nanoseconds run_to_end(OfflineRun& run, const scenario::LoadedScenario& loaded) {
+  const time::Nanoseconds duration = time::from_seconds(loaded.scenario.duration_s);
+  Progress progress(loaded.scenario.name, duration);
+  constexpr int kStepsBetweenLooks = 4096;
+  bool more = true;
+  while (more && !app::shutdown_requested()) {
+    for (int i = 0; i < kStepsBetweenLooks && more; ++i) more = run.step();
+    progress.show(run.sim_time());
+  }
+  return run.sim_time();
+}
+
+int simulate(const SimulateOptions& options) {
+  const scenario::LoadedScenario loaded = scenario::load(options.scenario);
+  const time::GpsTime start = loaded.start(app::realtime_now());
+  const RunId run_id = app::random_run_id();
+  const time::Nanoseconds begun = app::monotonic_now();
+
+  std::unique_ptr<LogSink> log;
+  CountingSink nothing;
+  std::string path;
+  if (!options.without_log) {
+    std::filesystem::create_directories(options.directory);
+    path = (std::filesystem::path(options.directory) / (loaded.scenario.name + ".mcap")).string();
+    log = std::make_unique<LogSink>(path, loaded, start);
+  }
+  OfflineRun run(loaded, start, run_id, log ? static_cast<RunSink&>(*log) : nothing);
+  const time::Nanoseconds reached = run_to_end(run, loaded);
+  if (log) log->close();
+
+  const double took_s = time::to_seconds(app::monotonic_now() - begun);
+  std::printf("%s: %.3f s of sim time in %.2f s: %.0f x real time\n", loaded.scenario.name.c_str(),
+              time::to_seconds(reached), took_s, time::to_seconds(reached) / took_s);
+  if (log) std::printf("log %s (%.1f MB)\n", path.c_str(), static_cast<double>(log->file_size()) * 1e-6);
+  return app::shutdown_requested() ? app::kFailed : app::kOk;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, std::function<int()>& action) {
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command =
+      app.add_subcommand("simulate", "Run a scenario in one process, without DDS, as fast as it goes; same samples");
+  command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
+  command->add_option("-o,--output", options->directory, "directory for the log NAME.mcap")->capture_default_str();
+  command->add_flag("--no-log", options->without_log, "write no log");
+  command->callback([options, &action] { action = [options] { return simulate(*options); }; });
+}
+
+}  // namespace inslab::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "dds/reader.hpp"
+#include "dds/writer.hpp"
+#include "samples/any_profile.hpp"
+#include "samples/run_control.hpp"
+
+namespace inslab::cli {
+
+/// A client of a running set: sends requests for swaps, hears acknowledgements and how the run goes.
+class SwapClient {
+ public:
+  explicit SwapClient(dds::Participant& participant);
+
+  /// Whether a trajectory server listens to requests.
+  bool connected() const;
+  /// False when the request could not be sent.
+  bool send(const AnyProfile& request);
+  bool stop();
+
+  /// The run's latest status; nothing before the first.
+  std::optional<SimStatus> status() const;
+  /// What came back for a request so far.
+  std::vector<ProfileAck> acks(std::uint64_t request_id) const;
+
+ private:
+  dds::Writer<ImuErrorProfile> imu_error_;
+  dds::Writer<VibrationProfile> vibration_;
+  dds::Writer<InstallationProfile> installation_;
+  dds::Writer<GnssErrorProfile> gnss_error_;
+  dds::Writer<FaultProfile> fault_;
+  dds::Writer<SimCommand> command_;
+  mutable std::mutex mutex_;
+  std::optional<SimStatus> status_;
+  std::map<std::uint64_t, std::vector<ProfileAck>> acks_;
+  dds::Reader<SimStatus> status_reader_;
+  dds::Reader<ProfileAck> ack_reader_;
+};
+
+}  // namespace inslab::cli

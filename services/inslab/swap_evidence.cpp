@@ -1,0 +1,333 @@
+#include "services/inslab/swap_evidence.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "samples/units.hpp"
+#include "services/inslab/swap_window.hpp"
+#include "wire/cdr.hpp"
+#include "wire/wire_type.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+constexpr std::uint64_t kFewest = 30;
+const Vector3 kAllAxes(1.0, 1.0, 1.0);
+const Vector3 kHorizontal(1.0, 1.0, 0.0);
+const Vector3 kVertical(0.0, 0.0, 1.0);
+
+Measured judged(double value, double promised, double tolerance) {
+  return {value, promised, tolerance, std::abs(value - promised) <= tolerance};
+}
+
+/// Standard deviation from n independent values has the relative standard error sqrt(1/(2n)); from the n first
+/// differences of white noise, which overlap, sqrt(3/(4n)).
+double sigma_tolerance(double promised, double values) { return 4.0 * promised * std::sqrt(1.0 / (2.0 * values)); }
+double difference_tolerance(double promised, double values) { return 4.0 * promised * std::sqrt(3.0 / (4.0 * values)); }
+
+double mean_square(const Vector3& v, const Vector3& mask) { return v.cwiseProduct(v).dot(mask) / mask.sum(); }
+
+/// What the profiles of one IMU promise for its output minus its truth, as rates, at one sample period.
+class ImuPromise {
+ public:
+  ImuPromise(const LogSummary& summary, const SensorAddress& imu, std::int64_t sim_time_ns, double dt_s) : dt_s_(dt_s) {
+    if (const AnyProfile* errors = summary.in_use(ProfileKind::ImuError, imu, sim_time_ns)) {
+      const auto& profile = std::get<ImuErrorProfile>(*errors);
+      gyro_density_ = profile.gyro.arw_deg_per_sqrt_h * units::kDegPerSqrtH;
+      accel_density_ = profile.accel.vrw_m_per_s_per_sqrt_h * units::kMPerSPerSqrtH;
+    }
+    if (const AnyProfile* shaking = summary.in_use(ProfileKind::Vibration, imu, sim_time_ns)) {
+      vibration_ = &std::get<VibrationProfile>(*shaking);
+    }
+  }
+
+  /// Standard deviation of the rate error: white noise, and the sinusoids as their interval means show them.
+  double gyro_sigma() const { return std::sqrt(noise(gyro_density_) + angular([](double) { return 1.0; })); }
+  double accel_sigma() const { return std::sqrt(noise(accel_density_) + linear([](double) { return 1.0; })); }
+  /// The same after first differences over sqrt(2), which pass a sinusoid with the power 1 - cos(2 pi f dt).
+  double gyro_white_sigma() const { return std::sqrt(noise(gyro_density_) + angular(difference_gain())); }
+  double accel_white_sigma() const { return std::sqrt(noise(accel_density_) + linear(difference_gain())); }
+
+ private:
+  double noise(const Vector3& density) const { return mean_square(density, kAllAxes) / dt_s_; }
+
+  std::function<double(double)> difference_gain() const {
+    return [dt_s = dt_s_](double frequency_hz) { return 1.0 - std::cos(2.0 * units::kPi * frequency_hz * dt_s); };
+  }
+  double interval_mean_gain(double frequency_hz) const {
+    const double x = units::kPi * frequency_hz * dt_s_;
+    return std::sin(x) / x;
+  }
+  template <class Gain>
+  double power(const Vector3& amplitude, double frequency_hz, const Gain& gain) const {
+    const double mean_gain = interval_mean_gain(frequency_hz);
+    return 0.5 * mean_square(amplitude, kAllAxes) * mean_gain * mean_gain * gain(frequency_hz);
+  }
+  template <class Gain>
+  double linear(const Gain& gain) const {
+    double sum = 0.0;
+    if (vibration_ == nullptr) return sum;
+    for (const auto& term : vibration_->linear) sum += power(term.amplitude_m_per_s2, term.frequency_hz, gain);
+    return sum;
+  }
+  template <class Gain>
+  double angular(const Gain& gain) const {
+    double sum = 0.0;
+    if (vibration_ == nullptr) return sum;
+    for (const auto& term : vibration_->angular) {
+      sum += power(term.amplitude_deg_per_s * units::kDeg, term.frequency_hz, gain);
+    }
+    return sum;
+  }
+
+  double dt_s_;
+  Vector3 gyro_density_ = Vector3::Zero();
+  Vector3 accel_density_ = Vector3::Zero();
+  const VibrationProfile* vibration_ = nullptr;
+};
+
+/// Relative error of the power of a sinusoid over a stretch that holds no whole number of its periods.
+double leakage(const AnyProfile& profile, const SwapWindow& window) {
+  const auto* vibration = std::get_if<VibrationProfile>(&profile);
+  if (vibration == nullptr) return 0.0;
+  double slowest_hz = 1e9;
+  for (const auto& term : vibration->linear) slowest_hz = std::min(slowest_hz, term.frequency_hz);
+  for (const auto& term : vibration->angular) slowest_hz = std::min(slowest_hz, term.frequency_hz);
+  return 1.0 / (2.0 * units::kPi * slowest_hz * static_cast<double>(window.until_ns - window.after_ns) * 1e-9);
+}
+
+/// One line for a white noise density: rate sigma times sqrt(dt), in the profile's unit.
+EvidenceLine density_line(const char* quantity, const char* unit, double per_unit, const NoiseStatistics& before,
+                          const NoiseStatistics& after, double promised_before, double promised_after, double dt_s) {
+  const auto measured = [&](const NoiseStatistics& series, double promised) {
+    const double scale = std::sqrt(dt_s) / per_unit;
+    return judged(series.pooled_white_sigma(kAllAxes) * scale, promised * scale,
+                  difference_tolerance(promised * scale, 3.0 * static_cast<double>(series.differences())));
+  };
+  return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
+}
+
+EvidenceLine sigma_line(const char* quantity, const char* unit, double per_unit, const NoiseStatistics& before,
+                        const NoiseStatistics& after, double promised_before, double promised_after,
+                        const Vector3& mask, double extra_relative = 0.0) {
+  const auto measured = [&](const NoiseStatistics& series, double promised) {
+    const double values = mask.sum() * static_cast<double>(series.count());
+    return judged(series.pooled_sigma(mask) / per_unit, promised / per_unit,
+                  sigma_tolerance(promised, values) / per_unit + extra_relative * promised / per_unit);
+  };
+  return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
+}
+
+/// One line for one axis of an arm; the mean of n fixes has the standard error sigma/sqrt(n).
+EvidenceLine arm_line(const std::string& quantity, int axis, const NoiseStatistics& before, const NoiseStatistics& after,
+                      const Vector3& promised_before, const Vector3& promised_after, double sigma_before_m,
+                      double sigma_after_m) {
+  constexpr double kResolution_m = 1e-6;
+  const auto measured = [&](const NoiseStatistics& series, const Vector3& promised, double sigma_m) {
+    return judged(series.mean()[axis], promised[axis],
+                  4.0 * sigma_m / std::sqrt(static_cast<double>(series.count())) + kResolution_m);
+  };
+  return {quantity, "m", measured(before, promised_before, sigma_before_m),
+          measured(after, promised_after, sigma_after_m)};
+}
+
+class Weigher {
+ public:
+  Weigher(const LogSummary& summary, const SwapWindows& swap) : summary_(summary), swap_(swap) {}
+
+  std::vector<EvidenceLine> lines() const {
+    const bool imu = swap_.ack.target.kind == SensorKind::Imu;
+    const auto enough = [imu](const SwapWindow& window) {
+      return (imu ? window.gyro_rad_per_s.differences() : window.position_ned_m.count()) >= kFewest;
+    };
+    if (!enough(swap_.before) || !enough(swap_.after)) return {};
+    switch (swap_.ack.kind) {
+      case ProfileKind::ImuError: return imu_error();
+      case ProfileKind::Vibration: return vibration();
+      case ProfileKind::Installation: return imu ? imu_installation() : antenna_installation();
+      case ProfileKind::GnssError: return gnss_error();
+      case ProfileKind::Fault: break;
+    }
+    return {};
+  }
+
+ private:
+  double period_s() const {
+    for (const auto& imu : summary_.scenario.imu) {
+      if (imu.number == swap_.ack.target.number) return 1.0 / imu.rate_hz;
+    }
+    return 0.0;
+  }
+  ImuPromise promise(const SwapWindow& window) const {
+    return ImuPromise(summary_, swap_.ack.target, window.until_ns, period_s());
+  }
+  template <class Profile>
+  Profile in_use(const SwapWindow& window) const {
+    const AnyProfile* profile = summary_.in_use(Profile::kind, swap_.ack.target, window.until_ns);
+    return profile ? std::get<Profile>(*profile) : Profile{};
+  }
+
+  std::vector<EvidenceLine> imu_error() const {
+    const ImuPromise before = promise(swap_.before);
+    const ImuPromise after = promise(swap_.after);
+    return {density_line("gyro white noise", "deg/sqrt(h)", units::kDegPerSqrtH,
+                         swap_.before.gyro_rad_per_s, swap_.after.gyro_rad_per_s, before.gyro_white_sigma(),
+                         after.gyro_white_sigma(), period_s()),
+            density_line("accelerometer white noise", "m/s/sqrt(h)", units::kMPerSPerSqrtH,
+                         swap_.before.accel_m_per_s2, swap_.after.accel_m_per_s2, before.accel_white_sigma(),
+                         after.accel_white_sigma(), period_s())};
+  }
+
+  std::vector<EvidenceLine> vibration() const {
+    const ImuPromise before = promise(swap_.before);
+    const ImuPromise after = promise(swap_.after);
+    const double extra = leakage(*swap_.profile, swap_.after);
+    return {sigma_line("specific force, noise and vibration", "m/s^2", 1.0, swap_.before.accel_m_per_s2,
+                       swap_.after.accel_m_per_s2, before.accel_sigma(), after.accel_sigma(), kAllAxes, extra),
+            sigma_line("angular rate, noise and vibration", "deg/s", units::kDeg, swap_.before.gyro_rad_per_s,
+                       swap_.after.gyro_rad_per_s, before.gyro_sigma(), after.gyro_sigma(), kAllAxes, extra)};
+  }
+
+  std::vector<EvidenceLine> imu_installation() const {
+    return arms("IMU arm", swap_.before.imu_arm_v_m, swap_.after.imu_arm_v_m, 0.0, 0.0);
+  }
+  std::vector<EvidenceLine> antenna_installation() const {
+    const auto sigma = [this](const SwapWindow& window) {
+      return in_use<GnssErrorProfile>(window).position_sigma_ned_m.maxCoeff();
+    };
+    return arms("antenna arm", swap_.before.antenna_arm_v_m, swap_.after.antenna_arm_v_m, sigma(swap_.before),
+                sigma(swap_.after));
+  }
+  std::vector<EvidenceLine> arms(const std::string& name, const NoiseStatistics& before, const NoiseStatistics& after,
+                                 double sigma_before_m, double sigma_after_m) const {
+    const Vector3 promised_before = in_use<InstallationProfile>(swap_.before).lever_arm_v_m;
+    const Vector3 promised_after = in_use<InstallationProfile>(swap_.after).lever_arm_v_m;
+    static constexpr const char* kAxes[] = {" forward", " right", " down"};
+    std::vector<EvidenceLine> lines;
+    for (int axis = 0; axis < 3; ++axis) {
+      lines.push_back(arm_line(name + kAxes[axis], axis, before, after, promised_before, promised_after, sigma_before_m,
+                               sigma_after_m));
+    }
+    return lines;
+  }
+
+  std::vector<EvidenceLine> gnss_error() const {
+    const auto before = in_use<GnssErrorProfile>(swap_.before);
+    const auto after = in_use<GnssErrorProfile>(swap_.after);
+    const auto position = [&](const char* name, const Vector3& mask) {
+      return sigma_line(name, "m", 1.0, swap_.before.position_ned_m, swap_.after.position_ned_m,
+                        std::sqrt(mean_square(before.position_sigma_ned_m, mask)),
+                        std::sqrt(mean_square(after.position_sigma_ned_m, mask)), mask);
+    };
+    return {position("horizontal position noise", kHorizontal), position("vertical position noise", kVertical),
+            sigma_line("velocity noise", "m/s", 1.0, swap_.before.velocity_ned_m_per_s,
+                       swap_.after.velocity_ned_m_per_s,
+                       std::sqrt(mean_square(before.velocity_sigma_ned_m_per_s, kAllAxes)),
+                       std::sqrt(mean_square(after.velocity_sigma_ned_m_per_s, kAllAxes)), kAllAxes)};
+  }
+
+  const LogSummary& summary_;
+  const SwapWindows& swap_;
+};
+
+/// Brings together samples that belong together: they come over several topics, in no order among each other.
+class Joiner {
+ public:
+  Joiner(std::vector<SwapWindows>& windows, const LogSummary& summary) : windows_(windows), summary_(summary) {}
+
+  void take(std::string_view type, const io::mcap::Message& message) {
+    if (type == wire::WireType<TruthState>::name) keep(message, truths_);
+    if (type == wire::WireType<ImuSample>::name) keep(message, samples_);
+    if (type == wire::WireType<ImuTruth>::name) keep(message, imu_truths_);
+    if (type == wire::WireType<GnssFix>::name) keep(message, fixes_);
+    constexpr std::size_t kPause = 4096;
+    if (truths_.size() >= kPause) join(false);
+  }
+  void finish() { join(true); }
+
+ private:
+  /// Sensor number and sim time.
+  using Key = std::pair<std::uint32_t, std::int64_t>;
+  static std::uint32_t number_of(const TruthState&) { return 0; }
+  template <class T>
+  static std::uint32_t number_of(const T& sample) {
+    return sample.sensor_number;
+  }
+
+  template <class T>
+  static void keep(const io::mcap::Message& message, std::map<Key, T>& kept) {
+    T sample;
+    if (wire::decode(message.data, message.size, sample)) {
+      kept.emplace(Key{number_of(sample), sample.header.sim_time_ns}, sample);
+    }
+  }
+
+  /// Uses up what is complete; without `all` the last second stays, for stragglers of the other topics.
+  void join(bool all) {
+    if (truths_.empty()) return;
+    const std::int64_t limit = truths_.rbegin()->first.second - (all ? 0 : 1'000'000'000);
+    drain(samples_, limit, [this](const Key& key, const ImuSample& sample) {
+      const auto perfect = imu_truths_.find(key);
+      const auto vehicle = truths_.find({0, key.second});
+      if (perfect != imu_truths_.end() && vehicle != truths_.end()) {
+        add_imu(windows_, sample, perfect->second, vehicle->second);
+      }
+    });
+    drain(fixes_, limit, [this](const Key& key, const GnssFix& fix) {
+      const auto vehicle = truths_.find({0, key.second});
+      if (vehicle != truths_.end()) add_fix(windows_, fix, vehicle->second, summary_);
+    });
+    drain(imu_truths_, limit, [](const Key&, const ImuTruth&) {});
+    drain(truths_, limit, [](const Key&, const TruthState&) {});
+  }
+  template <class T, class Use>
+  static void drain(std::map<Key, T>& kept, std::int64_t limit, const Use& use) {
+    for (auto it = kept.begin(); it != kept.end();) {
+      if (it->first.second <= limit) {
+        use(it->first, it->second);
+        it = kept.erase(it);
+      } else {
+        ++it;
+      }
+    }
+  }
+
+  std::vector<SwapWindows>& windows_;
+  const LogSummary& summary_;
+  std::map<Key, TruthState> truths_;
+  std::map<Key, ImuSample> samples_;
+  std::map<Key, ImuTruth> imu_truths_;
+  std::map<Key, GnssFix> fixes_;
+};
+
+}  // namespace
+
+bool SwapEvidence::holds() const {
+  return first_sample_holds && std::all_of(lines.begin(), lines.end(), [](const EvidenceLine& line) {
+           return line.before.holds && line.after.holds;
+         });
+}
+
+std::vector<SwapEvidence> weigh_swaps(const io::McapReader& log, const LogSummary& summary) {
+  std::vector<SwapWindows> windows = cut_windows(summary);
+  Joiner joiner(windows, summary);
+  log.for_each([&](const io::mcap::Message& message) {
+    joiner.take(log.schemas().at(log.channels().at(message.channel_id).schema_id).name, message);
+    return true;
+  });
+  joiner.finish();
+  std::vector<SwapEvidence> evidence;
+  for (const SwapWindows& swap : windows) {
+    SwapEvidence weighed;
+    weighed.ack = swap.ack;
+    weighed.profile_name = name_of(*swap.profile);
+    weighed.first_sample_holds = swap.first_sequence_seen == swap.ack.first_sequence;
+    weighed.lines = Weigher(summary, swap).lines();
+    evidence.push_back(weighed);
+  }
+  return evidence;
+}
+
+}  // namespace inslab::cli

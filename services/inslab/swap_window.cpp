@@ -1,0 +1,127 @@
+#include "services/inslab/swap_window.hpp"
+
+#include <algorithm>
+
+#include "nav/geodesy.hpp"
+#include "nav/wgs84.hpp"
+#include "time/gps_time.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+constexpr std::int64_t kLongest_ns = 20'000'000'000;
+
+nav::Geodetic place_of(double latitude_rad, double longitude_rad, double height_m) {
+  return {latitude_rad, longitude_rad, height_m};
+}
+
+/// Offset of `place` from the vehicle, in ECEF, metres.
+Vector3 offset_e(const nav::Geodetic& place, const TruthState& vehicle) {
+  return nav::ecef_from_geodetic(place) -
+         nav::ecef_from_geodetic(place_of(vehicle.latitude_rad, vehicle.longitude_rad, vehicle.height_m));
+}
+
+Matrix3 C_ev(const TruthState& vehicle) {
+  return nav::C_en(vehicle.latitude_rad, vehicle.longitude_rad) * vehicle.q_nv.toRotationMatrix();
+}
+
+std::uint32_t revision_of(const ImuRevisions& revisions, ProfileKind kind) {
+  switch (kind) {
+    case ProfileKind::ImuError: return revisions.imu_error;
+    case ProfileKind::Vibration: return revisions.vibration;
+    case ProfileKind::Installation: return revisions.installation;
+    default: return revisions.fault;
+  }
+}
+
+std::uint32_t revision_of(const GnssRevisions& revisions, ProfileKind kind) {
+  switch (kind) {
+    case ProfileKind::GnssError: return revisions.gnss_error;
+    case ProfileKind::Installation: return revisions.installation;
+    default: return revisions.fault;
+  }
+}
+
+template <class Sample>
+void note_first(SwapWindows& windows, const Sample& sample) {
+  if (windows.first_sequence_seen || revision_of(sample.revisions, windows.ack.kind) != windows.ack.journal_number) return;
+  windows.first_sequence_seen = sample.header.sequence_number;
+}
+
+}  // namespace
+
+std::vector<SwapWindows> cut_windows(const LogSummary& summary) {
+  std::vector<SwapWindows> all;
+  const std::int64_t end_ns = time::from_seconds(summary.scenario.duration_s).count();
+  for (const ProfileAck& ack : summary.acks) {
+    if (ack.outcome != AckOutcome::Applied) continue;
+    SwapWindows windows;
+    windows.ack = ack;
+    std::int64_t previous_ns = 0;
+    std::int64_t next_ns = end_ns;
+    std::int64_t fade_ns = 0;
+    for (const ProfileInUse& other : summary.profiles) {
+      if (!(target_of(other.profile) == ack.target) || other.apply_at_ns < 0) continue;
+      const std::int64_t other_fade_ns = time::from_seconds(request_of(other.profile).fade_s).count();
+      if (request_of(other.profile).journal_number == ack.journal_number) {
+        windows.profile = &other.profile;
+        fade_ns = other_fade_ns;
+      } else if (other.apply_at_ns <= ack.apply_time_ns) {
+        previous_ns = std::max(previous_ns, other.apply_at_ns + other_fade_ns);
+      } else {
+        next_ns = std::min(next_ns, other.apply_at_ns);
+      }
+    }
+    if (windows.profile == nullptr) continue;
+    windows.before.after_ns = std::max(previous_ns, ack.apply_time_ns - kLongest_ns);
+    windows.before.until_ns = ack.apply_time_ns;
+    windows.after.after_ns = ack.apply_time_ns + fade_ns;
+    windows.after.until_ns = std::min(next_ns, ack.apply_time_ns + fade_ns + kLongest_ns);
+    all.push_back(windows);
+  }
+  return all;
+}
+
+void add_imu(std::vector<SwapWindows>& windows, const ImuSample& sample, const ImuTruth& imu_truth,
+             const TruthState& vehicle) {
+  const double dt_s = static_cast<double>(sample.interval_ns) * 1e-9;
+  for (SwapWindows& swap : windows) {
+    if (!(swap.ack.target == SensorAddress{SensorKind::Imu, sample.sensor_number})) continue;
+    note_first(swap, sample);
+    for (SwapWindow* window : {&swap.before, &swap.after}) {
+      if (!window->contains(sample.header.sim_time_ns)) continue;
+      const std::uint64_t k = sample.header.sequence_number;
+      window->gyro_rad_per_s.add(k, (sample.dtheta_b - imu_truth.dtheta_b) / dt_s);
+      window->accel_m_per_s2.add(k, (sample.dv_b - imu_truth.dv_b) / dt_s);
+      const auto imu_place = place_of(imu_truth.latitude_rad, imu_truth.longitude_rad, imu_truth.height_m);
+      window->imu_arm_v_m.add(k, C_ev(vehicle).transpose() * offset_e(imu_place, vehicle));
+    }
+  }
+}
+
+void add_fix(std::vector<SwapWindows>& windows, const GnssFix& fix, const TruthState& vehicle,
+             const LogSummary& summary) {
+  const SensorAddress receiver{SensorKind::Gnss, fix.sensor_number};
+  for (SwapWindows& swap : windows) {
+    if (!(swap.ack.target == receiver)) continue;
+    note_first(swap, fix);
+    for (SwapWindow* window : {&swap.before, &swap.after}) {
+      if (!window->contains(fix.header.sim_time_ns)) continue;
+      const AnyProfile* installed = summary.in_use(ProfileKind::Installation, receiver, fix.header.sim_time_ns);
+      const Vector3 arm_v = installed ? std::get<InstallationProfile>(*installed).lever_arm_v_m : Vector3::Zero();
+      const nav::Geodetic place = place_of(fix.latitude_rad, fix.longitude_rad, fix.height_m);
+      const Matrix3 C_en = nav::C_en(fix.latitude_rad, fix.longitude_rad);
+      const Vector3 offset = offset_e(place, vehicle);
+      const Vector3 omega_ie_v = C_ev(vehicle).transpose() * Vector3(0.0, 0.0, nav::wgs84::omega_e_rad_per_s);
+      const Vector3 v_e = C_ev(vehicle) * (vehicle.q_nv.toRotationMatrix().transpose() * vehicle.v_n +
+                                           (vehicle.omega_iv_v - omega_ie_v).cross(arm_v));
+      const std::uint64_t k = fix.header.sequence_number;
+      window->antenna_arm_v_m.add(k, C_ev(vehicle).transpose() * offset);
+      window->position_ned_m.add(k, C_en.transpose() * (offset - C_ev(vehicle) * arm_v));
+      window->velocity_ned_m_per_s.add(k, fix.v_n - C_en.transpose() * v_e);
+    }
+  }
+}
+
+}  // namespace inslab::cli
