@@ -30,18 +30,18 @@ struct SampleOrigin {
 
 enum class Reliability { Reliable, BestEffort };
 
-/// Typed reader of one topic: `Carried` is T itself or RawPayload<T>. The callback runs in a thread of Fast DDS and
-/// must only enqueue. The participant outlives the reader.
-template <class T, class Carried = T>
+/// Typed reader of one topic. The callback runs in a thread of Fast DDS and must only enqueue. The participant outlives
+/// the reader.
+template <class T>
 class Reader {
  public:
-  using Callback = std::function<void(const Carried&, const SampleOrigin&)>;
+  using Callback = std::function<void(const Received<T>&, const SampleOrigin&)>;
 
   /// Throws std::runtime_error when Fast DDS refuses the topic or its settings.
   Reader(Participant& participant, const Topic<T>& topic, Callback callback,
          Reliability reliability = Reliability::Reliable)
       : subscriber_(participant.subscriber()), listener_(topic.name, std::move(callback)) {
-    auto& dds_topic = participant.topic(topic.name, registered_type<T, Carried>(participant.dds()));
+    auto& dds_topic = participant.topic(topic.name, registered_type<T>(participant.dds()));
     auto qos = reader_qos(topic.delivery, topic.nominal_rate_hz);
     if (reliability == Reliability::BestEffort) {
       qos.reliability().kind = eprosima::fastdds::dds::BEST_EFFORT_RELIABILITY_QOS;
@@ -67,7 +67,7 @@ class Reader {
 
     void on_data_available(eprosima::fastdds::dds::DataReader* reader) override {
       eprosima::fastdds::dds::SampleInfo info;
-      while (reader->take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
+      while (reader->take_next_sample(static_cast<T*>(&sample), &info) == ReturnCode_t::RETCODE_OK) {
         if (!info.valid_data) continue;
         SampleOrigin origin;
         const auto& writer = info.sample_identity.writer_guid();
@@ -93,7 +93,7 @@ class Reader {
 
     std::string topic;
     Callback callback;
-    Carried sample;
+    Received<T> sample;
     std::atomic<int> matched{0};
     std::atomic<std::uint64_t> lost{0};
   };
@@ -105,22 +105,22 @@ class Reader {
 
 /// Reader of what foreigners write: one reliable and one best-effort reader, so that writers of both kinds match and a
 /// reliable one is repaired; what arrives at both is handed on once.
-template <class T, class Carried = T>
+template <class T>
 class OpenReader {
  public:
-  using Callback = typename Reader<T, Carried>::Callback;
+  using Callback = typename Reader<T>::Callback;
 
   OpenReader(Participant& participant, const Topic<T>& topic, Callback callback)
       : callback_(std::move(callback)),
-        reliable_(participant, topic, [this](const Carried& s, const SampleOrigin& o) { hand_on(s, o); }),
+        reliable_(participant, topic, [this](const Received<T>& s, const SampleOrigin& o) { hand_on(s, o); }),
         best_effort_(
-            participant, topic, [this](const Carried& s, const SampleOrigin& o) { hand_on(s, o); },
+            participant, topic, [this](const Received<T>& s, const SampleOrigin& o) { hand_on(s, o); },
             Reliability::BestEffort) {}
 
   int matched_writers() const { return best_effort_.matched_writers(); }
 
  private:
-  void hand_on(const Carried& sample, const SampleOrigin& origin) {
+  void hand_on(const Received<T>& sample, const SampleOrigin& origin) {
     constexpr std::size_t kRemembered = 4096;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -133,8 +133,8 @@ class OpenReader {
   Callback callback_;
   std::mutex mutex_;
   std::set<SampleOrigin> seen_;
-  Reader<T, Carried> reliable_;
-  Reader<T, Carried> best_effort_;
+  Reader<T> reliable_;
+  Reader<T> best_effort_;
 };
 
 }  // namespace inslab::dds

@@ -13,10 +13,10 @@
 
 namespace inslab::dds {
 
-/// The bytes of one sample as they came over the wire, encapsulation included.
+/// A sample as it was received: the struct, and the bytes that came over the wire, encapsulation included.
 template <class T>
-struct RawPayload {
-  std::vector<std::uint8_t> bytes;
+struct Received : T {
+  std::vector<std::uint8_t> cdr;
 };
 
 /// Name, largest size and key of an IDL type, from the generated code.
@@ -38,9 +38,10 @@ class GeneratedType {
 template <class T>
 GeneratedType generated_type();
 
-/// Lets Fast DDS carry the plain struct T (or RawPayload<T>) under its IDL type's name, with the codec of common/wire,
-/// which, unlike the generated one, does not throw on what a hostile writer sends.
-template <class T, class Carried = T>
+/// Lets Fast DDS carry the plain struct T under its IDL type's name, with the codec of common/wire, which, unlike the
+/// generated one, does not throw on what a hostile writer sends. For Fast DDS a sample is a `void*` made of a `T*`: what
+/// is written is any T, what is read into is always a Received<T>.
+template <class T>
 class TypeAdapter : public eprosima::fastdds::dds::TopicDataType {
  public:
   TypeAdapter() : generated_(generated_type<T>()) {
@@ -53,55 +54,37 @@ class TypeAdapter : public eprosima::fastdds::dds::TopicDataType {
   }
 
   bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override {
-    const auto& value = *static_cast<const Carried*>(data);
-    if constexpr (std::is_same_v<Carried, T>) {
-      const std::size_t size = wire::encoded_size(value);
-      if (size > payload->max_size) return false;
-      wire::encode_to(value, payload->data);
-      payload->length = static_cast<std::uint32_t>(size);
-    } else {
-      if (value.bytes.size() > payload->max_size) return false;
-      std::copy(value.bytes.begin(), value.bytes.end(), payload->data);
-      payload->length = static_cast<std::uint32_t>(value.bytes.size());
-    }
+    const auto& value = *static_cast<const T*>(data);
+    const std::size_t size = wire::encoded_size(value);
+    if (size > payload->max_size) return false;
+    wire::encode_to(value, payload->data);
+    payload->length = static_cast<std::uint32_t>(size);
     payload->encapsulation = CDR_LE;
     return true;
   }
 
   bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override {
-    auto& value = *static_cast<Carried*>(data);
-    if constexpr (std::is_same_v<Carried, T>) {
-      const bool ok = wire::decode(payload->data, payload->length, value);
-      if (!ok) refused_.fetch_add(1, std::memory_order_relaxed);
-      return ok;
-    } else {
-      value.bytes.assign(payload->data, payload->data + payload->length);
-      return true;
+    auto& received = static_cast<Received<T>&>(*static_cast<T*>(data));
+    T& value = received;
+    if (!wire::decode(payload->data, payload->length, value)) {
+      refused_.fetch_add(1, std::memory_order_relaxed);
+      return false;
     }
+    received.cdr.assign(payload->data, payload->data + payload->length);
+    return true;
   }
 
   std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    const auto& value = *static_cast<const Carried*>(data);
-    return [&value]() {
-      if constexpr (std::is_same_v<Carried, T>) {
-        return static_cast<std::uint32_t>(wire::encoded_size(value));
-      } else {
-        return static_cast<std::uint32_t>(value.bytes.size());
-      }
-    };
+    return [value = static_cast<const T*>(data)] { return static_cast<std::uint32_t>(wire::encoded_size(*value)); };
   }
 
-  void* createData() override { return new Carried(); }
-  void deleteData(void* data) override { delete static_cast<Carried*>(data); }
+  void* createData() override { return static_cast<T*>(new Received<T>()); }
+  void deleteData(void* data) override { delete static_cast<Received<T>*>(static_cast<T*>(data)); }
 
   bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* handle, bool) override {
     if (!m_isGetKeyDefined) return false;
     std::vector<std::uint8_t> cdr;
-    if constexpr (std::is_same_v<Carried, T>) {
-      wire::encode(*static_cast<const T*>(data), cdr);
-    } else {
-      cdr = static_cast<const Carried*>(data)->bytes;
-    }
+    wire::encode(*static_cast<const T*>(data), cdr);
     return generated_.key_of(cdr, *handle);
   }
 
@@ -115,18 +98,13 @@ class TypeAdapter : public eprosima::fastdds::dds::TopicDataType {
   std::atomic<std::uint64_t> refused_{0};
 };
 
-/// The adapter of T in this participant, registered at its first use. Throws std::logic_error when the participant
-/// carries the same type in the other form (struct or raw) already: one process uses one form.
-template <class T, class Carried = T>
+/// The adapter of T in this participant, registered at its first use. Throws std::runtime_error when Fast DDS refuses.
+template <class T>
 eprosima::fastdds::dds::TypeSupport registered_type(eprosima::fastdds::dds::DomainParticipant& participant) {
-  using Adapter = TypeAdapter<T, Carried>;
   const std::string name(wire::WireType<T>::name);
   eprosima::fastdds::dds::TypeSupport known = participant.find_type(name);
-  if (!known.empty()) {
-    if (dynamic_cast<Adapter*>(known.get()) == nullptr) throw std::logic_error(name + " is in use in its other form");
-    return known;
-  }
-  eprosima::fastdds::dds::TypeSupport type(new Adapter());
+  if (!known.empty()) return known;
+  eprosima::fastdds::dds::TypeSupport type(new TypeAdapter<T>());
   if (type.register_type(&participant) != ReturnCode_t::RETCODE_OK) {
     throw std::runtime_error("Fast DDS does not register the type " + name);
   }

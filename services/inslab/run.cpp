@@ -74,6 +74,11 @@ class LiveRun {
         stop_deadline_ = app::monotonic_now() + seconds(10);
         if (!client_.connected() || !client_.stop()) children_.terminate();
       }
+      if (!told_to_stop && children_.failure() && (!status || status->state == RunState::Waiting)) {
+        told_to_stop = true;  // the barrier will not open without it
+        stop_deadline_ = app::monotonic_now() + seconds(10);
+        children_.terminate();
+      }
       if (children_.has_ended(app::kTrajectoryServer) && !stop_deadline_) {
         stop_deadline_ = app::monotonic_now() + seconds(15);
       }

@@ -52,14 +52,14 @@ LoggerOnBus::Channel& LoggerOnBus::add_channel(app::Context& context, const dds:
   Channel& channel = channels_.back();
   channel.topic = topic.name;
   channel.log_id = io::LogChannel<T>(log_.file(), topic.name).id();
-  const auto enqueue = [this, index](const dds::RawPayload<T>& payload, const dds::SampleOrigin&) {
-    mailbox_.put({index, payload.bytes, app::realtime_now().count()});
+  const auto enqueue = [this, index](const dds::Received<T>& sample, const dds::SampleOrigin&) {
+    mailbox_.put({index, sample.cdr, app::realtime_now().count()});
   };
   if (writers == Writers::Anybody) {
-    channel.reader = std::make_shared<dds::OpenReader<T, dds::RawPayload<T>>>(context.participant(), topic, enqueue);
+    channel.reader = std::make_shared<dds::OpenReader<T>>(context.participant(), topic, enqueue);
     channel.matched = [] { return true; };
   } else {
-    auto reader = std::make_shared<dds::Reader<T, dds::RawPayload<T>>>(context.participant(), topic, enqueue);
+    auto reader = std::make_shared<dds::Reader<T>>(context.participant(), topic, enqueue);
     channel.matched = [reader] { return reader->matched_writers() > 0; };
     channel.reader = reader;
   }

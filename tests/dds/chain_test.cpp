@@ -126,10 +126,9 @@ TEST_P(Chain, LateJoinerGetsTheLastStatusOfEachService) {
   for (const auto& [sensor, overruns] : last) EXPECT_EQ(overruns, 2u) << "sensor " << sensor;
 }
 
-TEST_P(Chain, RawReaderHandsOnTheBytesThatWereSent) {
-  Collector<RawPayload<GnssFix>> received;
-  Reader<GnssFix, RawPayload<GnssFix>> reader(
-      to_, topics::gnss(0), [&](const RawPayload<GnssFix>& p, const SampleOrigin&) { received.add(p); });
+TEST_P(Chain, ReceivedSampleKeepsTheBytesThatWereSent) {
+  Collector<Received<GnssFix>> received;
+  Reader<GnssFix> reader(to_, topics::gnss(0), [&](const Received<GnssFix>& p, const SampleOrigin&) { received.add(p); });
   Writer<GnssFix> writer(from_, topics::gnss(0));
   ASSERT_TRUE(eventually([&] { return writer.matched_readers() == 1 && reader.matched_writers() == 1; }));
   GnssFix fix;
@@ -138,7 +137,7 @@ TEST_P(Chain, RawReaderHandsOnTheBytesThatWereSent) {
   ASSERT_TRUE(received.wait_for(1));
   std::vector<std::uint8_t> expected;
   wire::encode(fix, expected);
-  EXPECT_EQ(received.samples().front().bytes, expected);
+  EXPECT_EQ(received.samples().front().cdr, expected);
 }
 
 TEST_P(Chain, OpenReaderHandsEverySampleOnOnce) {
