@@ -134,5 +134,3 @@ BENCHMARK(BM_LogWrite)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
-
-BENCHMARK_MAIN();

@@ -1,0 +1,139 @@
+// What the chain adds to a bare hop of Fast DDS: truth to IMU (one hop), truth to the reader of the IMU (two hops), and
+// beside them, in alternating blocks of the same run, a bare writer and a bare callback with the same type and
+// settings.
+//
+// The machine's own noise changes by a factor within minutes, so each block of the chain is divided by the bare block
+// right before it, and the medians of these ratios are what to quote.
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/service.hpp"
+#include "tests/bench/bare_hop.hpp"
+#include "tests/bench/chain_block.hpp"
+
+namespace {
+
+using namespace inslab;
+
+struct Options {
+  std::vector<double> rates_hz{200.0, 1000.0};
+  std::vector<std::string> transports{"udp", "shm"};
+  double duration_s = 5.0;
+  int repetitions = 5;
+  std::uint32_t domain = 90;
+  std::string body;         // of a child process: what it does
+  std::string result_file;  // of a child process
+};
+
+/// The value that the share `q` of all does not exceed.
+double quantile(std::vector<double> values, double q) {
+  const auto rank = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1) + 0.5);
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[static_cast<std::size_t>(rank)];
+}
+
+double median(const std::vector<double>& values) { return quantile(values, 0.5); }
+
+/// One row of figures a block.
+struct Rows {
+  std::vector<double> bare_p50, bare_p99, one_p50, one_p99, two_p50, two_p99, one_over_bare, two_over_bare;
+  std::map<std::string, std::vector<double>> cpu_percent;
+  std::map<std::string, double> peak_rss_mb;
+
+  void add(const std::vector<double>& bare, const bench::ChainBlock& chain, double duration_s) {
+    bare_p50.push_back(quantile(bare, 0.5));
+    bare_p99.push_back(quantile(bare, 0.99));
+    one_p50.push_back(quantile(chain.one_hop_s, 0.5));
+    one_p99.push_back(quantile(chain.one_hop_s, 0.99));
+    two_p50.push_back(quantile(chain.two_hops_s, 0.5));
+    two_p99.push_back(quantile(chain.two_hops_s, 0.99));
+    one_over_bare.push_back(one_p50.back() / bare_p50.back());
+    two_over_bare.push_back(two_p50.back() / bare_p50.back());
+    for (const auto& [service, end] : chain.services) {
+      cpu_percent[service].push_back(100.0 * end.cpu_s / duration_s);
+      peak_rss_mb[service] = std::max(peak_rss_mb[service], end.peak_rss_mb);
+    }
+  }
+};
+
+void print(double rate_hz, const std::string& transport, const Rows& rows) {
+  const auto line = [](const char* what, const std::vector<double>& p50, const std::vector<double>& p99) {
+    std::printf("  %-34s p50 %6.0f us   p99 %6.0f us", what, 1e6 * median(p50), 1e6 * median(p99));
+  };
+  std::printf("%.0f Hz, %s, medians of %zu blocks\n", rate_hz, transport.c_str(), rows.bare_p50.size());
+  line("bare hop", rows.bare_p50, rows.bare_p99);
+  std::printf("\n");
+  line("truth to IMU", rows.one_p50, rows.one_p99);
+  std::printf("   p50 over bare %.2f (%.2f to %.2f)\n", median(rows.one_over_bare), quantile(rows.one_over_bare, 0.0),
+              quantile(rows.one_over_bare, 1.0));
+  line("truth to the IMU's subscriber", rows.two_p50, rows.two_p99);
+  std::printf("   p50 over bare %.2f (%.2f to %.2f)\n", median(rows.two_over_bare), quantile(rows.two_over_bare, 0.0),
+              quantile(rows.two_over_bare, 1.0));
+  for (const auto& [service, cpu] : rows.cpu_percent) {
+    std::printf("  %-34s CPU %5.1f %% of a core, start and end included   RSS %.1f MB\n", service.c_str(), median(cpu),
+                rows.peak_rss_mb.at(service));
+  }
+  std::fflush(stdout);
+}
+
+void measure(const Options& options, double rate_hz, const std::string& transport, const std::string& folder) {
+  app::NetworkOptions network;
+  network.domain = options.domain;
+  network.transport = transport;
+  const bench::BareHop hop{app::participant_options(network, "bench"), rate_hz, options.duration_s};
+  const bench::ChainSettings settings{rate_hz, options.duration_s, transport, options.domain, folder};
+  Rows rows;
+  for (int i = 0; i < options.repetitions; ++i) {
+    const std::vector<double> bare = bench::measure_bare_hop(hop, transport, folder);
+    rows.add(bare, bench::run_chain(settings), options.duration_s);
+  }
+  print(rate_hz, transport, rows);
+}
+
+int run_body(const Options& options) {
+  app::NetworkOptions network;
+  network.domain = options.domain;
+  network.transport = options.transports.front();
+  const bench::BareHop hop{app::participant_options(network, options.body), options.rates_hz.front(),
+                           options.duration_s};
+  return options.body == "bare-writer" ? bench::write_bare_hop(hop) : bench::read_bare_hop(hop, options.result_file);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Latency of the chain beside a bare hop of Fast DDS", "bench_chain");
+  app.add_option("--rate", options.rates_hz, "Hz, of truth and IMU")->capture_default_str();
+  app.add_option("--transport", options.transports, "udp, shm")
+      ->check(CLI::IsMember({"udp", "shm"}))
+      ->capture_default_str();
+  app.add_option("--seconds", options.duration_s, "length of a block")
+      ->check(CLI::Range(1.0, 60.0))
+      ->capture_default_str();
+  app.add_option("--repetitions", options.repetitions, "blocks of each kind")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--domain", options.domain, "DDS domain")->capture_default_str();
+  app.add_option("--body", options.body, "what a process of the bench does itself")->group("");
+  app.add_option("--result", options.result_file)->group("");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (!options.body.empty()) return run_body(options);
+    const auto folder = std::filesystem::temp_directory_path() / ("inslab_bench_chain_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    for (const std::string& transport : options.transports) {
+      for (const double rate_hz : options.rates_hz) measure(options, rate_hz, transport, folder.string());
+    }
+    std::filesystem::remove_all(folder);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_chain: %s\n", error.what());
+    return 1;
+  }
+}

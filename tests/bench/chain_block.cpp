@@ -1,0 +1,105 @@
+#include "tests/bench/chain_block.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "app/service_names.hpp"
+#include "io/mcap_reader.hpp"
+#include "scenario/load.hpp"
+#include "wire/cdr.hpp"
+#include "wire/topic_names.hpp"
+
+namespace inslab::bench {
+
+namespace {
+
+/// The demo at another rate and length; returns the file.
+std::string write_scenario(const ChainSettings& settings) {
+  const std::filesystem::path demo = INSLAB_SOURCE_DIR "/config/scenarios/demo.json";
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(std::ifstream(demo));
+  json["duration_s"] = settings.duration_s;
+  json["truth_rate_hz"] = settings.rate_hz;
+  json["imu"][0]["rate_hz"] = settings.rate_hz;
+  json.erase("swaps");
+  // A hiccup of the machine belongs into the figures, not to end the run.
+  json["real_time"] = {{"max_lag_ms", 1000.0}};
+  for (const char* kind : {"imu", "gnss"}) {
+    for (auto& sensor : json[kind]) {
+      for (auto& [key, value] : sensor.items()) {
+        const bool is_file = key.size() > 8 && key.compare(key.size() - 8, 8, "_profile") == 0;
+        if (is_file) value = (demo.parent_path() / value.get<std::string>()).lexically_normal().string();
+      }
+    }
+  }
+  const std::string file = settings.folder + "/chain.json";
+  std::ofstream(file) << json.dump(2);
+  return file;
+}
+
+template <class T>
+T decoded(const io::mcap::Message& message) {
+  T value;
+  if (!wire::decode(message.data, message.size, value))
+    throw std::runtime_error("the log holds bytes that are no sample");
+  return value;
+}
+
+void read_latencies(const std::string& log_file, ChainBlock& block) {
+  const io::McapReader log(log_file);
+  std::map<std::uint16_t, std::string> topics;
+  for (const auto& [id, channel] : log.channels()) topics[id] = channel.topic;
+  std::map<std::int64_t, StreamHeader> truth;  // by sim time
+  log.for_each([&](const io::mcap::Message& message) {
+    if (topics[message.channel_id] != wire::topic_names::kTruth) return true;
+    const StreamHeader header = decoded<TruthState>(message).header;
+    truth[header.sim_time_ns] = header;
+    return true;
+  });
+  constexpr std::int64_t kWarmUp_ns = 500'000'000;
+  log.for_each([&](const io::mcap::Message& message) {
+    if (topics[message.channel_id] != wire::topic_names::imu(0)) return true;
+    const StreamHeader imu = decoded<ImuSample>(message).header;
+    if (imu.sim_time_ns < kWarmUp_ns) return true;
+    const StreamHeader& cause = truth.at(imu.sim_time_ns);
+    block.one_hop_s.push_back(1e-9 * static_cast<double>(imu.publish_monotonic_ns - cause.publish_monotonic_ns));
+    block.two_hops_s.push_back(
+        1e-9 * static_cast<double>(static_cast<std::int64_t>(message.log_time_ns) - cause.publish_realtime_ns));
+    return true;
+  });
+}
+
+}  // namespace
+
+ChainBlock run_chain(const ChainSettings& settings) {
+  const std::string scenario_file = write_scenario(settings);
+  const std::string log_file = settings.folder + "/chain.mcap";
+  const std::vector<std::string> common{
+      "--scenario",  scenario_file,      "--domain",    std::to_string(settings.domain),
+      "--transport", settings.transport, "--log-level", "warn"};
+  std::vector<std::unique_ptr<Process>> processes;
+  for (const auto& [service, sensor] : app::required_services(scenario::load(scenario_file))) {
+    std::vector<std::string> arguments = common;
+    if (service == app::kTruthLogger) {
+      arguments.insert(arguments.end(), {"--log", log_file});
+    } else {
+      arguments.insert(arguments.end(), {"--sensor", std::to_string(sensor)});
+    }
+    processes.push_back(std::make_unique<Process>(service, arguments));
+  }
+  processes.push_back(std::make_unique<Process>(app::kTrajectoryServer, common));
+
+  ChainBlock block;
+  const auto longest = std::chrono::seconds(60) + time::from_seconds(settings.duration_s);
+  for (auto& process : processes) {
+    const ProcessEnd end = process->wait(longest);
+    if (!end.good) throw std::runtime_error(process->program() + " failed");
+    block.services[process->program()] = end;
+  }
+  read_latencies(log_file, block);
+  return block;
+}
+
+}  // namespace inslab::bench

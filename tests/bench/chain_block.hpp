@@ -1,0 +1,30 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/bench/process.hpp"
+
+/// A short run of the real services, one process each, and what their log says of its latencies.
+namespace inslab::bench {
+
+struct ChainSettings {
+  double rate_hz = 200.0;  ///< of truth and IMU
+  double duration_s = 5.0;
+  std::string transport = "udp";
+  std::uint32_t domain = 0;
+  std::string folder;  ///< for the scenario and the log
+};
+
+struct ChainBlock {
+  std::vector<double> one_hop_s;   ///< publish time of an ImuSample less that of the TruthState of its instant
+  std::vector<double> two_hops_s;  ///< receipt of an ImuSample by the logger less publish time of that TruthState
+  std::map<std::string, ProcessEnd> services;
+};
+
+/// Runs the services of the demo scenario, without its swaps, for `duration_s`; the latencies leave out the first half
+/// second. Throws std::runtime_error when a service fails, which it does when a sample is lost.
+ChainBlock run_chain(const ChainSettings& settings);
+
+}  // namespace inslab::bench
