@@ -18,7 +18,7 @@ class JsonReader {
  public:
   JsonReader(const Json& object, std::string file, std::string path)
       : object_(object), file_(std::move(file)), path_(std::move(path)) {
-    if (!object.is_object()) fail(path_, "is " + json_type_name(object) + "; expected an object");
+    if (!object.is_object()) wrong_type(path_, object, "an object");
   }
 
   template <class T>
@@ -34,18 +34,31 @@ class JsonReader {
     }
   }
 
-  /// Call after all fields were visited. An unknown key comes before a missing one: it is most often its misspelling.
+  /// Call after all fields were visited. A misspelt key comes before a missing one, which it most often is; one that
+  /// resembles none comes last, since a missing type can make every other key unknown.
   void finish() const {
+    std::string strange;
     for (const auto& item : object_.items()) {
-      if (item.key() == "$schema" || std::find(known_.begin(), known_.end(), item.key()) != known_.end()) continue;
+      if (is_schema(item.key(), item.value())) continue;
+      if (std::find(known_.begin(), known_.end(), item.key()) != known_.end()) continue;
       const std::string nearest = nearest_key(item.key(), known_);
-      fail(child(item.key()), "unknown key" + (nearest.empty() ? "; expected one of: " + joined(known_)
-                                                               : "; did you mean '" + nearest + "'?"));
+      if (!nearest.empty()) {
+        fail(Rule::KnownKey, child(item.key()), "unknown key; did you mean '" + nearest + "'?");
+      }
+      if (strange.empty()) strange = item.key();
     }
-    if (!missing_.empty()) fail(child(missing_.front()), "missing");
+    if (!missing_.empty()) fail(Rule::RequiredKey, child(missing_.front()), "missing");
+    if (!strange.empty()) fail(Rule::KnownKey, child(strange), "unknown key; expected one of: " + joined(known_));
   }
 
  private:
+  /// "$schema" at the top of a file is for editors.
+  bool is_schema(const std::string& key, const Json& value) const {
+    if (key != "$schema" || !path_.empty()) return false;
+    if (!value.is_string()) wrong_type(key, value, "a string");
+    return true;
+  }
+
   static std::string joined(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -54,18 +67,18 @@ class JsonReader {
 
   std::string child(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
 
-  [[noreturn]] void fail(const std::string& path, const std::string& reason) const {
-    throw Error(file_, path, reason);
+  [[noreturn]] void fail(Rule rule, const std::string& path, const std::string& reason) const {
+    throw Error(file_, {rule, path, reason});
   }
   [[noreturn]] void wrong_type(const std::string& path, const Json& json, const std::string& expected) const {
-    fail(path, "is " + json_type_name(json) + "; expected " + expected);
+    fail(Rule::ValueType, path, "is " + json_type_name(json) + "; expected " + expected);
   }
 
   double number(const Field& field, const std::string& path, const Json& json) const {
     if (!json.is_number()) wrong_type(path, json, "a number");
     const double value = json.get<double>();
     if (!(std::isfinite(value) && value >= field.minimum && value <= field.maximum)) {
-      fail(path, inslab::detail::limit_reason(value, field));
+      fail(Rule::ValueRange, path, inslab::detail::limit_reason(value, field));
     }
     return value;
   }
@@ -73,11 +86,13 @@ class JsonReader {
   template <class T>
   void read_integer(const Field& field, const std::string& path, const Json& json, T& value) const {
     if (!json.is_number_integer()) wrong_type(path, json, "a whole number");
-    if (std::is_unsigned_v<T> && !json.is_number_unsigned()) fail(path, "is negative; expected 0 or above");
     number(field, path, json);
+    if (std::is_unsigned_v<T> && !json.is_number_unsigned()) {
+      fail(Rule::ValueRange, path, "is negative; expected 0 or above");
+    }
     if (json.is_number_unsigned()) {
       const auto raw = json.get<std::uint64_t>();
-      if (raw > static_cast<std::uint64_t>(std::numeric_limits<T>::max())) fail(path, "is too large");
+      if (raw > static_cast<std::uint64_t>(std::numeric_limits<T>::max())) fail(Rule::ValueRange, path, "is too large");
       value = static_cast<T>(raw);
     } else {
       value = static_cast<T>(json.get<std::int64_t>());
@@ -91,7 +106,8 @@ class JsonReader {
     const auto text = json.get<std::string>();
     const auto found = std::find(names.begin(), names.end(), text);
     if (found == names.end()) {
-      fail(path, "is '" + text + "'; expected one of: " + joined(std::vector<std::string>(names.begin(), names.end())));
+      fail(Rule::KnownName, path,
+           "is '" + text + "'; expected one of: " + joined(std::vector<std::string>(names.begin(), names.end())));
     }
     value = static_cast<Enum>(found - names.begin());
   }
@@ -104,8 +120,9 @@ class JsonReader {
     }
     const auto size = static_cast<std::size_t>(value.size());
     if (!json.is_array() || json.size() != size) {
-      fail(path, "is " + json_type_name(json) + (json.is_array() ? " of " + std::to_string(json.size()) : "") +
-                     "; expected a number or a list of " + std::to_string(size));
+      fail(Rule::ValueType, path,
+           "is " + json_type_name(json) + (json.is_array() ? " of " + std::to_string(json.size()) : "") +
+               "; expected a number or a list of " + std::to_string(size));
     }
     for (std::size_t i = 0; i < size; ++i) {
       value[static_cast<Eigen::Index>(i)] = number(field, path + "[" + std::to_string(i) + "]", json[i]);
@@ -131,17 +148,18 @@ class JsonReader {
       if (!json.is_string()) wrong_type(path, json, "a string");
       value = json.get<std::string>();
       if (value.size() > field.max_size) {
-        fail(path, "has " + std::to_string(value.size()) + " characters; expected at most " +
-                       std::to_string(field.max_size));
+        fail(Rule::BoundedSize, path,
+             "has " + std::to_string(value.size()) + " characters; expected at most " + std::to_string(field.max_size));
       }
     } else if constexpr (is_list<T>) {
       if (!json.is_array()) wrong_type(path, json, "a list");
       if (json.size() > field.max_size) {
-        fail(path, "has " + std::to_string(json.size()) + " elements; expected at most " +
-                       std::to_string(field.max_size));
+        fail(Rule::BoundedSize, path,
+             "has " + std::to_string(json.size()) + " elements; expected at most " + std::to_string(field.max_size));
       }
       value.assign(json.size(), {});
-      for (std::size_t i = 0; i < json.size(); ++i) read(field, path + "[" + std::to_string(i) + "]", json[i], value[i]);
+      for (std::size_t i = 0; i < json.size(); ++i)
+        read(field, path + "[" + std::to_string(i) + "]", json[i], value[i]);
     } else if constexpr (has_fields<T>) {
       JsonReader nested(json, file_, path);
       T::fields(value, nested);

@@ -36,7 +36,7 @@ class LimitChecker {
  private:
   void number(const Field& field, const std::string& path, double value) {
     if (!found && !(std::isfinite(value) && value >= field.minimum && value <= field.maximum)) {
-      found = Violation{path, limit_reason(value, field)};
+      found = Violation{Rule::ValueRange, path, limit_reason(value, field)};
     }
   }
 
@@ -44,8 +44,9 @@ class LimitChecker {
   void check(const Field& field, const std::string& path, const T& value) {
     if constexpr (std::is_same_v<T, std::string>) {
       if (value.size() > field.max_size) {
-        found = Violation{path, "has " + std::to_string(value.size()) + " characters; expected at most " +
-                                    std::to_string(field.max_size)};
+        found = Violation{
+            Rule::BoundedSize, path,
+            "has " + std::to_string(value.size()) + " characters; expected at most " + std::to_string(field.max_size)};
       }
     } else if constexpr (std::is_same_v<T, bool> || std::is_enum_v<T> || std::is_same_v<T, RunId>) {
       // Every value of these is admissible.
@@ -53,8 +54,9 @@ class LimitChecker {
       number(field, path, static_cast<double>(value));
     } else if constexpr (is_list<T>) {
       if (value.size() > field.max_size) {
-        found = Violation{path, "has " + std::to_string(value.size()) + " elements; expected at most " +
-                                    std::to_string(field.max_size)};
+        found = Violation{
+            Rule::BoundedSize, path,
+            "has " + std::to_string(value.size()) + " elements; expected at most " + std::to_string(field.max_size)};
       }
       for (std::size_t i = 0; i < value.size() && !found; ++i) {
         check(field, path + "[" + std::to_string(i) + "]", value[i]);
@@ -62,7 +64,7 @@ class LimitChecker {
     } else if constexpr (has_fields<T>) {
       LimitChecker nested;
       T::fields(value, nested);
-      if (nested.found) found = Violation{path + "." + nested.found->path, nested.found->reason};
+      if (nested.found) found = Violation{nested.found->rule, path + "." + nested.found->path, nested.found->reason};
     } else if constexpr (std::is_same_v<T, Quaternion>) {
       for (int i = 0; i < 4; ++i) number(field, path, value.coeffs()[i]);
     } else {

@@ -2,12 +2,15 @@
 
 #include <string>
 
+#include "samples/rule.hpp"
+
 namespace inslab {
 inline namespace samples {
 
-/// A rule that a configuration or a profile breaks: where, and what was expected.
+/// A rule that a configuration or a profile breaks: which, where, and what was expected.
 struct Violation {
-  std::string path;    ///< such as "segments[3].motions[0].period_s"
+  Rule rule;
+  std::string path;    ///< such as "segments[3].motions[0].period_s"; empty: the whole file
   std::string reason;  ///< such as "is 0; the period of a sine lies above 0"
 };
 

@@ -11,7 +11,7 @@ template <class Profile>
 Profile read_profile(const std::filesystem::path& file, const SensorAddress& target) {
   auto profile = config::read_file<Profile>(file);
   profile.target = target;
-  if (auto broken = violation(profile)) throw config::Error(file.string(), broken->path, broken->reason);
+  if (auto broken = violation(profile)) throw config::Error(file.string(), *broken);
   return profile;
 }
 
@@ -35,9 +35,10 @@ LoadedImu load_imu(const std::filesystem::path& folder, const ImuSensor& sensor)
   imu.errors = named_profile<ImuErrorProfile>(folder, sensor.error_profile, target);
   imu.vibration = named_profile<VibrationProfile>(folder, sensor.vibration_profile, target);
   imu.installation = named_profile<InstallationProfile>(folder, sensor.installation_profile, target);
-  imu.nominal_installation = sensor.nominal_installation_profile.empty()
-                                 ? imu.installation
-                                 : named_profile<InstallationProfile>(folder, sensor.nominal_installation_profile, target);
+  imu.nominal_installation =
+      sensor.nominal_installation_profile.empty()
+          ? imu.installation
+          : named_profile<InstallationProfile>(folder, sensor.nominal_installation_profile, target);
   return imu;
 }
 
@@ -48,22 +49,70 @@ LoadedGnss load_gnss(const std::filesystem::path& folder, const GnssSensor& sens
   gnss.rate = time::Rate(sensor.rate_hz);
   gnss.errors = named_profile<GnssErrorProfile>(folder, sensor.error_profile, target);
   gnss.installation = named_profile<InstallationProfile>(folder, sensor.installation_profile, target);
-  gnss.nominal_installation = sensor.nominal_installation_profile.empty()
-                                  ? gnss.installation
-                                  : named_profile<InstallationProfile>(folder, sensor.nominal_installation_profile, target);
+  gnss.nominal_installation =
+      sensor.nominal_installation_profile.empty()
+          ? gnss.installation
+          : named_profile<InstallationProfile>(folder, sensor.nominal_installation_profile, target);
   gnss.outages = sensor.outages;
   return gnss;
+}
+
+/// Looks for the files that a scenario names before any is read, so that the message can say who named it.
+class NamedFiles {
+ public:
+  explicit NamedFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  void look_for(const std::string& path, const std::string& name) {
+    std::error_code error;
+    if (missing || std::filesystem::is_regular_file(folder_ / name, error)) return;
+    missing = Violation{Rule::NamedFile, path, "names '" + name + "', which is not there"};
+  }
+  void look_for_optional(const std::string& path, const std::string& name) {
+    if (!name.empty()) look_for(path, name);
+  }
+
+  std::optional<Violation> missing;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+std::optional<Violation> missing_file(const Scenario& scenario, const std::filesystem::path& folder) {
+  NamedFiles files(folder);
+  const auto at = [](const char* list, std::size_t index) { return list + ("[" + std::to_string(index) + "]."); };
+  for (std::size_t i = 0; i < scenario.imu.size(); ++i) {
+    const ImuSensor& imu = scenario.imu[i];
+    files.look_for_optional(at("imu", i) + "error_profile", imu.error_profile);
+    files.look_for_optional(at("imu", i) + "vibration_profile", imu.vibration_profile);
+    files.look_for_optional(at("imu", i) + "installation_profile", imu.installation_profile);
+    files.look_for_optional(at("imu", i) + "nominal_installation_profile", imu.nominal_installation_profile);
+  }
+  for (std::size_t i = 0; i < scenario.gnss.size(); ++i) {
+    const GnssSensor& gnss = scenario.gnss[i];
+    files.look_for(at("gnss", i) + "error_profile", gnss.error_profile);
+    files.look_for_optional(at("gnss", i) + "installation_profile", gnss.installation_profile);
+    files.look_for_optional(at("gnss", i) + "nominal_installation_profile", gnss.nominal_installation_profile);
+  }
+  for (std::size_t i = 0; i < scenario.swaps.size(); ++i) {
+    files.look_for(at("swaps", i) + "profile", scenario.swaps[i].profile);
+  }
+  return files.missing;
 }
 
 }  // namespace
 
 AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target) {
   switch (kind) {
-    case ProfileKind::ImuError: return read_profile<ImuErrorProfile>(file, target);
-    case ProfileKind::Vibration: return read_profile<VibrationProfile>(file, target);
-    case ProfileKind::Installation: return read_profile<InstallationProfile>(file, target);
-    case ProfileKind::GnssError: return read_profile<GnssErrorProfile>(file, target);
-    case ProfileKind::Fault: break;
+    case ProfileKind::ImuError:
+      return read_profile<ImuErrorProfile>(file, target);
+    case ProfileKind::Vibration:
+      return read_profile<VibrationProfile>(file, target);
+    case ProfileKind::Installation:
+      return read_profile<InstallationProfile>(file, target);
+    case ProfileKind::GnssError:
+      return read_profile<GnssErrorProfile>(file, target);
+    case ProfileKind::Fault:
+      break;
   }
   return read_profile<FaultProfile>(file, target);
 }
@@ -73,7 +122,8 @@ LoadedScenario load(const std::filesystem::path& file) {
   loaded.file = file;
   loaded.scenario = config::read_file<Scenario>(file);
   const Scenario& scenario = loaded.scenario;
-  if (auto broken = violation(scenario)) throw config::Error(file.string(), broken->path, broken->reason);
+  if (auto broken = violation(scenario)) throw config::Error(file.string(), *broken);
+  if (auto broken = missing_file(scenario, file.parent_path())) throw config::Error(file.string(), *broken);
   loaded.truth_rate = time::Rate(scenario.truth_rate_hz);
   loaded.truth_samples =
       1 + static_cast<std::uint64_t>(time::from_seconds(scenario.duration_s) / loaded.truth_rate.period());
@@ -108,14 +158,15 @@ const LoadedImu& LoadedScenario::imu_number(std::uint32_t number) const {
   for (const LoadedImu& imu : imus) {
     if (imu.number == number) return imu;
   }
-  throw config::Error(file.string(), "imu", "has no IMU number " + std::to_string(number));
+  throw config::Error(file.string(), {Rule::SensorExists, "imu", "has no IMU number " + std::to_string(number)});
 }
 
 const LoadedGnss& LoadedScenario::gnss_number(std::uint32_t number) const {
   for (const LoadedGnss& receiver : gnss) {
     if (receiver.number == number) return receiver;
   }
-  throw config::Error(file.string(), "gnss", "has no GNSS receiver number " + std::to_string(number));
+  throw config::Error(file.string(),
+                      {Rule::SensorExists, "gnss", "has no GNSS receiver number " + std::to_string(number)});
 }
 
 }  // namespace inslab::scenario

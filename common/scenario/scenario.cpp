@@ -1,5 +1,7 @@
 #include "scenario/scenario.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <set>
 #include <stdexcept>
 
@@ -15,16 +17,18 @@ std::string at(const char* list, std::size_t index, const char* key) {
 
 /// Periods divide, numbers are given once.
 template <class Sensor>
-std::optional<Violation> sensors_violation(const char* list, const std::vector<Sensor>& sensors, const time::Rate& truth) {
+std::optional<Violation> sensors_violation(const char* list, const std::vector<Sensor>& sensors,
+                                           const time::Rate& truth) {
   std::set<std::uint32_t> numbers;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     if (!numbers.insert(sensors[i].number).second) {
-      return Violation{at(list, i, "number"), "is " + std::to_string(sensors[i].number) + ", which another sensor has"};
+      return Violation{Rule::SensorNumberOnce, at(list, i, "number"),
+                       "is " + std::to_string(sensors[i].number) + ", which another sensor has"};
     }
     try {
       (void)time::Rate(sensors[i].rate_hz).multiple_of(truth);
     } catch (const std::invalid_argument& error) {
-      return Violation{at(list, i, "rate_hz"), error.what()};
+      return Violation{Rule::SensorPeriod, at(list, i, "rate_hz"), error.what()};
     }
   }
   return std::nullopt;
@@ -40,21 +44,53 @@ bool has_sensor(const Scenario& scenario, SensorKind kind, std::uint32_t number)
   return kind == SensorKind::Imu ? has(scenario.imu) : has(scenario.gnss);
 }
 
+/// The only kind of sensor that such profiles are for, or nothing when they are for both.
+std::optional<SensorKind> sensor_of(ProfileKind kind) {
+  switch (kind) {
+    case ProfileKind::ImuError:
+    case ProfileKind::Vibration:
+      return SensorKind::Imu;
+    case ProfileKind::GnssError:
+      return SensorKind::Gnss;
+    case ProfileKind::Installation:
+    case ProfileKind::Fault:
+      break;
+  }
+  return std::nullopt;
+}
+
+/// The name becomes that of the run's log, so it must not lead elsewhere or hide the file.
+std::optional<Violation> name_violation(const std::string& name) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == ' '; };
+  if (!name.empty() && name.front() != '.' && std::all_of(name.begin(), name.end(), fits)) return std::nullopt;
+  return Violation{Rule::RunName, "name",
+                   "is '" + name +
+                       "'; expected letters, digits, spaces and _-. with no dot at the beginning: it names "
+                       "the log"};
+}
+
 std::optional<Violation> swaps_violation(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.swaps.size(); ++i) {
     const ScheduledSwap& swap = scenario.swaps[i];
     if (!has_sensor(scenario, swap.sensor_kind, swap.sensor_number)) {
-      return Violation{at("swaps", i, "sensor_number"), "names " + sensor_name({swap.sensor_kind, swap.sensor_number}) +
-                                                            ", which the scenario does not have"};
+      return Violation{
+          Rule::SensorExists, at("swaps", i, "sensor_number"),
+          "names " + sensor_name({swap.sensor_kind, swap.sensor_number}) + ", which the scenario does not have"};
+    }
+    if (const auto expected = sensor_of(swap.kind); expected && *expected != swap.sensor_kind) {
+      return Violation{Rule::ProfileFitsSensor, at("swaps", i, "sensor_kind"),
+                       "is " + std::string(enum_name(swap.sensor_kind)) + "; a profile of the kind " +
+                           std::string(enum_name(swap.kind)) + " is for " + std::string(enum_name(*expected))};
     }
     if (swap.at_s >= scenario.duration_s) {
-      return Violation{at("swaps", i, "at_s"), "lies at or after the end of the scenario"};
+      return Violation{Rule::SwapBeforeEnd, at("swaps", i, "at_s"), "lies at or after the end of the scenario"};
     }
     if (i > 0 && swap.at_s < scenario.swaps[i - 1].at_s) {
-      return Violation{at("swaps", i, "at_s"), "lies before the swap above it; expected swaps in order of time"};
+      return Violation{Rule::SwapsInOrder, at("swaps", i, "at_s"),
+                       "lies before the swap above it; expected swaps in order of time"};
     }
     if (swap.fade_s > 0.0 && swap.kind != ProfileKind::Vibration) {
-      return Violation{at("swaps", i, "fade_s"), "is set; only vibration fades"};
+      return Violation{Rule::OnlyVibrationFades, at("swaps", i, "fade_s"), "is set; only vibration fades"};
     }
   }
   return std::nullopt;
@@ -63,26 +99,24 @@ std::optional<Violation> swaps_violation(const Scenario& scenario) {
 }  // namespace
 
 std::optional<Violation> violation(const Scenario& scenario) {
+  if (auto broken = name_violation(scenario.name)) return broken;
   std::optional<time::Rate> truth;
   try {
     truth.emplace(scenario.truth_rate_hz);
   } catch (const std::invalid_argument& error) {
-    return Violation{"truth_rate_hz", error.what()};
+    return Violation{Rule::TruthPeriod, "truth_rate_hz", error.what()};
   }
   if (time::from_seconds(scenario.duration_s) < truth->period()) {
-    return Violation{"duration_s", "is shorter than one period of the truth"};
+    return Violation{Rule::RunLength, "duration_s", "is shorter than one period of the truth"};
   }
   if (scenario.start.at == StartAt::GpsTime && scenario.start.gps_seconds_of_week_s >= 604800.0) {
-    return Violation{"start.gps_seconds_of_week_s", "is 604800; expected less than a week"};
+    return Violation{Rule::StartInWeek, "start.gps_seconds_of_week_s", "is 604800; expected less than a week"};
   }
   if (auto broken = violation(scenario.trajectory)) {
-    return Violation{"trajectory." + broken->path, broken->reason};
+    return Violation{broken->rule, "trajectory." + broken->path, broken->reason};
   }
   if (auto broken = sensors_violation("imu", scenario.imu, *truth)) return broken;
   if (auto broken = sensors_violation("gnss", scenario.gnss, *truth)) return broken;
-  for (std::size_t i = 0; i < scenario.gnss.size(); ++i) {
-    if (scenario.gnss[i].error_profile.empty()) return Violation{at("gnss", i, "error_profile"), "is empty"};
-  }
   return swaps_violation(scenario);
 }
 

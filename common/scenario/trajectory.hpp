@@ -203,14 +203,14 @@ inline std::optional<Violation> target_speed_violation(const Segment& segment, s
       const Motion& other = segment.motions[j];
       if (j == i || is_angular(other.type) || other.type == MotionType::Uniform) continue;
       if (axis_of(other) == axis_of(segment.motions[i])) {
-        return Violation{path_of_motion(segment_index, j) + ".axis",
+        return Violation{Rule::TargetSpeedAlone, path_of_motion(segment_index, j) + ".axis",
                          "another motion of this segment holds a target speed along the same axis"};
       }
     }
     if (segment.keep_velocity_on_nose) continue;
     for (std::size_t j = 0; j < segment.motions.size(); ++j) {
       if (is_angular(segment.motions[j].type)) {
-        return Violation{path_of_motion(segment_index, j) + ".type",
+        return Violation{Rule::TargetSpeedOnNose, path_of_motion(segment_index, j) + ".type",
                          "turns the axis of a target speed while keep_velocity_on_nose is false"};
       }
     }
@@ -243,7 +243,8 @@ inline std::optional<Violation> violation(const Trajectory& trajectory) {
   for (std::size_t i = 0; i < trajectory.segments.size(); ++i) {
     total_s += trajectory.segments[i].duration_s;
     if (!(total_s <= 1e9)) {
-      return Violation{"segments[" + std::to_string(i) + "].duration_s", "brings the segments' total above 1e9 s"};
+      return Violation{Rule::TrajectoryLength, "segments[" + std::to_string(i) + "].duration_s",
+                       "brings the segments' total above 1e9 s"};
     }
   }
   return std::nullopt;

@@ -21,10 +21,11 @@ std::optional<Violation> rejection_of(const AnyProfile& request, const std::vect
       request);
   if (broken) return broken;
   if (std::find(sensors.begin(), sensors.end(), target_of(request)) == sensors.end()) {
-    return Violation{"target_number", "names " + sensor_name(target_of(request)) + ", which this unit does not have"};
+    return Violation{Rule::SensorExists, "target_number",
+                     "names " + sensor_name(target_of(request)) + ", which this unit does not have"};
   }
   if (request_of(request).apply_at_ns > kLatest_ns) {
-    return Violation{"request.apply_at_ns", "lies more than 115 days after the start"};
+    return Violation{Rule::ApplyTime, "request.apply_at_ns", "lies more than 115 days after the start"};
   }
   return std::nullopt;
 }

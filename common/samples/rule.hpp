@@ -1,0 +1,88 @@
+#pragma once
+
+#include "samples/field.hpp"
+
+namespace inslab {
+inline namespace samples {
+
+/// Every reason for which a file or a request is refused. Nothing is refused without naming one, and a test demands
+/// that config/invalid holds a file for each, so a new reason begins here and ends there.
+enum class Rule : std::uint32_t {
+  // The text of a file.
+  Readable,   ///< the file is there and can be read
+  NotEmpty,   ///< it holds something
+  ValidJson,  ///< NaN, Infinity, comments and truncated files are not
+  KeysOnce,   ///< no key is given twice in one object
+  // One field, against its declaration.
+  KnownKey,     ///< every key is declared; its unit is part of it
+  RequiredKey,  ///< every required key is there
+  ValueType,    ///< a number where a number belongs, a list where a list does
+  ValueRange,   ///< finite, and inside the declared limits
+  BoundedSize,  ///< lists and texts are no longer than declared
+  KnownName,    ///< words out of a fixed set
+  // Several fields of a scenario.
+  RunName,            ///< a run's name makes a file's name
+  TruthPeriod,        ///< a whole number of nanoseconds
+  RunLength,          ///< at least one period of the truth
+  StartInWeek,        ///< the seconds of week are less than a week
+  SensorNumberOnce,   ///< no two sensors of a kind share a number
+  SensorPeriod,       ///< a multiple of the truth's
+  NamedFile,          ///< files that a scenario names are there
+  SensorExists,       ///< swaps and services name sensors of the scenario
+  SwapBeforeEnd,      ///< a swap lies inside the run
+  SwapsInOrder,       ///< swaps are in order of time
+  TargetSpeedAlone,   ///< nothing else accelerates along the axis of a target speed
+  TargetSpeedOnNose,  ///< the axis of a target speed does not turn away from the velocity
+  TrajectoryLength,   ///< at most 1e9 s
+  // Several fields of a profile.
+  ProfileFitsSensor,   ///< IMU profiles go to IMUs, GNSS profiles to receivers
+  OnlyVibrationFades,  ///< a fade is for vibration
+  CorrelationTime,     ///< a Gauss-Markov process with a sigma has a correlation time
+  LeverArmLength,      ///< at most 1 km
+  AntennaMounting,     ///< an antenna has no axes
+  FixTypeGiven,        ///< a receiver without any fix is a fault, not an error profile
+  FaultFitsSensor,     ///< bias jumps are faults of IMUs, outages and position jumps of receivers
+  // Requests only.
+  ApplyTime,  ///< within the longest scenario
+};
+
+template <>
+struct EnumNames<Rule> {
+  static constexpr std::string_view type = "Rule";
+  static constexpr std::string_view prefix = "RULE_";
+  static constexpr std::array<std::string_view, 31> values{"readable",
+                                                           "not_empty",
+                                                           "valid_json",
+                                                           "keys_once",
+                                                           "known_key",
+                                                           "required_key",
+                                                           "value_type",
+                                                           "value_range",
+                                                           "bounded_size",
+                                                           "known_name",
+                                                           "run_name",
+                                                           "truth_period",
+                                                           "run_length",
+                                                           "start_in_week",
+                                                           "sensor_number_once",
+                                                           "sensor_period",
+                                                           "named_file",
+                                                           "sensor_exists",
+                                                           "swap_before_end",
+                                                           "swaps_in_order",
+                                                           "target_speed_alone",
+                                                           "target_speed_on_nose",
+                                                           "trajectory_length",
+                                                           "profile_fits_sensor",
+                                                           "only_vibration_fades",
+                                                           "correlation_time",
+                                                           "lever_arm_length",
+                                                           "antenna_mounting",
+                                                           "fix_type_given",
+                                                           "fault_fits_sensor",
+                                                           "apply_time"};
+};
+static_assert(EnumNames<Rule>::values.size() == static_cast<std::size_t>(Rule::ApplyTime) + 1, "a rule has no name");
+
+}  // namespace samples
+}  // namespace inslab
