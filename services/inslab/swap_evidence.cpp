@@ -161,11 +161,11 @@ class Weigher {
     return 0.0;
   }
   ImuPromise promise(const SwapWindow& window) const {
-    return ImuPromise(summary_, swap_.ack.target, window.until_ns, period_s());
+    return ImuPromise(summary_, swap_.ack.target, window.after_ns + 1, period_s());
   }
   template <class Profile>
   Profile in_use(const SwapWindow& window) const {
-    const AnyProfile* profile = summary_.in_use(Profile::kind, swap_.ack.target, window.until_ns);
+    const AnyProfile* profile = summary_.in_use(Profile::kind, swap_.ack.target, window.after_ns + 1);
     return profile ? std::get<Profile>(*profile) : Profile{};
   }
 

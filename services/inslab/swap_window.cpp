@@ -51,34 +51,45 @@ void note_first(SwapWindows& windows, const Sample& sample) {
 
 }  // namespace
 
+namespace {
+
+/// From when on the samples of a sensor were made under an entry, its fade included: samples later than this. A sensor
+/// slower than the truth takes an entry up at its own next sample, so the ack says it, not the entry's apply time.
+std::int64_t in_full_effect_after(const LogSummary& summary, const ProfileInUse& entry) {
+  const ProfileRequest& request = request_of(entry.profile);
+  std::int64_t after_ns = entry.apply_at_ns;
+  for (const ProfileAck& ack : summary.acks) {
+    if (ack.journal_number == request.journal_number && ack.target == target_of(entry.profile)) {
+      after_ns = ack.first_sample_time_ns - 1;
+    }
+  }
+  return after_ns + time::from_seconds(request.fade_s).count();
+}
+
+}  // namespace
+
 std::vector<SwapWindows> cut_windows(const LogSummary& summary) {
   std::vector<SwapWindows> all;
-  const std::int64_t end_ns = time::from_seconds(summary.scenario.duration_s).count();
   for (const ProfileAck& ack : summary.acks) {
     if (ack.outcome != AckOutcome::Applied) continue;
     SwapWindows windows;
     windows.ack = ack;
-    std::int64_t previous_ns = 0;
-    std::int64_t next_ns = end_ns;
-    std::int64_t fade_ns = 0;
+    windows.before.until_ns = ack.first_sample_time_ns - 1;
+    windows.before.after_ns = std::max<std::int64_t>(0, windows.before.until_ns - kLongest_ns);
+    windows.after.until_ns = time::from_seconds(summary.scenario.duration_s).count();
     for (const ProfileInUse& other : summary.profiles) {
       if (!(target_of(other.profile) == ack.target) || other.apply_at_ns < 0) continue;
-      const std::int64_t other_fade_ns = time::from_seconds(request_of(other.profile).fade_s).count();
       if (request_of(other.profile).journal_number == ack.journal_number) {
         windows.profile = &other.profile;
-        fade_ns = other_fade_ns;
-      } else if (other.apply_at_ns <= ack.apply_time_ns) {
-        previous_ns = std::max(previous_ns, other.apply_at_ns + other_fade_ns);
+        windows.after.after_ns = in_full_effect_after(summary, other);
+      } else if (other.apply_at_ns < ack.first_sample_time_ns) {
+        windows.before.after_ns = std::max(windows.before.after_ns, in_full_effect_after(summary, other));
       } else {
-        next_ns = std::min(next_ns, other.apply_at_ns);
+        windows.after.until_ns = std::min(windows.after.until_ns, other.apply_at_ns);
       }
     }
-    if (windows.profile == nullptr) continue;
-    windows.before.after_ns = std::max(previous_ns, ack.apply_time_ns - kLongest_ns);
-    windows.before.until_ns = ack.apply_time_ns;
-    windows.after.after_ns = ack.apply_time_ns + fade_ns;
-    windows.after.until_ns = std::min(next_ns, ack.apply_time_ns + fade_ns + kLongest_ns);
-    all.push_back(windows);
+    windows.after.until_ns = std::min(windows.after.until_ns, windows.after.after_ns + kLongest_ns);
+    if (windows.profile != nullptr) all.push_back(windows);
   }
   return all;
 }

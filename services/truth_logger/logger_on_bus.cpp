@@ -81,7 +81,7 @@ void LoggerOnBus::add_stream(app::Context& context, const dds::Topic<T>& topic) 
              static_cast<std::uint64_t>(sample.header.publish_realtime_ns)};
     board_.set_run(sample.header.run_id);
     board_.set_sim_time(sample.header.sim_time_ns);
-    board_.enter(ServiceState::Running);
+    if (failure_.empty()) board_.enter(ServiceState::Running);
   };
 }
 
@@ -112,7 +112,7 @@ void LoggerOnBus::add_control_channels(app::Context& context) {
   add_channel(context, dds::topics::service_status()).on_message = [this](const Message& message, Place&) {
     ServiceStatus status;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), status)) return;
-    services_[{status.service, status.sensor_number}] = status.state;
+    services_[{status.service, status.sensor_number}] = {status.state, app::monotonic_now()};
     if (status.state != ServiceState::Finished && status.state != ServiceState::Fault) return;
     for (const StreamStatus& stream : status.streams) {
       if (stream.direction == StreamDirection::Out) sent_[stream.topic] = stream.samples;
@@ -149,24 +149,42 @@ bool LoggerOnBus::matched() const {
   return true;
 }
 
-/// Everything the services say they sent is here.
-bool LoggerOnBus::complete() const {
+/// Names the services that have not said that they ended; empty when all have.
+std::string LoggerOnBus::unfinished_services() const {
+  std::string names;
   for (const auto& [service, number] : app::required_services(context_.scenario())) {
     if (service == app::kTruthLogger) continue;
     const auto found = services_.find({service, number});
-    const bool ended = found != services_.end() &&
-                       (found->second == ServiceState::Finished || found->second == ServiceState::Fault);
-    if (!ended) return false;
+    const bool ended = found != services_.end() && (found->second.state == ServiceState::Finished ||
+                                                    found->second.state == ServiceState::Fault);
+    if (!ended) names += (names.empty() ? "" : ", ") + service + " " + std::to_string(number);
   }
+  return names;
+}
+
+/// Every service has said that it ended, or has been silent for three heartbeats.
+bool LoggerOnBus::all_services_ended() const {
+  constexpr time::Nanoseconds kSilence = seconds(3);
+  for (const auto& [service, heard] : services_) {
+    const bool ended = heard.state == ServiceState::Finished || heard.state == ServiceState::Fault;
+    if (service.first != app::kTruthLogger && !ended && app::monotonic_now() - heard.at < kSilence) return false;
+  }
+  return true;
+}
+
+/// Everything that the services say they sent.
+bool LoggerOnBus::all_samples_here() const {
   for (const auto& [topic, monitor] : streams_) {
     const auto sent = sent_.find(topic);
-    if (sent == sent_.end() || monitor.samples() < sent->second) return false;
+    if (sent != sent_.end() && monitor.samples() < sent->second) return false;
   }
   return true;
 }
 
 bool LoggerOnBus::finished() const {
-  return run_ended_ && (complete() || app::monotonic_now() - run_ended_at_ > seconds(8));
+  // Reliable samples that have not come some seconds after the end will not come.
+  return run_ended_ &&
+         ((all_services_ended() && all_samples_here()) || app::monotonic_now() - run_ended_at_ > seconds(8));
 }
 
 int LoggerOnBus::run() {
@@ -189,7 +207,10 @@ int LoggerOnBus::run() {
 int LoggerOnBus::end() {
   while (const auto message = mailbox_.take(milliseconds(0))) handle(*message);
   const bool by_signal = app::shutdown_requested() && !run_ended_;
-  if (failure_.empty() && !by_signal && !complete()) failure_ = "samples that were sent are missing from the log";
+  if (failure_.empty() && !by_signal && !all_samples_here()) failure_ = "samples that were sent are missing from the log";
+  if (failure_.empty() && !by_signal && !unfinished_services().empty()) {
+    failure_ = "did not say what they sent: " + unfinished_services();
+  }
   if (mailbox_.dropped() > 0) failure_ = std::to_string(mailbox_.dropped()) + " messages came faster than the disk took them";
   board_.enter(failure_.empty() ? ServiceState::Finished : ServiceState::Fault,
                failure_.empty() && by_signal ? "ended by a signal" : failure_);

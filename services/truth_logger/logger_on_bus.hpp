@@ -57,7 +57,9 @@ class LoggerOnBus {
   void handle(const Message& message);
   void note_failure(const std::string& what);
   bool matched() const;
-  bool complete() const;
+  std::string unfinished_services() const;
+  bool all_services_ended() const;
+  bool all_samples_here() const;
   bool finished() const;
   int end();
 
@@ -68,7 +70,11 @@ class LoggerOnBus {
   std::vector<Channel> channels_;
   std::map<std::string, app::StreamMonitor> streams_;
   std::map<std::string, std::uint64_t> sent_;  ///< by topic, as the services report when they have finished
-  std::map<std::pair<std::string, std::uint32_t>, ServiceState> services_;
+  struct Heard {
+    ServiceState state;
+    time::Nanoseconds at;  ///< CLOCK_MONOTONIC
+  };
+  std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
   bool run_ended_ = false;
   time::Nanoseconds run_ended_at_{0};
   std::uint64_t refused_ = 0;

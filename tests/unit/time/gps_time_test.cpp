@@ -40,6 +40,12 @@ TEST(GpsTime, FromRealtimeRefusesTimesBeforeGps) {
   EXPECT_THROW(gps_from_realtime(seconds(1000)), std::out_of_range);
 }
 
+TEST(GpsTime, RealtimeFromGpsUndoesGpsFromRealtime) {
+  for (const std::int64_t unix_seconds : {315964800LL, 1483228700LL, 1483228900LL, 1767225600LL}) {
+    EXPECT_EQ(realtime_from_gps(gps_from_realtime(seconds(unix_seconds))), seconds(unix_seconds));
+  }
+}
+
 TEST(FromSeconds, IsExactToTheNanosecondLateInTheWeek) {
   EXPECT_EQ(from_seconds(604'799.123456789).count() / 100, 604'799'123'456'789 / 100);
   EXPECT_EQ(from_seconds(-0.5), Nanoseconds(-500'000'000));

@@ -1,0 +1,81 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/e2e/logged_samples.hpp"
+#include "tests/e2e/process.hpp"
+
+namespace inslab::e2e {
+namespace {
+
+using std::chrono::seconds;
+using testing::HasSubstr;
+
+template <class T>
+void expect_same_bits(const std::string& live_log, const std::string& offline_log, const std::string& topic,
+                      std::size_t expected_count) {
+  const std::vector<T> live = samples_of<T>(live_log, topic);
+  const std::vector<T> offline = samples_of<T>(offline_log, topic);
+  ASSERT_EQ(offline.size(), expected_count) << topic;
+  ASSERT_EQ(live.size(), offline.size()) << topic;
+  for (std::size_t i = 0; i < live.size(); ++i) {
+    ASSERT_EQ(comparable_bytes(live[i]), comparable_bytes(offline[i])) << topic << " sample " << i;
+  }
+}
+
+class LiveRun : public testing::TestWithParam<const char*> {};
+
+TEST_P(LiveRun, GivesTheBitsOfTheOfflineRun) {
+  const TestFolder folder;
+  const std::string scenario = source("tests/data/short.json");
+  Process live("inslab", {"run", scenario, "--log", folder / "live.mcap", "--domain", own_domain(), "--transport",
+                          GetParam()});
+  // Exit 0 also means: nothing lost, every swap acknowledged and borne out by the samples.
+  ASSERT_EQ(live.wait(seconds(60)), 0) << live.output();
+  Process offline("inslab", {"simulate", scenario, "-o", folder / "offline"});
+  ASSERT_EQ(offline.wait(seconds(60)), 0) << offline.output();
+
+  const std::string live_log = folder / "live.mcap";
+  const std::string offline_log = folder / "offline/short.mcap";
+  expect_same_bits<TruthState>(live_log, offline_log, "inslab/truth", 1601);
+  expect_same_bits<ImuSample>(live_log, offline_log, "inslab/imu/0", 1600);
+  expect_same_bits<ImuTruth>(live_log, offline_log, "inslab/imu_truth/0", 1600);
+  expect_same_bits<ImuSample>(live_log, offline_log, "inslab/imu/3", 400);
+  expect_same_bits<ImuTruth>(live_log, offline_log, "inslab/imu_truth/3", 400);
+  expect_same_bits<GnssFix>(live_log, offline_log, "inslab/gnss/0", 70);
+}
+
+INSTANTIATE_TEST_SUITE_P(Transports, LiveRun, testing::Values("udp", "shm"),
+                         [](const auto& instance) { return std::string(instance.param); });
+
+TEST(LiveRun, SummaryNamesStreamsSwapsAndLog) {
+  const TestFolder folder;
+  Process live("inslab", {"run", source("tests/data/short.json"), "--log", folder / "live.mcap", "--domain", own_domain()});
+  ASSERT_EQ(live.wait(seconds(60)), 0) << live.output();
+  const std::string output = live.output();
+  EXPECT_THAT(output, HasSubstr("inslab/imu/0"));
+  EXPECT_THAT(output, HasSubstr("swap 1: imu_error 'mems_automotive' for imu0: applied at 2.000 s"));
+  // 2.003 s lies between two samples of the truth and inside an interval of the 50 Hz IMU, which ends it first.
+  EXPECT_THAT(output, HasSubstr("for imu3: applied at 2.005 s, first sample under it 2.040 s, sequence 101"));
+  EXPECT_THAT(output, HasSubstr("checks held"));
+  EXPECT_THAT(output, HasSubstr("log " + (folder / "live.mcap")));
+}
+
+TEST(LiveRun, BadScenarioEndsWithTwoBeforeAnythingStarts) {
+  Process live("inslab", {"run", source("tests/data/broken.json")});
+  EXPECT_EQ(live.wait(seconds(10)), 2);
+  EXPECT_THAT(live.output(), HasSubstr("broken.json: trajectory.initial.latitude_deg: is 95; expected"));
+}
+
+TEST(LiveRun, StoppedByCtrlCClosesItsLog) {
+  const TestFolder folder;
+  Process live("inslab", {"run", source("tests/data/short.json"), "--log", folder / "live.mcap", "--domain", own_domain()});
+  ASSERT_TRUE(live.prints("s\n", seconds(20)));
+  ASSERT_TRUE(live.prints("short: 2", seconds(20))) << live.output();
+  live.send(SIGINT);
+  EXPECT_EQ(live.wait(seconds(20)), 1) << live.output();
+  EXPECT_THAT(live.output(), HasSubstr("stopped by a signal"));
+  EXPECT_TRUE(io::McapReader(folder / "live.mcap").closed_properly());
+}
+
+}  // namespace
+}  // namespace inslab::e2e
