@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/topic/Topic.hpp>
+#include <random>
+
+#include "dds/reader.hpp"
+#include "dds/writer.hpp"
+
+namespace inslab::dds {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Carries any bytes under the name of a type of ours, as a broken or hostile client of another vendor may.
+template <class T>
+class AnyBytes : public eprosima::fastdds::dds::TopicDataType {
+ public:
+  AnyBytes() {
+    setName(std::string(wire::WireType<T>::name).c_str());
+    m_typeSize = 65536;
+    m_isGetKeyDefined = generated_type<T>().is_keyed();
+    auto_fill_type_information(false);
+    auto_fill_type_object(false);
+  }
+  bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override {
+    const auto& bytes = *static_cast<const Bytes*>(data);
+    std::copy(bytes.begin(), bytes.end(), payload->data);
+    payload->length = static_cast<std::uint32_t>(bytes.size());
+    return true;
+  }
+  bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t*, void*) override { return false; }
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
+    return [data] { return static_cast<std::uint32_t>(static_cast<Bytes*>(data)->size()); };
+  }
+  void* createData() override { return new Bytes(); }
+  void deleteData(void* data) override { delete static_cast<Bytes*>(data); }
+  bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* handle, bool) override {
+    const auto& bytes = *static_cast<const Bytes*>(data);
+    for (std::size_t i = 0; i < 16; ++i) handle->value[i] = i < bytes.size() ? bytes[i] : 0;
+    return m_isGetKeyDefined;
+  }
+};
+
+template <class T>
+class HostileWriter : public testing::Test {
+ protected:
+  static ParticipantOptions options(const char* name) {
+    ParticipantOptions options;
+    options.name = name;
+    options.domain = 40 + static_cast<std::uint32_t>(getpid() % 150);
+    return options;
+  }
+
+  /// Sends bytes of a hostile writer, then one good sample; true when the good one arrives.
+  bool survives(const std::vector<Bytes>& attacks) {
+    Participant victim_participant(options("victim"));
+    Participant attacker(options("attacker"));
+    Participant friend_participant(options("friend"));
+    const Topic<T> topic{"inslab/attacked", Delivery::Request, 100.0};
+
+    std::mutex mutex;
+    std::condition_variable arrived;
+    bool good_arrived = false;
+    T good;
+    Bytes good_bytes;
+    wire::encode(good, good_bytes);
+    OpenReader<T> victim(victim_participant, topic, [&](const Received<T>& sample, const SampleOrigin&) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      good_arrived = good_arrived || sample.cdr == good_bytes;
+      arrived.notify_all();
+    });
+
+    eprosima::fastdds::dds::TypeSupport type(new AnyBytes<T>());
+    EXPECT_EQ(type.register_type(&attacker.dds()), ReturnCode_t::RETCODE_OK);
+    auto& dds_topic = attacker.topic(topic.name, type);
+    auto* weapon = attacker.publisher().create_datawriter(&dds_topic, writer_qos(Delivery::Request, 100.0));
+    Writer<T> honest(friend_participant, topic);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (victim.matched_writers() < 2 || honest.matched_readers() < 2) {
+      if (std::chrono::steady_clock::now() > deadline) return false;
+      std::this_thread::yield();
+    }
+    for (Bytes attack : attacks) weapon->write(&attack);
+    weapon->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(10, 0));
+    honest.write(good);
+    std::unique_lock<std::mutex> lock(mutex);
+    const bool survived = arrived.wait_for(lock, std::chrono::seconds(20), [&] { return good_arrived; });
+    lock.unlock();
+    attacker.publisher().delete_datawriter(weapon);
+    return survived;
+  }
+
+  static Bytes good_cdr() {
+    Bytes bytes;
+    wire::encode(T{}, bytes);
+    return bytes;
+  }
+};
+
+using AttackedTypes = testing::Types<TruthState, NavSolution, ImuErrorProfile, VibrationProfile, ServiceStatus>;
+TYPED_TEST_SUITE(HostileWriter, AttackedTypes);
+
+TYPED_TEST(HostileWriter, TruncatedPayloadsCostNothingElse) {
+  std::vector<Bytes> attacks;
+  const Bytes whole = this->good_cdr();
+  for (std::size_t size = 1; size < std::min<std::size_t>(whole.size(), 40); ++size) {
+    attacks.emplace_back(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+  }
+  EXPECT_TRUE(this->survives(attacks));
+}
+
+TYPED_TEST(HostileWriter, OtherRepresentationsCostNothingElse) {
+  std::vector<Bytes> attacks;
+  for (const int representation : {0x02, 0x03, 0x06, 0x07, 0x08, 0x09, 0x0a, 0x0b, 0xff}) {
+    attacks.push_back(this->good_cdr());
+    attacks.back()[1] = static_cast<std::uint8_t>(representation);
+  }
+  EXPECT_TRUE(this->survives(attacks));
+}
+
+TYPED_TEST(HostileWriter, RandomBytesCostNothingElse) {
+  std::mt19937 random(20261122);
+  std::vector<Bytes> attacks;
+  for (std::size_t i = 0; i < 50; ++i) {
+    Bytes bytes(4 + random() % 2000);
+    for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random());
+    bytes[0] = 0;
+    bytes[1] = static_cast<std::uint8_t>(random() % 2);
+    attacks.push_back(bytes);
+  }
+  EXPECT_TRUE(this->survives(attacks));
+}
+
+}  // namespace
+}  // namespace inslab::dds
