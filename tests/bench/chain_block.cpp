@@ -8,6 +8,8 @@
 
 #include "app/service_names.hpp"
 #include "io/mcap_reader.hpp"
+#include "samples/imu_sample.hpp"
+#include "samples/truth_state.hpp"
 #include "scenario/load.hpp"
 #include "wire/cdr.hpp"
 #include "wire/topic_names.hpp"
