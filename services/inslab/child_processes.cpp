@@ -31,6 +31,8 @@ void ChildProcesses::start(const std::string& program, const std::vector<std::st
   if (pid < 0) throw std::runtime_error("cannot start " + program + ": " + std::strerror(errno));
   if (pid == 0) {
     setpgid(0, 0);
+    // The sockets of this process's DDS participant are not for the child.
+    close_range(STDERR_FILENO + 1, ~0U, 0);
     execv(path.c_str(), argv.data());
     _exit(127);
   }
