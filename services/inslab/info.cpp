@@ -36,6 +36,18 @@ std::string shortened(const std::string& value) {
   return line.substr(0, kLongestValue) + "... (" + std::to_string(value.size()) + " bytes)";
 }
 
+/// A record with a name is known by it; what it holds as JSON is for programs.
+void print_record(const io::mcap::Metadata& record) {
+  const auto name = record.values.find("name");
+  if (name != record.values.end()) {
+    std::cout << record.name << ": " << shortened(name->second) << "\n";
+    return;
+  }
+  for (const auto& [key, value] : record.values) {
+    if (key != "json") std::cout << record.name << "." << key << ": " << shortened(value) << "\n";
+  }
+}
+
 void print_head(const io::LogInfo& info) {
   std::cout << info.path << ": " << format("%.1f MB", static_cast<double>(info.file_size) * 1e-6) << ", "
             << info.message_count << " messages in " << info.chunk_count << " chunks, written by " << info.library
@@ -45,11 +57,7 @@ void print_head(const io::LogInfo& info) {
     std::cout << "run " << info.run_ids[i] << "\n";
   }
   if (info.run_ids.size() > kRunsShown) std::cout << "and " << info.run_ids.size() - kRunsShown << " more runs\n";
-  for (const auto& record : info.metadata) {
-    for (const auto& [key, value] : record.values) {
-      std::cout << record.name << "." << key << ": " << shortened(value) << "\n";
-    }
-  }
+  for (const auto& record : info.metadata) print_record(record);
 }
 
 void print_topics(const io::LogInfo& info) {

@@ -72,11 +72,9 @@ void ServerOnBus::judge(const AnyProfile& request) {
                rejection.reason);
 }
 
-/// Takes what has arrived, without waiting. True when something had.
-bool ServerOnBus::handle_messages() {
-  bool any = false;
-  while (auto message = mailbox_.take(time::Nanoseconds(0))) {
-    any = true;
+/// Takes what has arrived; waits up to `patience` for the first.
+void ServerOnBus::handle_messages(time::Nanoseconds patience) {
+  for (auto message = mailbox_.take(patience); message; message = mailbox_.take(time::Nanoseconds(0))) {
     if (const auto* request = std::get_if<AnyProfile>(&*message)) {
       judge(*request);
     } else if (std::holds_alternative<SimCommand>(*message)) {
@@ -86,7 +84,6 @@ bool ServerOnBus::handle_messages() {
       services_[{status.service, status.sensor_number}] = status.state;
     }
   }
-  return any;
 }
 
 std::vector<std::string> ServerOnBus::missing_services() const {
@@ -116,7 +113,7 @@ bool ServerOnBus::wait_until_ready() {
       status_.message = ("not ready: " + names).substr(0, 256);
       return false;
     }
-    if (!handle_messages()) std::this_thread::sleep_for(milliseconds(2));
+    handle_messages(milliseconds(2));
     report_status();
     board_.tick();
   }
@@ -141,7 +138,7 @@ void ServerOnBus::begin() {
 void ServerOnBus::send_next() {
   const time::Nanoseconds deadline = zero_ + source_->next_time();
   app::sleep_until(deadline);
-  handle_messages();
+  handle_messages(time::Nanoseconds(0));
   TruthState sample = source_->take();
   const time::Nanoseconds late = monotonic_now() - deadline;
   if (truth_.write(app::stamped(sample))) truth_sent_.sent();

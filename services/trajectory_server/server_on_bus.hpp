@@ -27,7 +27,7 @@ class ServerOnBus {
 
   template <class Profile>
   void open_profile_topics(dds::Participant& participant);
-  bool handle_messages();
+  void handle_messages(time::Nanoseconds patience);
   void judge(const AnyProfile& request);
   std::vector<std::string> missing_services() const;
   bool wait_until_ready();
