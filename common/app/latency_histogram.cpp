@@ -18,7 +18,7 @@ void LatencyHistogram::add(double seconds) {
 
 double LatencyHistogram::quantile_s(double q) const {
   if (count_ == 0) return -1.0;
-  const auto rank = static_cast<std::uint64_t>(std::ceil(q * static_cast<double>(count_)));
+  const auto rank = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(q * static_cast<double>(count_))));
   std::uint64_t below = 0;
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     below += bins_[bin];

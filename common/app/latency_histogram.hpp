@@ -5,14 +5,15 @@
 
 namespace inslab::app {
 
-/// Latencies from 100 ns to 1000 s in bins of 2 %, in flat memory.
+/// Latencies from 100 ns to 1000 s in bins of 2 %, in flat memory. What lies outside counts in the bin at that end, so
+/// that clocks which do not agree cannot upset it.
 class LatencyHistogram {
  public:
   void add(double seconds);
 
   std::uint64_t count() const { return count_; }
   double max_s() const { return max_s_; }
-  /// The latency that the share `q` (0 to 1) of all does not exceed, to 2 %; -1 when there is none.
+  /// The latency that the share `q` (0 to 1) of all does not exceed, to 1 %; -1 when there is none.
   double quantile_s(double q) const;
 
  private:

@@ -15,15 +15,36 @@ void StreamMonitor::received(const StreamHeader& header, std::int64_t received_r
     latency_.add(static_cast<double>(received_realtime_ns - header.publish_realtime_ns) * 1e-9);
   }
   if (header.sequence_number >= next_sequence_) {
-    lost_ += header.sequence_number - next_sequence_;
+    add_gap(next_sequence_, header.sequence_number);
     next_sequence_ = header.sequence_number + 1;
-  } else if (lost_ > 0) {
+  } else if (fill_gap(header.sequence_number)) {
     // It was counted as lost when its successor came.
     --lost_;
     ++out_of_order_;
   } else {
     ++duplicates_;
   }
+}
+
+void StreamMonitor::add_gap(std::uint64_t first, std::uint64_t end) {
+  if (first == end) return;
+  // A stream this broken stays broken: beyond so many gaps the oldest can no longer fill, and counts as lost for good.
+  constexpr std::size_t kMostGaps = 4096;
+  if (missing_.size() >= kMostGaps) missing_.erase(missing_.begin());
+  missing_.emplace(first, end);
+  lost_ += end - first;
+}
+
+bool StreamMonitor::fill_gap(std::uint64_t sequence) {
+  auto gap = missing_.upper_bound(sequence);
+  if (gap == missing_.begin()) return false;
+  --gap;
+  const auto [first, end] = *gap;
+  if (sequence >= end) return false;
+  missing_.erase(gap);
+  if (first < sequence) missing_.emplace(first, sequence);
+  if (sequence + 1 < end) missing_.emplace(sequence + 1, end);
+  return true;
 }
 
 StreamStatus StreamMonitor::status() const {

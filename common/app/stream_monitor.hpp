@@ -1,12 +1,15 @@
 #pragma once
 
+#include <map>
+
 #include "app/latency_histogram.hpp"
 #include "samples/service_status.hpp"
 #include "samples/stream_header.hpp"
 
 namespace inslab::app {
 
-/// Counts one stream from its sequence numbers: what came, what is missing, what came late or twice, and how old it was.
+/// Counts one stream from its sequence numbers: what came, what is missing, what came late or twice, and how old it
+/// was.
 class StreamMonitor {
  public:
   StreamMonitor(std::string topic, StreamDirection direction);
@@ -22,11 +25,16 @@ class StreamMonitor {
   StreamStatus status() const;
 
  private:
+  void add_gap(std::uint64_t first, std::uint64_t end);
+  /// Takes a number out of the gaps; false when it is in none: it came before.
+  bool fill_gap(std::uint64_t sequence);
+
   std::string topic_;
   StreamDirection direction_;
   RunId run_id_;
   std::uint64_t samples_ = 0;
   std::uint64_t next_sequence_ = 0;
+  std::map<std::uint64_t, std::uint64_t> missing_;  // gaps that may still fill: first number to one past the last
   std::uint64_t lost_ = 0;
   std::uint64_t out_of_order_ = 0;
   std::uint64_t duplicates_ = 0;

@@ -87,8 +87,8 @@ class JsonReader {
   void read_integer(const Field& field, const std::string& path, const Json& json, T& value) const {
     if (!json.is_number_integer()) wrong_type(path, json, "a whole number");
     number(field, path, json);
-    if (std::is_unsigned_v<T> && !json.is_number_unsigned()) {
-      fail(Rule::ValueRange, path, "is negative; expected 0 or above");
+    if (std::is_unsigned_v<T> && !json.is_number_unsigned() && json.get<std::int64_t>() < 0) {
+      fail(Rule::ValueRange, path, "is " + json.dump() + "; expected 0 or above");
     }
     if (json.is_number_unsigned()) {
       const auto raw = json.get<std::uint64_t>();

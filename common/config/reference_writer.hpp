@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <sstream>
+#include <vector>
 
 #include "config/schema_writer.hpp"
 
@@ -13,7 +15,11 @@ class ReferenceWriter {
  public:
   explicit ReferenceWriter(std::string prefix = {}) : prefix_(std::move(prefix)) {}
 
-  std::ostringstream rows;
+  struct Row {
+    std::string text;  ///< all but the meaning
+    std::string meaning;
+  };
+  std::vector<Row> rows;
 
   template <class T>
   void operator()(const Field& field, T& value) {
@@ -24,8 +30,8 @@ class ReferenceWriter {
   template <class T>
   void row(const Field& field, const std::string& path, T& value) {
     if constexpr (is_optional<T>) {
-      typename T::value_type present{};
-      row(field, path, present);
+      const typename T::value_type present{};
+      line(field, path, type_of(field, present), "");
     } else if constexpr (is_list<T>) {
       line(field, path, "list of up to " + std::to_string(field.max_size), "empty");
       typename T::value_type element{};
@@ -41,24 +47,45 @@ class ReferenceWriter {
   template <class T>
   void nested(const std::string& prefix, T& value) {
     if constexpr (HasDiscriminator<T>::value) {
-      for (std::size_t i = 0, count = 1; i < count; ++i) {
-        DiscriminatorSetter setter{i, {}, 0};
-        T::fields(value, setter);
-        count = setter.alternatives;
-        ReferenceWriter inner(prefix);
-        T::fields(value, inner);
-        rows << inner.rows.str();
-      }
+      alternatives(prefix, value);
     } else {
       ReferenceWriter inner(prefix);
       T::fields(value, inner);
-      rows << inner.rows.str();
+      rows.insert(rows.end(), inner.rows.begin(), inner.rows.end());
+    }
+  }
+
+  /// Each row once, with the values of the discriminator that have it unless all have.
+  template <class T>
+  void alternatives(const std::string& prefix, T& value) {
+    std::vector<Row> merged;
+    std::vector<std::vector<std::string>> holders;
+    DiscriminatorSetter setter{0, {}, 1, {}};
+    for (std::size_t i = 0; i < setter.alternatives; ++i) {
+      setter = {i, {}, 0, {}};
+      T::fields(value, setter);
+      ReferenceWriter inner(prefix);
+      T::fields(value, inner);
+      for (const Row& row : inner.rows) {
+        const auto same = std::find_if(merged.begin(), merged.end(), [&](const Row& r) { return r.text == row.text; });
+        if (same == merged.end()) holders.emplace_back();
+        holders[static_cast<std::size_t>(same - merged.begin())].push_back(setter.value_name);
+        if (same == merged.end()) merged.push_back(row);
+      }
+    }
+    for (std::size_t i = 0; i < merged.size(); ++i) {
+      if (holders[i].size() < setter.alternatives) {
+        std::string of = setter.key + " ";
+        for (const std::string& name : holders[i]) of += (&name == &holders[i].front() ? "" : ", ") + name;
+        merged[i].meaning = of + (merged[i].meaning.empty() ? "" : ": " + merged[i].meaning);
+      }
+      rows.push_back(merged[i]);
     }
   }
 
   void line(const Field& field, const std::string& path, const std::string& type, const std::string& initial) {
-    rows << "| `" << path << "` | " << type << " | " << (field.is_required ? "required" : initial) << " | "
-         << field.meaning << " |\n";
+    rows.push_back({"| `" + path + "` | " + type + " | " + (field.is_required ? "required" : initial) + " | ",
+                    std::string(field.meaning)});
   }
 
   static std::string range(const Field& field) {
@@ -97,7 +124,8 @@ class ReferenceWriter {
     } else if constexpr (std::is_arithmetic_v<T>) {
       text << value;
     } else if constexpr (!std::is_same_v<T, std::string>) {
-      text << 0;
+      const Eigen::Index shown = value.isConstant(value[0], 0.0) ? 1 : value.size();
+      for (Eigen::Index i = 0; i < shown; ++i) text << (i == 0 ? "" : ", ") << value[i];
     }
     return text.str();
   }
@@ -113,7 +141,9 @@ std::string reference_table() {
   T value;
   detail::ReferenceWriter writer;
   T::fields(value, writer);
-  return "| key | value | default | meaning |\n| --- | --- | --- | --- |\n" + writer.rows.str();
+  std::string text = "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
+  for (const auto& row : writer.rows) text += row.text + row.meaning + " |\n";
+  return text;
 }
 
 }  // namespace inslab::config

@@ -44,7 +44,9 @@ class SchemaWriter {
   template <class T>
   static Json schema_of(const Field& field, const T& value) {
     if constexpr (is_optional<T>) {
-      return schema_of(field, typename T::value_type{});
+      Json schema = schema_of(field, typename T::value_type{});
+      schema.erase("default");
+      return schema;
     } else if constexpr (std::is_same_v<T, bool>) {
       return {{"type", "boolean"}, {"default", value}};
     } else if constexpr (std::is_enum_v<T>) {
@@ -72,7 +74,11 @@ class SchemaWriter {
     } else {
       const auto size = static_cast<std::size_t>(value.size());
       const Json list{{"type", "array"}, {"items", number(field)}, {"minItems", size}, {"maxItems", size}};
-      return {{"anyOf", Json::array({number(field), list})}, {"default", 0.0}};
+      Json initial = Json::array();
+      for (Eigen::Index i = 0; i < value.size(); ++i) initial.push_back(value[i]);
+      Json schema{{"anyOf", Json::array({number(field), list})}};
+      if (!field.is_required) schema["default"] = value.isConstant(value[0], 0.0) ? initial[0] : initial;
+      return schema;
     }
   }
 };
@@ -91,6 +97,7 @@ struct DiscriminatorSetter {
   std::size_t index;
   std::string key;
   std::size_t alternatives = 0;
+  std::string value_name;
 
   template <class T>
   void operator()(const Field& field, T& value) {
@@ -99,6 +106,7 @@ struct DiscriminatorSetter {
       key = field.name;
       alternatives = EnumNames<T>::values.size();
       value = static_cast<T>(index);
+      value_name = enum_name(value);
     }
   }
 };
@@ -109,7 +117,7 @@ Json schema_of_struct() {
     Json alternatives = Json::array();
     for (std::size_t i = 0, count = 1; i < count; ++i) {
       T value;
-      DiscriminatorSetter setter{i, {}, 0};
+      DiscriminatorSetter setter{i, {}, 0, {}};
       T::fields(value, setter);
       count = setter.alternatives;
       Json schema = schema_of_fields(value);

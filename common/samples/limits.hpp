@@ -1,8 +1,9 @@
 #pragma once
 
+#include <charconv>
 #include <cmath>
 #include <optional>
-#include <sstream>
+#include <string>
 
 #include "samples/field.hpp"
 #include "samples/violation.hpp"
@@ -12,16 +13,17 @@ inline namespace samples {
 
 namespace detail {
 
+/// The shortest text that gives the number back, so that 1000.0001 is not refused as 1000.
+inline std::string number_text(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof(text), value).ptr};
+}
+
 /// "is 7; expected 0 to 5 (deg/h)" in the one wording that files, requests and tests share.
 inline std::string limit_reason(double value, const Field& field) {
-  std::ostringstream text;
-  text << "is " << value << "; expected ";
-  if (!std::isfinite(field.minimum) && !std::isfinite(field.maximum)) {
-    text << "a finite number";
-  } else {
-    text << field.minimum << " to " << field.maximum;
-  }
-  return text.str();
+  const bool unlimited = !std::isfinite(field.minimum) && !std::isfinite(field.maximum);
+  return "is " + number_text(value) + "; expected " +
+         (unlimited ? "a finite number" : number_text(field.minimum) + " to " + number_text(field.maximum));
 }
 
 class LimitChecker {

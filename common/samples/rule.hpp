@@ -82,6 +82,9 @@ struct EnumNames<Rule> {
                                                            "fault_fits_sensor",
                                                            "apply_time"};
 };
+/// Rules that no file can break: the rest is shown by the files of config/invalid.
+constexpr bool is_for_requests_only(Rule rule) { return rule >= Rule::ApplyTime; }
+
 static_assert(EnumNames<Rule>::values.size() == static_cast<std::size_t>(Rule::ApplyTime) + 1, "a rule has no name");
 
 }  // namespace samples

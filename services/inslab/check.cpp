@@ -9,18 +9,55 @@
 
 namespace inslab::cli {
 
+namespace {
+
+struct CheckOptions {
+  std::string file;
+  std::string kind = "scenario";
+  std::string sensor_kind;
+};
+
+template <class Enum>
+std::optional<Enum> value_named(const std::string& name) {
+  const auto& names = EnumNames<Enum>::values;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Enum>(found - names.begin());
+}
+
+int check_scenario(const std::string& file) {
+  const scenario::LoadedScenario loaded = scenario::load(file);
+  fmt::print("{}: good: {:.3f} s at {} Hz, {} segments, {} IMUs, {} GNSS receivers, {} swaps\n", file,
+             loaded.scenario.duration_s, loaded.scenario.truth_rate_hz, loaded.scenario.trajectory.segments.size(),
+             loaded.imus.size(), loaded.gnss.size(), loaded.swaps.size());
+  return app::kOk;
+}
+
+int check_profile(const CheckOptions& options, ProfileKind kind) {
+  const SensorKind usual = kind == ProfileKind::GnssError ? SensorKind::Gnss : SensorKind::Imu;
+  const SensorKind sensor = value_named<SensorKind>(options.sensor_kind).value_or(usual);
+  const AnyProfile profile = scenario::load_profile(options.file, kind, {sensor, 0});
+  fmt::print("{}: good: {} profile '{}' for a sensor of the kind {}\n", options.file, enum_name(kind), name_of(profile),
+             enum_name(sensor));
+  return app::kOk;
+}
+
+}  // namespace
+
 void add_check(CLI::App& app, std::function<int()>& action) {
-  auto file = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("check", "Read a scenario and all it names; say what is wrong, or what is in it");
-  command->add_option("scenario", *file, "scenario file (JSON)")->required();
-  command->callback([file, &action] {
-    action = [file] {
-      const scenario::LoadedScenario loaded = scenario::load(*file);
-      fmt::print("{}: good: {:.3f} s at {} Hz, {} segments, {} IMUs, {} GNSS receivers, {} swaps\n", *file,
-                 loaded.scenario.duration_s, loaded.scenario.truth_rate_hz,
-                 loaded.scenario.trajectory.segments.size(), loaded.imus.size(), loaded.gnss.size(),
-                 loaded.swaps.size());
-      return app::kOk;
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand(
+      "check", "Read a scenario and all it names, or one profile; say what is wrong, or what is in it");
+  command->add_option("file", options->file, "scenario or profile file (JSON)")->required();
+  std::vector<std::string> kinds{"scenario"};
+  for (const std::string_view kind : EnumNames<ProfileKind>::values) kinds.emplace_back(kind);
+  command->add_option("--kind", options->kind, "what the file is")->check(CLI::IsMember(kinds))->capture_default_str();
+  command->add_option("--sensor", options->sensor_kind, "for a profile: the kind of sensor it goes to")
+      ->check(CLI::IsMember({"imu", "gnss"}));
+  command->callback([options, &action] {
+    action = [options] {
+      const auto kind = value_named<ProfileKind>(options->kind);
+      return kind ? check_profile(*options, *kind) : check_scenario(options->file);
     };
   });
 }

@@ -19,7 +19,7 @@ def commands(binaries, entry, file, scratch):
     yield check + (["--sensor", entry["sensor_kind"]] if "sensor_kind" in entry else [])
     if entry["kind"] == "scenario":
         yield [inslab, "simulate", file, "--output", scratch]
-        yield [inslab, "run", file, "--output", scratch]
+        yield [inslab, "run", file, "--log", str(pathlib.Path(scratch) / "run.mcap")]
         yield [str(binaries / "inslab-trajectory-server"), "--scenario", file]
 
 

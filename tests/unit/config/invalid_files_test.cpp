@@ -1,0 +1,75 @@
+#include "tests/unit/config/invalid_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "config/json_reader.hpp"
+#include "scenario/load.hpp"
+
+/// config/invalid holds files that break one rule each, and expected.json what must be said of them.
+namespace inslab {
+namespace {
+
+const std::filesystem::path kFolder = std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "invalid";
+
+const std::vector<test::InvalidFile>& invalid_files() {
+  static const auto all = config::read_file<test::InvalidFiles>(kFolder / "expected.json");
+  return all.files;
+}
+
+void load_any(const test::InvalidFile& expected) {
+  const std::filesystem::path file = kFolder / expected.file;
+  if (expected.kind == test::FileKind::Scenario) {
+    scenario::load(file);
+  } else {
+    const SensorKind usual = expected.kind == test::FileKind::GnssError ? SensorKind::Gnss : SensorKind::Imu;
+    scenario::load_profile(file, static_cast<ProfileKind>(expected.kind), {expected.sensor_kind.value_or(usual), 0});
+  }
+}
+
+TEST(InvalidFiles, AreEachRefusedByTheirRuleWithFilePathAndReason) {
+  for (const test::InvalidFile& expected : invalid_files()) {
+    try {
+      load_any(expected);
+      ADD_FAILURE() << expected.file << " was accepted";
+    } catch (const config::Error& error) {
+      const std::string& at_fault = expected.reported_file.empty() ? expected.file : expected.reported_file;
+      EXPECT_EQ(error.file(), (kFolder / at_fault).string());
+      EXPECT_EQ(enum_name(error.rule()), enum_name(expected.rule)) << error.what();
+      EXPECT_EQ(error.path(), expected.path) << error.what();
+      EXPECT_EQ(error.reason().substr(0, expected.reason.size()), expected.reason) << error.what();
+    }
+  }
+}
+
+TEST(InvalidFiles, ThereIsOneForEveryRule) {
+  std::set<Rule> shown;
+  for (const test::InvalidFile& file : invalid_files()) shown.insert(file.rule);
+  for (std::size_t i = 0; i < EnumNames<Rule>::values.size(); ++i) {
+    const auto rule = static_cast<Rule>(i);
+    if (is_for_requests_only(rule)) continue;
+    EXPECT_EQ(shown.count(rule), 1U) << "config/invalid has no file that breaks the rule " << enum_name(rule);
+  }
+}
+
+TEST(InvalidFiles, AreAllListed) {
+  std::set<std::string> listed{"expected.json"};
+  for (const test::InvalidFile& file : invalid_files()) {
+    EXPECT_TRUE(listed.insert(file.file).second) << file.file << " is listed twice";
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    EXPECT_EQ(listed.count(entry.path().filename().string()), 1U) << entry.path() << " is not in expected.json";
+  }
+}
+
+TEST(Scenario, RefusesASensorItDoesNotHave) {
+  const auto loaded = scenario::load(std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "scenarios" / "demo.json");
+  EXPECT_EQ(loaded.imu_number(0).number, 0U);
+  EXPECT_THROW(loaded.imu_number(7), config::Error);
+  EXPECT_THROW(loaded.gnss_number(7), config::Error);
+}
+
+}  // namespace
+}  // namespace inslab

@@ -1,0 +1,66 @@
+#include "config/json_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scenario/scenario.hpp"
+
+namespace inslab::config {
+namespace {
+
+std::string nearest(const std::string& key, const std::vector<std::string>& known) {
+  return detail::nearest_key(key, known);
+}
+
+TEST(NearestKey, IsTheOneWithALetterWrong) {
+  EXPECT_EQ(nearest("durration_s", {"duration_s", "description"}), "duration_s");
+  EXPECT_EQ(nearest("imu_rate", {"name", "seed"}), "");
+}
+
+TEST(NearestKey, IsTheSameQuantityInAnotherUnit) {
+  EXPECT_EQ(nearest("duration_min", {"description", "duration_s", "seed"}), "duration_s");
+  EXPECT_EQ(nearest("speed_kmh", {"speed_m_per_s", "roll_deg"}), "speed_m_per_s");
+  EXPECT_EQ(nearest("accel_bias_jump_m_per_s2", {"gyro_bias_jump_deg_per_h", "accel_bias_jump_mgal"}),
+            "accel_bias_jump_mgal");
+}
+
+TEST(NearestKey, PrefersTheMisspellingToTheLongerCommonBeginning) {
+  EXPECT_EQ(nearest("bias_gm_sigma_deg_per_g", {"bias_gm_correlation_time_s", "bias_gm_sigma_deg_per_h"}),
+            "bias_gm_sigma_deg_per_h");
+}
+
+template <class T>
+std::string reason(const std::string& text) {
+  try {
+    from_json<T>(parse_json(text, "f"), "f");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(JsonReader, AKeyOfAStructWithoutItsTypeIsBlamedOnTheType) {
+  EXPECT_EQ(reason<scenario::Motion>(R"({"angle_deg": 90})"), "f: type: missing");
+  EXPECT_EQ(reason<scenario::Motion>(R"({"tpye": "turn", "angle_deg": 90})"),
+            "f: tpye: unknown key; did you mean 'type'?");
+}
+
+TEST(JsonReader, TakesOneNumberForAllAxes) {
+  const auto profile = from_json<InstallationProfile>(parse_json(R"({"lever_arm_v_m": 2})", "f"), "f");
+  EXPECT_EQ(profile.lever_arm_v_m, Vector3(2.0, 2.0, 2.0));
+}
+
+TEST(JsonReader, KeepsTheDefaultsOfAbsentKeys) {
+  const auto profile = from_json<GnssErrorProfile>(
+      parse_json(R"({"fix_type": "fixed", "position_sigma_ned_m": 1, "velocity_sigma_ned_m_per_s": 1})", "f"), "f");
+  EXPECT_EQ(profile.satellites, GnssErrorProfile{}.satellites);
+  EXPECT_EQ(profile.fix_type, FixType::Fixed);
+}
+
+TEST(JsonReader, DoesNotTakeAWholeNumberGivenAsAFraction) {
+  EXPECT_EQ(reason<FaultProfile>(R"({"outage": 0})"), "f: outage: is a number; expected true or false");
+  EXPECT_EQ(reason<scenario::ImuSensor>(R"({"number": 0.0, "rate_hz": 200})"),
+            "f: number: is a number; expected a whole number");
+}
+
+}  // namespace
+}  // namespace inslab::config
