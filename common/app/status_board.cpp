@@ -6,7 +6,7 @@ namespace inslab::app {
 
 StatusBoard::StatusBoard(dds::Participant& participant, std::string service, std::uint32_t sensor_number,
                          std::function<void(ServiceStatus&)> fill)
-    : fill_(std::move(fill)), writer_(participant, dds::topics::service_status()) {
+    : participant_(participant), fill_(std::move(fill)), writer_(participant, dds::topics::service_status()) {
   status_.service = std::move(service);
   status_.sensor_number = sensor_number;
   status_.host = host_name();
@@ -29,6 +29,7 @@ void StatusBoard::report() {
   last_report_ = monotonic_now();
   status_.realtime_ns = realtime_now().count();
   status_.rss_bytes = resident_bytes();
+  status_.refused_messages = participant_.refused_messages();
   status_.streams.clear();
   fill_(status_);
   if (!writer_.write(status_)) spdlog::warn("the status of {} could not be sent", status_.service);

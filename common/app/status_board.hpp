@@ -31,6 +31,7 @@ class StatusBoard {
  private:
   void report();
 
+  dds::Participant& participant_;
   ServiceStatus status_;
   std::function<void(ServiceStatus&)> fill_;
   time::Nanoseconds last_report_{0};

@@ -1,8 +1,10 @@
 #include "dds/participant.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <cstdlib>
-#include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
@@ -24,6 +26,33 @@ constexpr std::uint32_t kReceiveBufferBytes = 4u << 20;
 constexpr std::uint32_t kSendBufferBytes = 1u << 20;
 constexpr std::uint32_t kShmSegmentBytes = 16u << 20;
 constexpr std::uint32_t kShmQueueCapacity = 4096;
+
+/// Fast DDS prints its errors in colour on standard output, one for each packet of a hostile peer: say the first few in
+/// our own log.
+class LogForwarder : public efd::LogConsumer {
+ public:
+  void Consume(const efd::Log::Entry& entry) override {
+    constexpr int kSaid = 10;
+    if (entry.kind != efd::Log::Kind::Error || said_ > kSaid) return;
+    if (++said_ > kSaid) {
+      spdlog::warn("Fast DDS: more errors, not shown");
+    } else {
+      spdlog::warn("Fast DDS: {}", entry.message);
+    }
+  }
+
+ private:
+  int said_ = 0;
+};
+
+void forward_fast_dds_log() {
+  static const bool done = [] {
+    efd::Log::ClearConsumers();
+    efd::Log::RegisterConsumer(std::make_unique<LogForwarder>());
+    return true;
+  }();
+  (void)done;
+}
 
 std::shared_ptr<efr::UDPv4TransportDescriptor> udp_transport(const std::string& interface_address) {
   auto udp = std::make_shared<efr::UDPv4TransportDescriptor>();
@@ -68,6 +97,7 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
 }  // namespace
 
 Participant::Participant(const ParticipantOptions& options) : options_(options) {
+  forward_fast_dds_log();
   auto& factory = *efd::DomainParticipantFactory::get_instance();
   if (options.domain > 232) {
     throw std::runtime_error("DDS domain " + std::to_string(options.domain) + "; expected 0 to 232");
@@ -92,9 +122,9 @@ Participant::~Participant() {
   efd::DomainParticipantFactory::get_instance()->delete_participant(participant_);
 }
 
-efd::Topic& Participant::topic(const std::string& name, const efd::TypeSupport& type) {
+efd::Topic& Participant::topic_of_type(const std::string& name, const std::string& type_name) {
   if (auto* known = dynamic_cast<efd::Topic*>(participant_->lookup_topicdescription(name))) return *known;
-  efd::Topic* topic = participant_->create_topic(name, type.get_type_name(), efd::TOPIC_QOS_DEFAULT);
+  efd::Topic* topic = participant_->create_topic(name, type_name, efd::TOPIC_QOS_DEFAULT);
   if (topic == nullptr) throw std::runtime_error("no DDS topic " + name);
   return *topic;
 }

@@ -1,17 +1,19 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "dds/topics.hpp"
+#include "dds/type_adapter.hpp"
 
 namespace eprosima::fastdds::dds {
-class DomainParticipant;
 class Publisher;
 class Subscriber;
 class Topic;
-class TypeSupport;
 }  // namespace eprosima::fastdds::dds
 
 namespace inslab::dds {
@@ -45,12 +47,29 @@ class Participant {
   eprosima::fastdds::dds::Publisher& publisher() const { return *publisher_; }
   eprosima::fastdds::dds::Subscriber& subscriber() const { return *subscriber_; }
 
-  /// The topic of that name, made at its first use and kept until the end; its type is registered already. Throws
-  /// std::runtime_error when Fast DDS refuses it.
-  eprosima::fastdds::dds::Topic& topic(const std::string& name, const eprosima::fastdds::dds::TypeSupport& type);
+  /// The topic of that name and type, both registered at their first use and kept until the end. Throws
+  /// std::runtime_error when Fast DDS refuses.
+  template <class T>
+  eprosima::fastdds::dds::Topic& topic(const std::string& name) {
+    const std::string type_name(wire::WireType<T>::name);
+    eprosima::fastdds::dds::TypeSupport type = participant_->find_type(type_name);
+    if (type.empty()) {
+      type = eprosima::fastdds::dds::TypeSupport(new TypeAdapter<T>(refused_));
+      if (type.register_type(participant_) != ReturnCode_t::RETCODE_OK) {
+        throw std::runtime_error("Fast DDS does not register the type " + type_name);
+      }
+    }
+    return topic_of_type(name, type_name);
+  }
+
+  /// Received samples of any topic whose bytes were not what their type says.
+  std::uint32_t refused_messages() const { return refused_->load(); }
 
  private:
+  eprosima::fastdds::dds::Topic& topic_of_type(const std::string& name, const std::string& type_name);
+
   ParticipantOptions options_;
+  std::shared_ptr<std::atomic<std::uint32_t>> refused_ = std::make_shared<std::atomic<std::uint32_t>>();
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
   eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;

@@ -41,7 +41,7 @@ class Reader {
   Reader(Participant& participant, const Topic<T>& topic, Callback callback,
          Reliability reliability = Reliability::Reliable)
       : subscriber_(participant.subscriber()), listener_(topic.name, std::move(callback)) {
-    auto& dds_topic = participant.topic(topic.name, registered_type<T>(participant.dds()));
+    auto& dds_topic = participant.topic<T>(topic.name);
     auto qos = reader_qos(topic.delivery, topic.nominal_rate_hz);
     if (reliability == Reliability::BestEffort) {
       qos.reliability().kind = eprosima::fastdds::dds::BEST_EFFORT_RELIABILITY_QOS;

@@ -2,10 +2,8 @@
 
 #include <atomic>
 #include <cstdint>
-#include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
 #include "wire/cdr.hpp"
@@ -44,7 +42,9 @@ GeneratedType generated_type();
 template <class T>
 class TypeAdapter : public eprosima::fastdds::dds::TopicDataType {
  public:
-  TypeAdapter() : generated_(generated_type<T>()) {
+  /// `refused` counts the samples whose bytes are no valid T.
+  explicit TypeAdapter(std::shared_ptr<std::atomic<std::uint32_t>> refused = std::make_shared<std::atomic<std::uint32_t>>())
+      : generated_(generated_type<T>()), refused_(std::move(refused)) {
     setName(generated_.name());
     m_typeSize = generated_.max_size();
     m_isGetKeyDefined = generated_.is_keyed();
@@ -67,7 +67,7 @@ class TypeAdapter : public eprosima::fastdds::dds::TopicDataType {
     auto& received = static_cast<Received<T>&>(*static_cast<T*>(data));
     T& value = received;
     if (!wire::decode(payload->data, payload->length, value)) {
-      refused_.fetch_add(1, std::memory_order_relaxed);
+      refused_->fetch_add(1, std::memory_order_relaxed);
       return false;
     }
     received.cdr.assign(payload->data, payload->data + payload->length);
@@ -90,25 +90,9 @@ class TypeAdapter : public eprosima::fastdds::dds::TopicDataType {
 
   bool is_bounded() const override { return true; }
 
-  /// Samples whose bytes were no valid T.
-  std::uint64_t refused() const { return refused_.load(std::memory_order_relaxed); }
-
  private:
   GeneratedType generated_;
-  std::atomic<std::uint64_t> refused_{0};
+  std::shared_ptr<std::atomic<std::uint32_t>> refused_;
 };
-
-/// The adapter of T in this participant, registered at its first use. Throws std::runtime_error when Fast DDS refuses.
-template <class T>
-eprosima::fastdds::dds::TypeSupport registered_type(eprosima::fastdds::dds::DomainParticipant& participant) {
-  const std::string name(wire::WireType<T>::name);
-  eprosima::fastdds::dds::TypeSupport known = participant.find_type(name);
-  if (!known.empty()) return known;
-  eprosima::fastdds::dds::TypeSupport type(new TypeAdapter<T>());
-  if (type.register_type(&participant) != ReturnCode_t::RETCODE_OK) {
-    throw std::runtime_error("Fast DDS does not register the type " + name);
-  }
-  return type;
-}
 
 }  // namespace inslab::dds

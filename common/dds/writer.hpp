@@ -21,7 +21,7 @@ class Writer {
   /// Throws std::runtime_error when Fast DDS refuses the topic or its settings.
   Writer(Participant& participant, const Topic<T>& topic)
       : publisher_(participant.publisher()), listener_(topic.name) {
-    auto& dds_topic = participant.topic(topic.name, registered_type<T>(participant.dds()));
+    auto& dds_topic = participant.topic<T>(topic.name);
     writer_ = publisher_.create_datawriter(&dds_topic, writer_qos(topic.delivery, topic.nominal_rate_hz), &listener_);
     if (writer_ == nullptr) throw std::runtime_error("Fast DDS makes no writer of " + topic.name);
   }

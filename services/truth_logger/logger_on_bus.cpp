@@ -25,7 +25,6 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
       board_(context.participant(), context.service(), 0, [this](ServiceStatus& status) {
         for (const auto& [topic, monitor] : streams_) status.streams.push_back(monitor.status());
         status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
-        status.refused_messages = static_cast<std::uint32_t>(refused_);
       }) {
   // Callbacks hold indices into the list, and the worker looks them up: it must not move once readers exist.
   channels_.reserve(64);
@@ -72,10 +71,7 @@ void LoggerOnBus::add_stream(app::Context& context, const dds::Topic<T>& topic) 
   app::StreamMonitor& monitor = streams_.at(topic.name);
   add_channel(context, topic).on_message = [this, &monitor](const Message& message, Place& place) {
     T sample;
-    if (!wire::decode(message.bytes.data(), message.bytes.size(), sample)) {
-      ++refused_;
-      return;
-    }
+    if (!wire::decode(message.bytes.data(), message.bytes.size(), sample)) return;
     monitor.received(sample.header, message.received_realtime_ns);
     place = {static_cast<std::uint32_t>(sample.header.sequence_number),
              static_cast<std::uint64_t>(sample.header.publish_realtime_ns)};

@@ -77,7 +77,6 @@ class LoggerOnBus {
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
   bool run_ended_ = false;
   time::Nanoseconds run_ended_at_{0};
-  std::uint64_t refused_ = 0;
   app::StatusBoard board_;
 };
 

@@ -75,7 +75,7 @@ class HostileWriter : public testing::Test {
 
     eprosima::fastdds::dds::TypeSupport type(new AnyBytes<T>());
     EXPECT_EQ(type.register_type(&attacker.dds()), ReturnCode_t::RETCODE_OK);
-    auto& dds_topic = attacker.topic(topic.name, type);
+    auto& dds_topic = attacker.topic<T>(topic.name);  // finds the type registered under that name: the weapon's
     auto* weapon = attacker.publisher().create_datawriter(&dds_topic, writer_qos(Delivery::Request, 100.0));
     Writer<T> honest(friend_participant, topic);
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
@@ -89,9 +89,12 @@ class HostileWriter : public testing::Test {
     std::unique_lock<std::mutex> lock(mutex);
     const bool survived = arrived.wait_for(lock, std::chrono::seconds(20), [&] { return good_arrived; });
     lock.unlock();
+    refused_ = victim_participant.refused_messages();
     attacker.publisher().delete_datawriter(weapon);
     return survived;
   }
+
+  std::uint32_t refused_ = 0;
 
   static Bytes good_cdr() {
     Bytes bytes;
@@ -103,13 +106,14 @@ class HostileWriter : public testing::Test {
 using AttackedTypes = testing::Types<TruthState, NavSolution, ImuErrorProfile, VibrationProfile, ServiceStatus>;
 TYPED_TEST_SUITE(HostileWriter, AttackedTypes);
 
-TYPED_TEST(HostileWriter, TruncatedPayloadsCostNothingElse) {
+TYPED_TEST(HostileWriter, TruncatedPayloadsCostNothingElseAndAreCounted) {
   std::vector<Bytes> attacks;
   const Bytes whole = this->good_cdr();
   for (std::size_t size = 1; size < std::min<std::size_t>(whole.size(), 40); ++size) {
     attacks.emplace_back(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
   }
   EXPECT_TRUE(this->survives(attacks));
+  EXPECT_GT(this->refused_, 0u);
 }
 
 TYPED_TEST(HostileWriter, OtherRepresentationsCostNothingElse) {
