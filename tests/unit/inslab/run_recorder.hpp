@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "services/inslab/offline_run.hpp"
+
+namespace inslab::test {
+
+/// Keeps everything an offline run gives.
+class RunRecorder : public cli::RunSink {
+ public:
+  void journal(const AnyProfile& entry) override { entries.push_back(entry); }
+  void truth(const TruthState& truth) override { truths.push_back(truth); }
+  void imu(std::size_t, const ImuSample& sample, const ImuTruth& truth) override {
+    samples.push_back(sample);
+    imu_truths.push_back(truth);
+  }
+  void gnss(std::size_t, const GnssFix& fix) override { fixes.push_back(fix); }
+  void ack(const ProfileAck& ack) override { acks.push_back(ack); }
+
+  std::vector<AnyProfile> entries;
+  std::vector<TruthState> truths;
+  std::vector<ImuSample> samples;
+  std::vector<ImuTruth> imu_truths;
+  std::vector<GnssFix> fixes;
+  std::vector<ProfileAck> acks;
+};
+
+}  // namespace inslab::test
