@@ -42,6 +42,7 @@ double median(const std::vector<double>& values) { return quantile(values, 0.5);
 /// One row of figures a block.
 struct Rows {
   std::vector<double> bare_p50, bare_p99, one_p50, one_p99, two_p50, two_p99, one_over_bare, two_over_bare;
+  std::map<std::string, std::vector<double>> truth_receipt_p50;
   std::map<std::string, std::vector<double>> cpu_percent;
   std::map<std::string, double> peak_rss_mb;
 
@@ -54,6 +55,7 @@ struct Rows {
     two_p99.push_back(quantile(chain.two_hops_s, 0.99));
     one_over_bare.push_back(one_p50.back() / bare_p50.back());
     two_over_bare.push_back(two_p50.back() / bare_p50.back());
+    for (const auto& [service, p50] : chain.truth_receipt_p50_s) truth_receipt_p50[service].push_back(p50);
     for (const auto& [service, end] : chain.services) {
       cpu_percent[service].push_back(100.0 * end.cpu_s / duration_s);
       peak_rss_mb[service] = std::max(peak_rss_mb[service], end.peak_rss_mb);
@@ -74,6 +76,9 @@ void print(double rate_hz, const std::string& transport, const Rows& rows) {
   line("truth to the IMU's subscriber", rows.two_p50, rows.two_p99);
   std::printf("   p50 over bare %.2f (%.2f to %.2f)\n", median(rows.two_over_bare), quantile(rows.two_over_bare, 0.0),
               quantile(rows.two_over_bare, 1.0));
+  for (const auto& [service, p50] : rows.truth_receipt_p50) {
+    std::printf("  truth to %-25s p50 %6.0f us, in its callback\n", service.c_str(), 1e6 * median(p50));
+  }
   for (const auto& [service, cpu] : rows.cpu_percent) {
     std::printf("  %-34s CPU %5.1f %% of a core, start and end included   RSS %.1f MB\n", service.c_str(), median(cpu),
                 rows.peak_rss_mb.at(service));

@@ -9,6 +9,7 @@
 #include "app/service_names.hpp"
 #include "io/mcap_reader.hpp"
 #include "samples/imu_sample.hpp"
+#include "samples/service_status.hpp"
 #include "samples/truth_state.hpp"
 #include "scenario/load.hpp"
 #include "wire/cdr.hpp"
@@ -49,12 +50,23 @@ T decoded(const io::mcap::Message& message) {
   return value;
 }
 
+/// The last report of a service stands.
+void note_receipt(const ServiceStatus& status, ChainBlock& block) {
+  for (const StreamStatus& stream : status.streams) {
+    if (stream.topic == wire::topic_names::kTruth && stream.direction == StreamDirection::In) {
+      block.truth_receipt_p50_s[status.service] = stream.latency_p50_s;
+    }
+  }
+}
+
 void read_latencies(const std::string& log_file, ChainBlock& block) {
   const io::McapReader log(log_file);
   std::map<std::uint16_t, std::string> topics;
   for (const auto& [id, channel] : log.channels()) topics[id] = channel.topic;
   std::map<std::int64_t, StreamHeader> truth;  // by sim time
   log.for_each([&](const io::mcap::Message& message) {
+    if (topics[message.channel_id] == wire::topic_names::kServiceStatus)
+      note_receipt(decoded<ServiceStatus>(message), block);
     if (topics[message.channel_id] != wire::topic_names::kTruth) return true;
     const StreamHeader header = decoded<TruthState>(message).header;
     truth[header.sim_time_ns] = header;

@@ -20,6 +20,8 @@ struct ChainSettings {
 struct ChainBlock {
   std::vector<double> one_hop_s;   ///< publish time of an ImuSample less that of the TruthState of its instant
   std::vector<double> two_hops_s;  ///< receipt of an ImuSample by the logger less publish time of that TruthState
+  /// Median from the publish time of truth to its receipt, in the callback, as each of its readers reports it.
+  std::map<std::string, double> truth_receipt_p50_s;
   std::map<std::string, ProcessEnd> services;
 };
 
