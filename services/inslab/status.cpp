@@ -19,7 +19,7 @@ namespace {
 
 struct StatusOptions {
   std::string scenario;
-  double wait_s = 2.5;
+  double wait_s = 2.2;
   app::NetworkOptions network;
 };
 
