@@ -22,13 +22,9 @@ time::Nanoseconds read_clock(clockid_t clock) {
 
 }  // namespace
 
-time::Nanoseconds realtime_now() {
-  return read_clock(CLOCK_REALTIME);
-}
+time::Nanoseconds realtime_now() { return read_clock(CLOCK_REALTIME); }
 
-time::Nanoseconds monotonic_now() {
-  return read_clock(CLOCK_MONOTONIC);
-}
+time::Nanoseconds monotonic_now() { return read_clock(CLOCK_MONOTONIC); }
 
 void sleep_until(time::Nanoseconds deadline) {
   // A plain absolute sleep wakes 70 to 120 us late here; ending it 80 us early and spinning the rest, 0.1 us.
@@ -42,9 +38,7 @@ void sleep_until(time::Nanoseconds deadline) {
   }
 }
 
-void use_precise_timers() {
-  prctl(PR_SET_TIMERSLACK, 1UL);
-}
+void use_precise_timers() { prctl(PR_SET_TIMERSLACK, 1UL); }
 
 RunId random_run_id() {
   std::random_device device;
@@ -69,9 +63,7 @@ std::string host_name() {
   return name;
 }
 
-std::uint32_t process_id() {
-  return static_cast<std::uint32_t>(getpid());
-}
+std::uint32_t process_id() { return static_cast<std::uint32_t>(getpid()); }
 
 std::uint64_t resident_bytes() {
   std::ifstream statm("/proc/self/statm");

@@ -9,8 +9,8 @@
 /// What the pure models must not know: clocks, the process, the machine.
 namespace inslab::app {
 
-time::Nanoseconds realtime_now();    ///< CLOCK_REALTIME
-time::Nanoseconds monotonic_now();   ///< CLOCK_MONOTONIC
+time::Nanoseconds realtime_now();   ///< CLOCK_REALTIME
+time::Nanoseconds monotonic_now();  ///< CLOCK_MONOTONIC
 
 /// Sleeps until CLOCK_MONOTONIC shows `deadline`, to the microsecond: the last part is spun. Returns early on a signal.
 void sleep_until(time::Nanoseconds deadline);

@@ -13,7 +13,8 @@ inline constexpr const char* kImuInjector = "inslab-imu-injector";
 inline constexpr const char* kGnssEmulator = "inslab-gnss-emulator";
 inline constexpr const char* kTruthLogger = "inslab-truth-logger";
 
-/// The services that read the truth of a scenario, with their sensor numbers: all must be ready before its first sample.
+/// The services that read the truth of a scenario, with their sensor numbers: all must be ready before its first
+/// sample.
 inline std::vector<std::pair<std::string, std::uint32_t>> required_services(const scenario::LoadedScenario& scenario) {
   std::vector<std::pair<std::string, std::uint32_t>> services;
   for (const auto& imu : scenario.imus) services.emplace_back(kImuInjector, imu.number);

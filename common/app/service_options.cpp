@@ -17,8 +17,8 @@ void NetworkOptions::add_to(CLI::App& app) {
 }
 
 std::vector<std::string> NetworkOptions::as_arguments() const {
-  std::vector<std::string> arguments{"--domain",    std::to_string(domain), "--transport", transport,
-                                     "--interface", interface_address};
+  std::vector<std::string> arguments{"--domain", std::to_string(domain), "--transport",
+                                     transport,  "--interface",          interface_address};
   if (!unit.empty()) arguments.insert(arguments.end(), {"--unit", unit});
   return arguments;
 }

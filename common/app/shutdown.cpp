@@ -8,9 +8,7 @@ namespace {
 
 volatile std::sig_atomic_t g_requested = 0;
 
-void request_shutdown(int) {
-  g_requested = 1;
-}
+void request_shutdown(int) { g_requested = 1; }
 
 }  // namespace
 
@@ -24,8 +22,6 @@ void install_signal_handlers() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-bool shutdown_requested() {
-  return g_requested != 0;
-}
+bool shutdown_requested() { return g_requested != 0; }
 
 }  // namespace inslab::app

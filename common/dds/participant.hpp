@@ -25,9 +25,9 @@ enum class Transport {
 };
 
 struct ParticipantOptions {
-  std::string name;                     ///< the service's
-  std::uint32_t domain = 0;             ///< 0 to 232
-  std::string unit;                     ///< becomes the partition; empty: none
+  std::string name;          ///< the service's
+  std::uint32_t domain = 0;  ///< 0 to 232
+  std::string unit;          ///< becomes the partition; empty: none
   Transport transport = Transport::Udp;
   std::string interface_address = "127.0.0.1";  ///< IPv4 address to bind to; empty: every interface
 };

@@ -48,9 +48,7 @@ void set_history(Qos& qos, Delivery delivery, std::int32_t stream_depth) {
   }
 }
 
-bool is_latched(Delivery delivery) {
-  return delivery == Delivery::Latched || delivery == Delivery::Journal;
-}
+bool is_latched(Delivery delivery) { return delivery == Delivery::Latched || delivery == Delivery::Journal; }
 
 }  // namespace
 

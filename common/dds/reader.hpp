@@ -63,7 +63,8 @@ class Reader {
 
  private:
   struct Listener : eprosima::fastdds::dds::DataReaderListener {
-    Listener(std::string topic_name, Callback on_sample) : topic(std::move(topic_name)), callback(std::move(on_sample)) {}
+    Listener(std::string topic_name, Callback on_sample)
+        : topic(std::move(topic_name)), callback(std::move(on_sample)) {}
 
     void on_data_available(eprosima::fastdds::dds::DataReader* reader) override {
       eprosima::fastdds::dds::SampleInfo info;

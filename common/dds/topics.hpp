@@ -10,10 +10,10 @@ namespace inslab::dds {
 
 /// How a topic is delivered; dds/qos.cpp says what each means in Fast DDS settings.
 enum class Delivery {
-  Stream,    ///< reliable, volatile, keeps the last second: a stuck reader costs the others nothing
-  Latched,   ///< reliable, a late joiner gets the last value of each key
-  Journal,   ///< reliable, a late joiner gets the whole history in order
-  Request,   ///< reliable and volatile, from anybody: best-effort writers match too
+  Stream,   ///< reliable, volatile, keeps the last second: a stuck reader costs the others nothing
+  Latched,  ///< reliable, a late joiner gets the last value of each key
+  Journal,  ///< reliable, a late joiner gets the whole history in order
+  Request,  ///< reliable and volatile, from anybody: best-effort writers match too
 };
 
 template <class T>

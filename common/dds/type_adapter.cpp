@@ -29,10 +29,10 @@ bool GeneratedType::key_of(std::vector<std::uint8_t>& cdr, eprosima::fastrtps::r
   return ok;
 }
 
-#define INSLAB_GENERATED_TYPE(Struct)                                           \
-  template <>                                                                   \
-  GeneratedType generated_type<samples::Struct>() {                             \
-    return GeneratedType(std::make_unique<::inslab::Struct##PubSubType>());     \
+#define INSLAB_GENERATED_TYPE(Struct)                                       \
+  template <>                                                               \
+  GeneratedType generated_type<samples::Struct>() {                         \
+    return GeneratedType(std::make_unique<::inslab::Struct##PubSubType>()); \
   }
 
 INSLAB_GENERATED_TYPE(TruthState)

@@ -37,13 +37,14 @@ template <class T>
 GeneratedType generated_type();
 
 /// Lets Fast DDS carry the plain struct T under its IDL type's name, with the codec of common/wire, which, unlike the
-/// generated one, does not throw on what a hostile writer sends. For Fast DDS a sample is a `void*` made of a `T*`: what
-/// is written is any T, what is read into is always a Received<T>.
+/// generated one, does not throw on what a hostile writer sends. For Fast DDS a sample is a `void*` made of a `T*`:
+/// what is written is any T, what is read into is always a Received<T>.
 template <class T>
 class TypeAdapter : public eprosima::fastdds::dds::TopicDataType {
  public:
   /// `refused` counts the samples whose bytes are no valid T.
-  explicit TypeAdapter(std::shared_ptr<std::atomic<std::uint32_t>> refused = std::make_shared<std::atomic<std::uint32_t>>())
+  explicit TypeAdapter(
+      std::shared_ptr<std::atomic<std::uint32_t>> refused = std::make_shared<std::atomic<std::uint32_t>>())
       : generated_(generated_type<T>()), refused_(std::move(refused)) {
     setName(generated_.name());
     m_typeSize = generated_.max_size();

@@ -19,8 +19,7 @@ template <class T>
 class Writer {
  public:
   /// Throws std::runtime_error when Fast DDS refuses the topic or its settings.
-  Writer(Participant& participant, const Topic<T>& topic)
-      : publisher_(participant.publisher()), listener_(topic.name) {
+  Writer(Participant& participant, const Topic<T>& topic) : publisher_(participant.publisher()), listener_(topic.name) {
     auto& dds_topic = participant.topic<T>(topic.name);
     writer_ = publisher_.create_datawriter(&dds_topic, writer_qos(topic.delivery, topic.nominal_rate_hz), &listener_);
     if (writer_ == nullptr) throw std::runtime_error("Fast DDS makes no writer of " + topic.name);
@@ -48,8 +47,8 @@ class Writer {
   bool wait_for_acknowledgments(std::chrono::nanoseconds timeout) {
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(timeout);
     return writer_->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(
-               static_cast<std::int32_t>(seconds.count()),
-               static_cast<std::uint32_t>((timeout - seconds).count()))) == ReturnCode_t::RETCODE_OK;
+               static_cast<std::int32_t>(seconds.count()), static_cast<std::uint32_t>((timeout - seconds).count()))) ==
+           ReturnCode_t::RETCODE_OK;
   }
 
  private:

@@ -27,7 +27,8 @@ struct GnssErrorProfile {
     profile_head_fields(self, visit);
     visit(Field("source", "where the figures come from").at_most(256), self.source);
     visit(Field("fix_type", "what the receiver claims").required(), self.fix_type);
-    visit(Field("position_sigma_ned_m", "white position noise: standard deviation north, east, down").in(0.0, 1e4)
+    visit(Field("position_sigma_ned_m", "white position noise: standard deviation north, east, down")
+              .in(0.0, 1e4)
               .required(),
           self.position_sigma_ned_m);
     visit(Field("velocity_sigma_ned_m_per_s", "white velocity noise: standard deviation north, east, down")

@@ -37,7 +37,7 @@ struct GnssFix {
   double latitude_rad = 0.0;
   double longitude_rad = 0.0;
   double height_m = 0.0;
-  Vector3 v_n = Vector3::Zero();                      ///< m/s
+  Vector3 v_n = Vector3::Zero();  ///< m/s
   Vector3 position_sigma_ned_m = Vector3::Zero();
   Vector3 velocity_sigma_ned_m_per_s = Vector3::Zero();
   std::uint32_t satellites_used = 0;

@@ -20,8 +20,9 @@ struct GyroErrors {
     visit(Field("bias_constant_deg_per_h", "fixed bias").in(-1e6, 1e6), self.bias_constant_deg_per_h);
     visit(Field("bias_turn_on_sigma_deg_per_h", "standard deviation of a constant drawn once a run").in(0.0, 1e6),
           self.bias_turn_on_sigma_deg_per_h);
-    visit(Field("bias_gm_sigma_deg_per_h", "first-order Gauss-Markov bias: steady-state standard deviation").in(0.0, 1e6),
-          self.bias_gm_sigma_deg_per_h);
+    visit(
+        Field("bias_gm_sigma_deg_per_h", "first-order Gauss-Markov bias: steady-state standard deviation").in(0.0, 1e6),
+        self.bias_gm_sigma_deg_per_h);
     visit(Field("bias_gm_correlation_time_s", "first-order Gauss-Markov bias: correlation time; above 0 where sigma is")
               .in(0.0, 1e7),
           self.bias_gm_correlation_time_s);

@@ -25,11 +25,11 @@ struct ImuRevisions {
 struct ImuSample {
   StreamHeader header;
   std::uint32_t sensor_number = 0;
-  Vector3 dtheta_b = Vector3::Zero();            ///< rad
-  Vector3 dv_b = Vector3::Zero();                ///< m/s
+  Vector3 dtheta_b = Vector3::Zero();  ///< rad
+  Vector3 dv_b = Vector3::Zero();      ///< m/s
   std::int64_t interval_ns = 0;
-  Vector3 mean_omega_ib_b = Vector3::Zero();     ///< rad/s, dtheta_b over the interval
-  Vector3 mean_f_b = Vector3::Zero();            ///< m/s^2, dv_b over the interval
+  Vector3 mean_omega_ib_b = Vector3::Zero();  ///< rad/s, dtheta_b over the interval
+  Vector3 mean_f_b = Vector3::Zero();         ///< m/s^2, dv_b over the interval
   double temperature_deg_c = 20.0;
   bool gyro_valid = true;
   bool accel_valid = true;

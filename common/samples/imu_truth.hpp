@@ -33,17 +33,17 @@ struct TriadErrorBudget {
 struct ImuTruth {
   StreamHeader header;
   std::uint32_t sensor_number = 0;
-  Vector3 dtheta_b = Vector3::Zero();        ///< rad
-  Vector3 dv_b = Vector3::Zero();            ///< m/s
+  Vector3 dtheta_b = Vector3::Zero();  ///< rad
+  Vector3 dv_b = Vector3::Zero();      ///< m/s
   std::int64_t interval_ns = 0;
   double latitude_rad = 0.0;
   double longitude_rad = 0.0;
   double height_m = 0.0;
-  Vector3 v_n = Vector3::Zero();             ///< m/s, the IMU's own velocity in its own NED
+  Vector3 v_n = Vector3::Zero();  ///< m/s, the IMU's own velocity in its own NED
   Quaternion q_nb = Quaternion::Identity();
-  TriadErrorBudget gyro_error;               ///< rad
-  TriadErrorBudget accel_error;              ///< m/s
-  bool discontinuity = false;                ///< the IMU was relocated at the start of this interval
+  TriadErrorBudget gyro_error;   ///< rad
+  TriadErrorBudget accel_error;  ///< m/s
+  bool discontinuity = false;    ///< the IMU was relocated at the start of this interval
   ImuRevisions revisions;
 
   template <class Self, class Visitor>

@@ -13,8 +13,8 @@ struct InstallationProfile {
   ProfileRequest request;
   std::string name;
   std::string source;
-  Vector3 lever_arm_v_m = Vector3::Zero();      ///< vehicle reference point to IMU centre or antenna phase centre
-  Vector3 mounting_rpy_deg = Vector3::Zero();   ///< Z-Y-X roll, pitch, yaw of C_vb; zero for an antenna
+  Vector3 lever_arm_v_m = Vector3::Zero();     ///< vehicle reference point to IMU centre or antenna phase centre
+  Vector3 mounting_rpy_deg = Vector3::Zero();  ///< Z-Y-X roll, pitch, yaw of C_vb; zero for an antenna
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {

@@ -18,7 +18,8 @@ template <>
 struct EnumNames<NavMode> {
   static constexpr std::string_view type = "NavMode";
   static constexpr std::string_view prefix = "NAV_MODE_";
-  static constexpr std::array<std::string_view, 5> values{"initializing", "aligning", "navigating", "coasting", "fault"};
+  static constexpr std::array<std::string_view, 5> values{"initializing", "aligning", "navigating", "coasting",
+                                                          "fault"};
 };
 
 /// The answer of the navigation app under test (idl/nav.idl).
@@ -31,11 +32,11 @@ struct NavSolution {
   double latitude_rad = 0.0;
   double longitude_rad = 0.0;
   double height_m = 0.0;
-  Vector3 v_n = Vector3::Zero();                     ///< m/s
-  Quaternion q_n_body = Quaternion::Identity();      ///< q_nb for the IMU, q_nv for vehicle and antenna
+  Vector3 v_n = Vector3::Zero();                 ///< m/s
+  Quaternion q_n_body = Quaternion::Identity();  ///< q_nb for the IMU, q_nv for vehicle and antenna
   Vector3 position_sigma_ned_m = Vector3::Zero();
   Vector3 velocity_sigma_ned_m_per_s = Vector3::Zero();
-  Vector3 attitude_sigma_rad = Vector3::Zero();      ///< about north, east, down
+  Vector3 attitude_sigma_rad = Vector3::Zero();  ///< about north, east, down
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {

@@ -41,13 +41,13 @@ struct SensorAddress {
 
 /// What a request to swap a profile says besides the parameters, and what the journal adds to it.
 struct ProfileRequest {
-  std::uint64_t request_id = 0;                 ///< chosen by the requester; comes back in the acks
-  std::int64_t apply_at_ns = -1;                ///< sim time; negative: as soon as possible; settled by the journal
+  std::uint64_t request_id = 0;   ///< chosen by the requester; comes back in the acks
+  std::int64_t apply_at_ns = -1;  ///< sim time; negative: as soon as possible; settled by the journal
   Continuity continuity = Continuity::Keep;
-  double fade_s = 0.0;                          ///< vibration only
-  std::uint32_t journal_number = 0;             ///< set by the journal, counted from 1 across the five kinds
-  std::int64_t requested_at_ns = -1;            ///< set by the journal: what apply_at_ns was in the request
-  bool requested_in_the_past = false;           ///< set by the journal
+  double fade_s = 0.0;                 ///< vibration only
+  std::uint32_t journal_number = 0;    ///< set by the journal, counted from 1 across the five kinds
+  std::int64_t requested_at_ns = -1;   ///< set by the journal: what apply_at_ns was in the request
+  bool requested_in_the_past = false;  ///< set by the journal
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {

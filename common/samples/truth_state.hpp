@@ -10,17 +10,17 @@ struct TruthState {
   StreamHeader header;
   double latitude_rad = 0.0;
   double longitude_rad = 0.0;
-  double height_m = 0.0;                        ///< above the WGS-84 ellipsoid
-  Vector3 v_n = Vector3::Zero();                ///< m/s, NED, relative to the Earth
-  Quaternion q_nv = Quaternion::Identity();     ///< v_n = C(q_nv) v_v
-  Vector3 omega_iv_v = Vector3::Zero();         ///< rad/s at the instant; at a jump, after it
-  Vector3 f_v = Vector3::Zero();                ///< m/s^2 at the instant; at a jump, after it
-  Vector3 dtheta_v = Vector3::Zero();           ///< rad, integral of omega_iv_v over the interval
-  Vector3 dv_v = Vector3::Zero();               ///< m/s, integral of f_v over the interval, in the moving v axes
-  std::int64_t interval_ns = 0;                 ///< 0 for sample 0
+  double height_m = 0.0;                     ///< above the WGS-84 ellipsoid
+  Vector3 v_n = Vector3::Zero();             ///< m/s, NED, relative to the Earth
+  Quaternion q_nv = Quaternion::Identity();  ///< v_n = C(q_nv) v_v
+  Vector3 omega_iv_v = Vector3::Zero();      ///< rad/s at the instant; at a jump, after it
+  Vector3 f_v = Vector3::Zero();             ///< m/s^2 at the instant; at a jump, after it
+  Vector3 dtheta_v = Vector3::Zero();        ///< rad, integral of omega_iv_v over the interval
+  Vector3 dv_v = Vector3::Zero();            ///< m/s, integral of f_v over the interval, in the moving v axes
+  std::int64_t interval_ns = 0;              ///< 0 for sample 0
   std::uint32_t segment_index = 0;
-  bool rate_jump = false;                       ///< the angular rate jumps at the end of this interval
-  std::uint32_t journal_in_effect = 0;          ///< journal entries whose time lies before this sample's
+  bool rate_jump = false;               ///< the angular rate jumps at the end of this interval
+  std::uint32_t journal_in_effect = 0;  ///< journal entries whose time lies before this sample's
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {

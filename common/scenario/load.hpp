@@ -35,7 +35,7 @@ struct LoadedScenario {
   std::uint64_t truth_samples = 0;  ///< sample 0 included
   std::vector<LoadedImu> imus;
   std::vector<LoadedGnss> gnss;
-  std::vector<AnyProfile> swaps;    ///< requests in order: target and request are filled in
+  std::vector<AnyProfile> swaps;  ///< requests in order: target and request are filled in
 
   /// GPS time of sim time 0; with `start: now` that of `realtime_now` (CLOCK_REALTIME).
   time::GpsTime start(time::Nanoseconds realtime_now) const;

@@ -88,9 +88,9 @@ struct ScheduledSwap {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
-    visit(Field("at_s", "sim time; the first sample after it is the first under the new profile").in(0.0, 1e7)
-              .required(),
-          self.at_s);
+    visit(
+        Field("at_s", "sim time; the first sample after it is the first under the new profile").in(0.0, 1e7).required(),
+        self.at_s);
     visit(Field("kind").required(), self.kind);
     visit(Field("sensor_kind").required(), self.sensor_kind);
     visit(Field("sensor_number").in(0.0, 63.0), self.sensor_number);

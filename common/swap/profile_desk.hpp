@@ -39,9 +39,9 @@ class ProfileDesk {
   SensorAddress sensor_;
   std::string service_;
   std::set<std::uint32_t> known_;
-  std::vector<std::int64_t> apply_times_;                                     // of all sensors' entries, sorted
-  std::map<std::pair<std::int64_t, std::uint32_t>, AnyProfile> waiting_;      // by apply time and number
-  std::map<ProfileKind, std::vector<std::uint8_t>> parameters_in_use_;        // CDR without the request
+  std::vector<std::int64_t> apply_times_;                                 // of all sensors' entries, sorted
+  std::map<std::pair<std::int64_t, std::uint32_t>, AnyProfile> waiting_;  // by apply time and number
+  std::map<ProfileKind, std::vector<std::uint8_t>> parameters_in_use_;    // CDR without the request
   std::vector<ProfileAck> to_acknowledge_;
 };
 

@@ -119,7 +119,8 @@ class Encoder {
 /// Reads the fields out of bytes that anybody may have sent: every length and range is checked.
 class Decoder {
  public:
-  Decoder(const std::uint8_t* body, std::size_t size, bool swap) : begin_(body), at_(body), end_(body + size), swap_(swap) {}
+  Decoder(const std::uint8_t* body, std::size_t size, bool swap)
+      : begin_(body), at_(body), end_(body + size), swap_(swap) {}
 
   bool ok() const { return ok_; }
 

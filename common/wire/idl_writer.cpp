@@ -148,7 +148,8 @@ std::string profile_idl() {
   write_profile<FaultProfile>(writer, "Topic inslab/profile/fault: faults of one sensor.");
 
   std::string text =
-      "// Inslab wire types, part 6 of 7: the profiles that can be swapped while a run goes on. A request and its entry in\n"
+      "// Inslab wire types, part 6 of 7: the profiles that can be swapped while a run goes on. A request and its "
+      "entry in\n"
       "// the journal have the same type. What is not wanted stays zero; a list that is not wanted stays empty.\n"
       "// Derived from the parameter declarations in common/samples by 'inslab reference idl/profile.idl'.\n"
       "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab {\n\n";

@@ -22,11 +22,11 @@ namespace inslab::wire {
 template <class T>
 struct WireType;
 
-#define INSLAB_WIRE_TYPE(Struct, File)                             \
-  template <>                                                      \
-  struct WireType<samples::Struct> {                                     \
-    static constexpr std::string_view name = "inslab::" #Struct;   \
-    static constexpr std::string_view idl_file = File;             \
+#define INSLAB_WIRE_TYPE(Struct, File)                           \
+  template <>                                                    \
+  struct WireType<samples::Struct> {                             \
+    static constexpr std::string_view name = "inslab::" #Struct; \
+    static constexpr std::string_view idl_file = File;           \
   }
 
 INSLAB_WIRE_TYPE(TruthState, "truth.idl");
@@ -48,8 +48,8 @@ INSLAB_WIRE_TYPE(ServiceStatus, "control.idl");
 
 #undef INSLAB_WIRE_TYPE
 
-/// The product's own text of one file of idl/, with the files it includes put before it and no preprocessor line left: what a
-/// reader needs to decode the types in it. Throws std::out_of_range for a name that is not in idl/.
+/// The product's own text of one file of idl/, with the files it includes put before it and no preprocessor line left:
+/// what a reader needs to decode the types in it. Throws std::out_of_range for a name that is not in idl/.
 std::string self_contained_idl(std::string_view idl_file);
 
 }  // namespace inslab::wire

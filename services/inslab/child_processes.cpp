@@ -77,9 +77,7 @@ void ChildProcesses::signal_all(int signal) const {
   }
 }
 
-void ChildProcesses::terminate() {
-  signal_all(SIGTERM);
-}
+void ChildProcesses::terminate() { signal_all(SIGTERM); }
 
 void ChildProcesses::wait_for_end(std::chrono::nanoseconds timeout) {
   const auto deadline = std::chrono::steady_clock::now() + timeout;

@@ -42,18 +42,14 @@ void LogSink::journal(const AnyProfile& entry) {
       entry);
 }
 
-void LogSink::truth(const TruthState& truth) {
-  write(truth_, truth, truth.header);
-}
+void LogSink::truth(const TruthState& truth) { write(truth_, truth, truth.header); }
 
 void LogSink::imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) {
   write(imu_[index], sample, sample.header);
   write(imu_truth_[index], truth, truth.header);
 }
 
-void LogSink::gnss(std::size_t index, const GnssFix& fix) {
-  write(gnss_[index], fix, fix.header);
-}
+void LogSink::gnss(std::size_t index, const GnssFix& fix) { write(gnss_[index], fix, fix.header); }
 
 void LogSink::ack(const ProfileAck& ack) {
   log_.add_ack(ack);

@@ -22,9 +22,9 @@ void Progress::show(time::Nanoseconds sim_time) {
   shown_ = step;
   if (terminal_) {
     const int done = static_cast<int>(share * kWidth);
-    std::fprintf(stderr, "\r%s [%s%s] %5.1f %%  %.1f s", name_.c_str(), std::string(static_cast<std::size_t>(done), '#').c_str(),
-                 std::string(static_cast<std::size_t>(kWidth - done), '.').c_str(), share * 100.0,
-                 time::to_seconds(sim_time));
+    std::fprintf(
+        stderr, "\r%s [%s%s] %5.1f %%  %.1f s", name_.c_str(), std::string(static_cast<std::size_t>(done), '#').c_str(),
+        std::string(static_cast<std::size_t>(kWidth - done), '.').c_str(), share * 100.0, time::to_seconds(sim_time));
   } else {
     std::fprintf(stderr, "%s: %.1f of %.1f s\n", name_.c_str(), time::to_seconds(sim_time), duration_s_);
   }

@@ -139,7 +139,8 @@ int run(RunOptions options) {
 
 void add_run(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Run a scenario live: one process for each service, real DDS, real time");
+  CLI::App* command =
+      app.add_subcommand("run", "Run a scenario live: one process for each service, real DDS, real time");
   command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
   command->add_option("--log", options->log_file, "file to write; default runs/NAME-TIME.mcap");
   command->add_flag("-v,--verbose", options->verbose, "show what the services say");

@@ -9,13 +9,9 @@ namespace inslab::cli {
 
 namespace {
 
-double seconds_of(std::int64_t ns) {
-  return time::to_seconds(time::Nanoseconds(ns));
-}
+double seconds_of(std::int64_t ns) { return time::to_seconds(time::Nanoseconds(ns)); }
 
-std::string milliseconds_of(double seconds) {
-  return seconds < 0.0 ? "-" : fmt::format("{:.3f}", seconds * 1e3);
-}
+std::string milliseconds_of(double seconds) { return seconds < 0.0 ? "-" : fmt::format("{:.3f}", seconds * 1e3); }
 
 /// Collects what does not hold, to be said at the end.
 class Verdict {
@@ -79,8 +75,8 @@ std::string shown(const Measured& measured) {
 
 void print_swap(std::size_t number, const SwapEvidence& swap, Verdict& verdict) {
   const ProfileAck& ack = swap.ack;
-  const std::string what = fmt::format("swap {}: {} '{}' for {}", number, enum_name(ack.kind), swap.profile_name,
-                                       sensor_name(ack.target));
+  const std::string what =
+      fmt::format("swap {}: {} '{}' for {}", number, enum_name(ack.kind), swap.profile_name, sensor_name(ack.target));
   fmt::print("\n{}: {} at {:.3f} s, first sample under it {:.3f} s, sequence {}\n", what, enum_name(ack.outcome),
              seconds_of(ack.apply_time_ns), seconds_of(ack.first_sample_time_ns), ack.first_sequence);
   verdict.require(swap.first_sample_holds, what + ": the acknowledged sample is not the first with that revision");
@@ -103,11 +99,12 @@ void print_swaps(const io::McapReader& log, const LogSummary& summary, Verdict& 
     if (ack.outcome == AckOutcome::Applied) continue;
     fmt::print("\n{} for {}: {} {} {}\n", enum_name(ack.kind), sensor_name(ack.target), enum_name(ack.outcome),
                ack.field, ack.reason);
-    verdict.require(ack.outcome != AckOutcome::Rejected, fmt::format("a swap was rejected: {}: {}", ack.field, ack.reason));
+    verdict.require(ack.outcome != AckOutcome::Rejected,
+                    fmt::format("a swap was rejected: {}: {}", ack.field, ack.reason));
   }
-  verdict.require(summary.acks.size() >= summary.scenario.swaps.size(),
-                  fmt::format("{} swaps were scheduled, {} acknowledged", summary.scenario.swaps.size(),
-                              summary.acks.size()));
+  verdict.require(
+      summary.acks.size() >= summary.scenario.swaps.size(),
+      fmt::format("{} swaps were scheduled, {} acknowledged", summary.scenario.swaps.size(), summary.acks.size()));
 }
 
 }  // namespace

@@ -35,10 +35,11 @@ class Listener {
                            const std::lock_guard<std::mutex> lock(mutex_);
                            services_[{status.service, status.sensor_number}] = {status, app::monotonic_now()};
                          }),
-        status_reader_(participant_, dds::topics::sim_status(), [this](const SimStatus& status, const dds::SampleOrigin&) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          run_ = status;
-        }) {}
+        status_reader_(participant_, dds::topics::sim_status(),
+                       [this](const SimStatus& status, const dds::SampleOrigin&) {
+                         const std::lock_guard<std::mutex> lock(mutex_);
+                         run_ = status;
+                       }) {}
 
   struct Heard {
     ServiceStatus status;
@@ -68,8 +69,8 @@ void print_service(const ServiceStatus& status) {
              static_cast<double>(status.rss_bytes) * 1e-6, status.message);
 }
 
-/// A service that was not heard within the wait, which holds at least two heartbeats, is missing, whatever DDS thinks of
-/// its lease.
+/// A service that was not heard within the wait, which holds at least two heartbeats, is missing, whatever DDS thinks
+/// of its lease.
 int status(const StatusOptions& options) {
   std::vector<ServiceKey> expected{{app::kTrajectoryServer, 0u}};
   if (options.scenario.empty()) {
@@ -94,7 +95,8 @@ int status(const StatusOptions& options) {
   } else {
     fmt::print("run: no trajectory server was heard\n");
   }
-  fmt::print("{:<28}{:>7}  {:<10}{:>10}{:>9}{:>8}  {}\n", "service", "sensor", "state", "sim s", "pid", "RSS MB", "message");
+  fmt::print("{:<28}{:>7}  {:<10}{:>10}{:>9}{:>8}  {}\n", "service", "sensor", "state", "sim s", "pid", "RSS MB",
+             "message");
   for (const auto& [key, entry] : heard) print_service(entry.status);
   bool complete = true;
   for (const ServiceKey& key : expected) {
@@ -111,7 +113,9 @@ void add_status(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<StatusOptions>();
   CLI::App* command = app.add_subcommand("status", "Show the services of a running set and who is missing");
   command->add_option("scenario", options->scenario, "scenario file: expect its services; absent: one of each");
-  command->add_option("--wait", options->wait_s, "seconds to listen")->check(CLI::Range(2.0, 60.0))->capture_default_str();
+  command->add_option("--wait", options->wait_s, "seconds to listen")
+      ->check(CLI::Range(2.0, 60.0))
+      ->capture_default_str();
   options->network.add_to(*command);
   command->callback([options, &action] { action = [options] { return status(*options); }; });
 }

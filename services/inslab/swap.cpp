@@ -73,7 +73,8 @@ int swap(const SwapOptions& options) {
     fmt::print(stderr, "inslab swap: no trajectory server was found\n");
     return app::kNotApplied;
   }
-  if (!client.send(request) || !wait_for(deadline, [&] { return !client.acks(request_of(request).request_id).empty(); })) {
+  if (!client.send(request) ||
+      !wait_for(deadline, [&] { return !client.acks(request_of(request).request_id).empty(); })) {
     fmt::print(stderr, "inslab swap: no acknowledgement within {} s\n", options.timeout_s);
     return app::kNotApplied;
   }
@@ -105,7 +106,8 @@ void add_swap(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::IsMember(names_of<Continuity>()))
       ->capture_default_str();
   command->add_option("--fade", options->fade_s, "vibration: seconds of smooth fade")->capture_default_str();
-  command->add_option("--timeout", options->timeout_s, "seconds to wait for the acknowledgement")->capture_default_str();
+  command->add_option("--timeout", options->timeout_s, "seconds to wait for the acknowledgement")
+      ->capture_default_str();
   options->network.add_to(*command);
   command->callback([options, &action] { action = [options] { return swap(*options); }; });
 }

@@ -36,9 +36,7 @@ bool SwapClient::send(const AnyProfile& request) {
   return std::visit(Send{*this}, request);
 }
 
-bool SwapClient::stop() {
-  return command_.write({1, CommandKind::Stop});
-}
+bool SwapClient::stop() { return command_.write({1, CommandKind::Stop}); }
 
 std::optional<SimStatus> SwapClient::status() const {
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -44,8 +44,12 @@ class ImuPromise {
   }
 
   /// Standard deviation of the rate error: white noise, and the sinusoids as their interval means show them.
-  double gyro_sigma() const { return std::sqrt(noise(gyro_density_) + angular([](double) { return 1.0; })); }
-  double accel_sigma() const { return std::sqrt(noise(accel_density_) + linear([](double) { return 1.0; })); }
+  double gyro_sigma() const {
+    return std::sqrt(noise(gyro_density_) + angular([](double) { return 1.0; }));
+  }
+  double accel_sigma() const {
+    return std::sqrt(noise(accel_density_) + linear([](double) { return 1.0; }));
+  }
   /// The same after first differences over sqrt(2), which pass a sinusoid with the power 1 - cos(2 pi f dt).
   double gyro_white_sigma() const { return std::sqrt(noise(gyro_density_) + angular(difference_gain())); }
   double accel_white_sigma() const { return std::sqrt(noise(accel_density_) + linear(difference_gain())); }
@@ -121,9 +125,9 @@ EvidenceLine sigma_line(const char* quantity, const char* unit, double per_unit,
 }
 
 /// One line for one axis of an arm; the mean of n fixes has the standard error sigma/sqrt(n).
-EvidenceLine arm_line(const std::string& quantity, int axis, const NoiseStatistics& before, const NoiseStatistics& after,
-                      const Vector3& promised_before, const Vector3& promised_after, double sigma_before_m,
-                      double sigma_after_m) {
+EvidenceLine arm_line(const std::string& quantity, int axis, const NoiseStatistics& before,
+                      const NoiseStatistics& after, const Vector3& promised_before, const Vector3& promised_after,
+                      double sigma_before_m, double sigma_after_m) {
   constexpr double kResolution_m = 1e-6;
   const auto measured = [&](const NoiseStatistics& series, const Vector3& promised, double sigma_m) {
     return judged(series.mean()[axis], promised[axis],
@@ -144,11 +148,16 @@ class Weigher {
     };
     if (!enough(swap_.before) || !enough(swap_.after)) return {};
     switch (swap_.ack.kind) {
-      case ProfileKind::ImuError: return imu_error();
-      case ProfileKind::Vibration: return vibration();
-      case ProfileKind::Installation: return imu ? imu_installation() : antenna_installation();
-      case ProfileKind::GnssError: return gnss_error();
-      case ProfileKind::Fault: break;
+      case ProfileKind::ImuError:
+        return imu_error();
+      case ProfileKind::Vibration:
+        return vibration();
+      case ProfileKind::Installation:
+        return imu ? imu_installation() : antenna_installation();
+      case ProfileKind::GnssError:
+        return gnss_error();
+      case ProfileKind::Fault:
+        break;
     }
     return {};
   }
@@ -172,12 +181,11 @@ class Weigher {
   std::vector<EvidenceLine> imu_error() const {
     const ImuPromise before = promise(swap_.before);
     const ImuPromise after = promise(swap_.after);
-    return {density_line("gyro white noise", "deg/sqrt(h)", units::kDegPerSqrtH,
-                         swap_.before.gyro_rad_per_s, swap_.after.gyro_rad_per_s, before.gyro_white_sigma(),
-                         after.gyro_white_sigma(), period_s()),
-            density_line("accelerometer white noise", "m/s/sqrt(h)", units::kMPerSPerSqrtH,
-                         swap_.before.accel_m_per_s2, swap_.after.accel_m_per_s2, before.accel_white_sigma(),
-                         after.accel_white_sigma(), period_s())};
+    return {
+        density_line("gyro white noise", "deg/sqrt(h)", units::kDegPerSqrtH, swap_.before.gyro_rad_per_s,
+                     swap_.after.gyro_rad_per_s, before.gyro_white_sigma(), after.gyro_white_sigma(), period_s()),
+        density_line("accelerometer white noise", "m/s/sqrt(h)", units::kMPerSPerSqrtH, swap_.before.accel_m_per_s2,
+                     swap_.after.accel_m_per_s2, before.accel_white_sigma(), after.accel_white_sigma(), period_s())};
   }
 
   std::vector<EvidenceLine> vibration() const {
@@ -221,11 +229,11 @@ class Weigher {
                         std::sqrt(mean_square(before.position_sigma_ned_m, mask)),
                         std::sqrt(mean_square(after.position_sigma_ned_m, mask)), mask);
     };
-    return {position("horizontal position noise", kHorizontal), position("vertical position noise", kVertical),
-            sigma_line("velocity noise", "m/s", 1.0, swap_.before.velocity_ned_m_per_s,
-                       swap_.after.velocity_ned_m_per_s,
-                       std::sqrt(mean_square(before.velocity_sigma_ned_m_per_s, kAllAxes)),
-                       std::sqrt(mean_square(after.velocity_sigma_ned_m_per_s, kAllAxes)), kAllAxes)};
+    return {
+        position("horizontal position noise", kHorizontal), position("vertical position noise", kVertical),
+        sigma_line("velocity noise", "m/s", 1.0, swap_.before.velocity_ned_m_per_s, swap_.after.velocity_ned_m_per_s,
+                   std::sqrt(mean_square(before.velocity_sigma_ned_m_per_s, kAllAxes)),
+                   std::sqrt(mean_square(after.velocity_sigma_ned_m_per_s, kAllAxes)), kAllAxes)};
   }
 
   const LogSummary& summary_;

@@ -28,24 +28,32 @@ Matrix3 C_ev(const TruthState& vehicle) {
 
 std::uint32_t revision_of(const ImuRevisions& revisions, ProfileKind kind) {
   switch (kind) {
-    case ProfileKind::ImuError: return revisions.imu_error;
-    case ProfileKind::Vibration: return revisions.vibration;
-    case ProfileKind::Installation: return revisions.installation;
-    default: return revisions.fault;
+    case ProfileKind::ImuError:
+      return revisions.imu_error;
+    case ProfileKind::Vibration:
+      return revisions.vibration;
+    case ProfileKind::Installation:
+      return revisions.installation;
+    default:
+      return revisions.fault;
   }
 }
 
 std::uint32_t revision_of(const GnssRevisions& revisions, ProfileKind kind) {
   switch (kind) {
-    case ProfileKind::GnssError: return revisions.gnss_error;
-    case ProfileKind::Installation: return revisions.installation;
-    default: return revisions.fault;
+    case ProfileKind::GnssError:
+      return revisions.gnss_error;
+    case ProfileKind::Installation:
+      return revisions.installation;
+    default:
+      return revisions.fault;
   }
 }
 
 template <class Sample>
 void note_first(SwapWindows& windows, const Sample& sample) {
-  if (windows.first_sequence_seen || revision_of(sample.revisions, windows.ack.kind) != windows.ack.journal_number) return;
+  if (windows.first_sequence_seen || revision_of(sample.revisions, windows.ack.kind) != windows.ack.journal_number)
+    return;
   windows.first_sequence_seen = sample.header.sequence_number;
 }
 

@@ -13,16 +13,16 @@ namespace inslab::cli {
 
 /// A stretch of sim time under the same profiles of one sensor, and what its samples show.
 struct SwapWindow {
-  std::int64_t after_ns = 0;     ///< samples later than this
-  std::int64_t until_ns = 0;     ///< and not later than this
+  std::int64_t after_ns = 0;  ///< samples later than this
+  std::int64_t until_ns = 0;  ///< and not later than this
   bool contains(std::int64_t t) const { return t > after_ns && t <= until_ns; }
 
-  NoiseStatistics gyro_rad_per_s;          ///< ImuSample minus ImuTruth, as a rate
+  NoiseStatistics gyro_rad_per_s;  ///< ImuSample minus ImuTruth, as a rate
   NoiseStatistics accel_m_per_s2;
-  NoiseStatistics imu_arm_v_m;             ///< place of the IMU in the vehicle, from both truths
-  NoiseStatistics position_ned_m;          ///< GnssFix minus the antenna's truth under the promised arm
+  NoiseStatistics imu_arm_v_m;     ///< place of the IMU in the vehicle, from both truths
+  NoiseStatistics position_ned_m;  ///< GnssFix minus the antenna's truth under the promised arm
   NoiseStatistics velocity_ned_m_per_s;
-  NoiseStatistics antenna_arm_v_m;         ///< GnssFix minus the vehicle's truth, in the vehicle's axes
+  NoiseStatistics antenna_arm_v_m;  ///< GnssFix minus the vehicle's truth, in the vehicle's axes
 };
 
 /// The windows before and after an acknowledged swap. Nothing when the ack is a rejection.

@@ -194,7 +194,8 @@ int ServerOnBus::end(RunState state, const std::string& message) {
 int ServerOnBus::run() {
   source_ = std::make_unique<TruthSource>(scenario_, scenario_.start(app::realtime_now()), run_id_);
   for (const auto& imu : scenario_.imus) {
-    installation_.write({{SensorKind::Imu, imu.number}, imu.nominal_installation.lever_arm_v_m,
+    installation_.write({{SensorKind::Imu, imu.number},
+                         imu.nominal_installation.lever_arm_v_m,
                          imu.nominal_installation.mounting_rpy_deg});
   }
   for (const auto& gnss : scenario_.gnss) {

@@ -13,8 +13,9 @@
 
 namespace inslab::trajectory {
 
-/// The trajectory server on the bus: waits until every service that the scenario needs is ready, then sends the truth on
-/// a grid of absolute deadlines, journals the requests for swaps, and says how the run goes. The only clock of the run.
+/// The trajectory server on the bus: waits until every service that the scenario needs is ready, then sends the truth
+/// on a grid of absolute deadlines, journals the requests for swaps, and says how the run goes. The only clock of the
+/// run.
 class ServerOnBus {
  public:
   explicit ServerOnBus(app::Context& context);

@@ -8,7 +8,6 @@
 
 namespace inslab::trajectory {
 
-
 /// The truth of a run together with its journal: what the trajectory server sends, without bus and clock. The live
 /// server and the one-process runner drive the same class.
 class TruthSource {

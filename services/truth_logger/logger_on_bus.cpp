@@ -13,9 +13,7 @@ using std::chrono::seconds;
 
 namespace {
 
-double rate_hz(const time::Rate& rate) {
-  return 1.0 / rate.period_s();
-}
+double rate_hz(const time::Rate& rate) { return 1.0 / rate.period_s(); }
 
 }  // namespace
 
@@ -151,8 +149,8 @@ std::string LoggerOnBus::unfinished_services() const {
   for (const auto& [service, number] : app::required_services(context_.scenario())) {
     if (service == app::kTruthLogger) continue;
     const auto found = services_.find({service, number});
-    const bool ended = found != services_.end() && (found->second.state == ServiceState::Finished ||
-                                                    found->second.state == ServiceState::Fault);
+    const bool ended = found != services_.end() &&
+                       (found->second.state == ServiceState::Finished || found->second.state == ServiceState::Fault);
     if (!ended) names += (names.empty() ? "" : ", ") + service + " " + std::to_string(number);
   }
   return names;
@@ -203,11 +201,13 @@ int LoggerOnBus::run() {
 int LoggerOnBus::end() {
   while (const auto message = mailbox_.take(milliseconds(0))) handle(*message);
   const bool by_signal = app::shutdown_requested() && !run_ended_;
-  if (failure_.empty() && !by_signal && !all_samples_here()) failure_ = "samples that were sent are missing from the log";
+  if (failure_.empty() && !by_signal && !all_samples_here())
+    failure_ = "samples that were sent are missing from the log";
   if (failure_.empty() && !by_signal && !unfinished_services().empty()) {
     failure_ = "did not say what they sent: " + unfinished_services();
   }
-  if (mailbox_.dropped() > 0) failure_ = std::to_string(mailbox_.dropped()) + " messages came faster than the disk took them";
+  if (mailbox_.dropped() > 0)
+    failure_ = std::to_string(mailbox_.dropped()) + " messages came faster than the disk took them";
   board_.enter(failure_.empty() ? ServiceState::Finished : ServiceState::Fault,
                failure_.empty() && by_signal ? "ended by a signal" : failure_);
   while (const auto message = mailbox_.take(milliseconds(200))) handle(*message);

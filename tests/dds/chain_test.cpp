@@ -128,7 +128,8 @@ TEST_P(Chain, LateJoinerGetsTheLastStatusOfEachService) {
 
 TEST_P(Chain, ReceivedSampleKeepsTheBytesThatWereSent) {
   Collector<Received<GnssFix>> received;
-  Reader<GnssFix> reader(to_, topics::gnss(0), [&](const Received<GnssFix>& p, const SampleOrigin&) { received.add(p); });
+  Reader<GnssFix> reader(to_, topics::gnss(0),
+                         [&](const Received<GnssFix>& p, const SampleOrigin&) { received.add(p); });
   Writer<GnssFix> writer(from_, topics::gnss(0));
   ASSERT_TRUE(eventually([&] { return writer.matched_readers() == 1 && reader.matched_writers() == 1; }));
   GnssFix fix;

@@ -8,9 +8,10 @@
 #include "truthPubSubTypes.h"
 // clang-format on
 
+#include "dds/type_adapter.hpp"
+
 #include <gtest/gtest.h>
 
-#include "dds/type_adapter.hpp"
 #include "wire/idl_writer.hpp"
 
 namespace inslab::dds {

@@ -27,8 +27,8 @@ class LiveRun : public testing::TestWithParam<const char*> {};
 TEST_P(LiveRun, GivesTheBitsOfTheOfflineRun) {
   const TestFolder folder;
   const std::string scenario = source("tests/data/short.json");
-  Process live("inslab", {"run", scenario, "--log", folder / "live.mcap", "--domain", own_domain(), "--transport",
-                          GetParam()});
+  Process live("inslab",
+               {"run", scenario, "--log", folder / "live.mcap", "--domain", own_domain(), "--transport", GetParam()});
   // Exit 0 also means: nothing lost, every swap acknowledged and borne out by the samples.
   ASSERT_EQ(live.wait(seconds(60)), 0) << live.output();
   Process offline("inslab", {"simulate", scenario, "-o", folder / "offline"});
@@ -49,7 +49,8 @@ INSTANTIATE_TEST_SUITE_P(Transports, LiveRun, testing::Values("udp", "shm"),
 
 TEST(LiveRun, SummaryNamesStreamsSwapsAndLog) {
   const TestFolder folder;
-  Process live("inslab", {"run", source("tests/data/short.json"), "--log", folder / "live.mcap", "--domain", own_domain()});
+  Process live("inslab",
+               {"run", source("tests/data/short.json"), "--log", folder / "live.mcap", "--domain", own_domain()});
   ASSERT_EQ(live.wait(seconds(60)), 0) << live.output();
   const std::string output = live.output();
   EXPECT_THAT(output, HasSubstr("inslab/imu/0"));
@@ -68,7 +69,8 @@ TEST(LiveRun, BadScenarioEndsWithTwoBeforeAnythingStarts) {
 
 TEST(LiveRun, StoppedByCtrlCClosesItsLog) {
   const TestFolder folder;
-  Process live("inslab", {"run", source("tests/data/short.json"), "--log", folder / "live.mcap", "--domain", own_domain()});
+  Process live("inslab",
+               {"run", source("tests/data/short.json"), "--log", folder / "live.mcap", "--domain", own_domain()});
   ASSERT_TRUE(live.prints("s\n", seconds(20)));
   ASSERT_TRUE(live.prints("short: 2", seconds(20))) << live.output();
   live.send(SIGINT);

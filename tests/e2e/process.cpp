@@ -54,9 +54,7 @@ Process::~Process() {
   std::filesystem::remove(output_path_);
 }
 
-void Process::send(int signal) const {
-  kill(pid_, signal);
-}
+void Process::send(int signal) const { kill(pid_, signal); }
 
 bool Process::running() {
   if (exit_code_) return false;
@@ -90,13 +88,9 @@ TestFolder::~TestFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-std::string own_domain() {
-  return std::to_string(20 + getpid() % 180);
-}
+std::string own_domain() { return std::to_string(20 + getpid() % 180); }
 
-std::string source(const std::string& path) {
-  return std::string(INSLAB_SOURCE_DIR) + "/" + path;
-}
+std::string source(const std::string& path) { return std::string(INSLAB_SOURCE_DIR) + "/" + path; }
 
 void pause_between_looks() {
   constexpr int kMilliseconds = 10;

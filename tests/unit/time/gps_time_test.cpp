@@ -36,9 +36,7 @@ TEST(GpsTime, FromRealtimeKnowsTheLastLeapSecond) {
   EXPECT_EQ(after - before, seconds(2));
 }
 
-TEST(GpsTime, FromRealtimeRefusesTimesBeforeGps) {
-  EXPECT_THROW(gps_from_realtime(seconds(1000)), std::out_of_range);
-}
+TEST(GpsTime, FromRealtimeRefusesTimesBeforeGps) { EXPECT_THROW(gps_from_realtime(seconds(1000)), std::out_of_range); }
 
 TEST(GpsTime, RealtimeFromGpsUndoesGpsFromRealtime) {
   for (const std::int64_t unix_seconds : {315964800LL, 1483228700LL, 1483228900LL, 1767225600LL}) {

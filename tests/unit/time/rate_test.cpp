@@ -7,9 +7,7 @@
 namespace inslab::time {
 namespace {
 
-TEST(Rate, GridDoesNotDriftInADay) {
-  EXPECT_EQ(Rate(200.0).at(200ull * 86'400), std::chrono::hours(24));
-}
+TEST(Rate, GridDoesNotDriftInADay) { EXPECT_EQ(Rate(200.0).at(200ull * 86'400), std::chrono::hours(24)); }
 
 TEST(Rate, CountsPeriodsOfTheFasterRate) {
   EXPECT_EQ(Rate(5.0).multiple_of(Rate(200.0)), 40u);
