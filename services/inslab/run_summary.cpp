@@ -80,7 +80,10 @@ void print_swap(std::size_t number, const SwapEvidence& swap, Verdict& verdict) 
   fmt::print("\n{}: {} at {:.3f} s, first sample under it {:.3f} s, sequence {}\n", what, enum_name(ack.outcome),
              seconds_of(ack.apply_time_ns), seconds_of(ack.first_sample_time_ns), ack.first_sequence);
   verdict.require(swap.first_sample_holds, what + ": the acknowledged sample is not the first with that revision");
-  if (swap.lines.empty()) return;
+  if (swap.lines.empty()) {
+    fmt::print("  nothing measured: a fault, or too few samples between this swap and its neighbours\n");
+    return;
+  }
   fmt::print("  {:<38}{:<13}{:^27}{:^27}\n", "measured / promised", "", "before", "after");
   for (const EvidenceLine& line : swap.lines) {
     fmt::print("  {:<38}{:<13}{}{}\n", line.quantity, line.unit, shown(line.before), shown(line.after));
