@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "config/json_file.hpp"
 #include "samples/field.hpp"
 
@@ -121,10 +123,14 @@ Json schema_of_struct() {
       T::fields(value, setter);
       count = setter.alternatives;
       Json schema = schema_of_fields(value);
-      schema["properties"][setter.key] = {{"const", schema["properties"][setter.key]["enum"][i]}};
-      alternatives.push_back(schema);
+      Json fixed = Json::object();
+      fixed["const"] = setter.value_name;
+      schema["properties"][setter.key] = std::move(fixed);
+      alternatives.push_back(std::move(schema));
     }
-    return {{"oneOf", alternatives}};
+    Json schema = Json::object();
+    schema["oneOf"] = std::move(alternatives);
+    return schema;
   } else {
     T value;
     return schema_of_fields(value);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "samples/units.hpp"
 
@@ -13,8 +14,9 @@ constexpr std::size_t kMaxOverlappingFades = 2;
 /// f * t less whole turns, t in units of half a nanosecond: the middle of an interval is always a whole number of them.
 double turns(double frequency_hz, std::int64_t time_half_ns) {
   constexpr std::int64_t kHalfNsPerS = 2000000000;
-  const double whole_s = static_cast<double>(time_half_ns / kHalfNsPerS);
-  const double rest_s = static_cast<double>(time_half_ns % kHalfNsPerS) * 0.5e-9;
+  const auto [quotient, remainder] = std::lldiv(time_half_ns, kHalfNsPerS);
+  const auto whole_s = static_cast<double>(quotient);
+  const double rest_s = static_cast<double>(remainder) * 0.5e-9;
   const double product = frequency_hz * whole_s;
   const double rounding = std::fma(frequency_hz, whole_s, -product);  // exact
   return (product - std::floor(product)) + rounding + frequency_hz * rest_s;

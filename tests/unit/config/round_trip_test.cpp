@@ -22,7 +22,7 @@ class RoundTrip : public testing::Test {};
 
 using Files = testing::Types<scenario::Scenario, ImuErrorProfile, VibrationProfile, InstallationProfile,
                              GnssErrorProfile, FaultProfile>;
-TYPED_TEST_SUITE(RoundTrip, Files);
+TYPED_TEST_SUITE(RoundTrip, Files, );
 
 TYPED_TEST(RoundTrip, ThroughJsonTextKeepsEveryBitOfRandomValues) {
   std::mt19937_64 engine(20261122);

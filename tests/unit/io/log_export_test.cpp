@@ -17,6 +17,9 @@
 #include "random_sample.hpp"
 #include "temporary_folder.hpp"
 
+// The HDF5 library leaks what it could not write to a full disk; the sanitizer's runtime asks this function.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+
 namespace inslab::io {
 namespace {
 
@@ -198,12 +201,7 @@ class LogExportToAFullDisk : public LogExport {
 
 TEST_F(LogExportToAFullDisk, CsvNamesFileAndReason) { expect_error(ExportFormat::Csv, "out"); }
 
-TEST_F(LogExportToAFullDisk, Hdf5NamesFileAndReason) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "the HDF5 library leaks what it could not write, which the sanitizer takes for ours";
-#endif
-  expect_error(ExportFormat::Hdf5, "run.h5");
-}
+TEST_F(LogExportToAFullDisk, Hdf5NamesFileAndReason) { expect_error(ExportFormat::Hdf5, "run.h5"); }
 
 }  // namespace
 }  // namespace inslab::io

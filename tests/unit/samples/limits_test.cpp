@@ -12,7 +12,7 @@ template <class Profile>
 class LimitsOf : public testing::Test {};
 
 using Profiles = testing::Types<ImuErrorProfile, VibrationProfile, InstallationProfile, GnssErrorProfile, FaultProfile>;
-TYPED_TEST_SUITE(LimitsOf, Profiles);
+TYPED_TEST_SUITE(LimitsOf, Profiles, );
 
 template <class Profile>
 Profile valid_profile() {

@@ -69,7 +69,7 @@ class Cdr : public testing::Test {};
 using AllTypes = testing::Types<TruthState, ImuSample, ImuTruth, GnssFix, NavSolution, ImuErrorProfile,
                                 VibrationProfile, InstallationProfile, GnssErrorProfile, FaultProfile, ProfileAck,
                                 Installation, SimCommand, SimStatus, TimeMark, ServiceStatus>;
-TYPED_TEST_SUITE(Cdr, AllTypes);
+TYPED_TEST_SUITE(Cdr, AllTypes, );
 
 TYPED_TEST(Cdr, GivesBackEveryBitOfRandomValuesInEitherByteOrder) {
   test::RandomFields random(1);
