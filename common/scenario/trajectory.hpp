@@ -115,17 +115,30 @@ struct GravityOptions {
   }
 };
 
-/// The motion of the vehicle. After its last segment the vehicle goes on as it is.
+/// What the motion is made from.
+enum class TrajectorySource : std::uint32_t {
+  MotionTable,  ///< segments, one after the other; after the last the vehicle goes on as it is
+};
+
+/// The motion of the vehicle. Which parameters it has depends on `source`.
 struct Trajectory {
+  static constexpr bool has_discriminator = true;
+
+  TrajectorySource source = TrajectorySource::MotionTable;
   GravityOptions gravity;
-  InitialState initial;
-  std::vector<Segment> segments;
+  InitialState initial;           ///< motion_table
+  std::vector<Segment> segments;  ///< motion_table
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
+    visit(Field("source", "what the motion is made from; the other parameters depend on it"), self.source);
     visit(Field("gravity"), self.gravity);
-    visit(Field("initial", "state at the scenario's start").required(), self.initial);
-    visit(Field("segments", "one after the other").at_most(100000), self.segments);
+    switch (self.source) {
+      case TrajectorySource::MotionTable:
+        visit(Field("initial", "state at the scenario's start").required(), self.initial);
+        visit(Field("segments", "one after the other").at_most(100000), self.segments);
+        break;
+    }
   }
 };
 
@@ -267,6 +280,12 @@ struct EnumNames<scenario::MotionType> {
   static constexpr std::array<std::string_view, 11> values{
       "uniform", "delta_speed",   "target_speed", "constant_accel", "sine_accel", "ramp_accel",
       "turn",    "constant_rate", "sine_rate",    "cosine_rate",    "ramp_rate"};
+};
+template <>
+struct EnumNames<scenario::TrajectorySource> {
+  static constexpr std::string_view type = "TrajectorySource";
+  static constexpr std::string_view prefix = "TRAJECTORY_";
+  static constexpr std::array<std::string_view, 1> values{"motion_table"};
 };
 template <>
 struct EnumNames<scenario::Axis> {

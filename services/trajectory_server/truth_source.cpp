@@ -17,9 +17,9 @@ TruthSource::TruthSource(const scenario::LoadedScenario& scenario, const time::G
     : run_id_(run_id),
       rate_(scenario.truth_rate),
       samples_(scenario.truth_samples),
-      model_(scenario.scenario.trajectory, scenario.truth_rate, start),
+      model_(make_truth_model(scenario, start)),
       journal_(sensors_of(scenario), scenario.truth_rate),
-      next_(model_.current()) {}
+      next_(model_->current()) {}
 
 std::variant<AnyProfile, ProfileAck> TruthSource::submit(const AnyProfile& request) {
   const time::Nanoseconds last_sent = rate_.at(taken_ == 0 ? 0 : taken_ - 1);
@@ -28,7 +28,7 @@ std::variant<AnyProfile, ProfileAck> TruthSource::submit(const AnyProfile& reque
 
 void TruthSource::prepare() {
   if (prepared_ || !has_next()) return;
-  next_ = model_.advance();
+  next_ = model_->advance();
   prepared_ = true;
 }
 

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "scenario/load.hpp"
-#include "services/trajectory_server/model.hpp"
+#include "services/trajectory_server/truth_model.hpp"
 #include "swap/journal.hpp"
 
 namespace inslab::trajectory {
@@ -35,7 +35,7 @@ class TruthSource {
   RunId run_id_;
   time::Rate rate_;
   std::uint64_t samples_;
-  TrajectoryModel model_;
+  std::unique_ptr<TruthModel> model_;
   swap::Journal journal_;
   TruthState next_;
   bool prepared_ = true;

@@ -2,14 +2,14 @@
 
 #include <benchmark/benchmark.h>
 
-#include "services/trajectory_server/model.hpp"
+#include "services/trajectory_server/motion_table_model.hpp"
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::trajectory {
 namespace {
 
 void drive(benchmark::State& state, const scenario::Trajectory& trajectory, double rate_hz) {
-  TrajectoryModel model(trajectory, time::Rate(rate_hz), {2300, 0});
+  MotionTableModel model(trajectory, time::Rate(rate_hz), {2300, 0});
   double sum = 0.0;
   for (auto _ : state) benchmark::DoNotOptimize(sum += model.advance().dv_v.x());
   state.SetItemsProcessed(state.iterations());

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <vector>
 
-#include "services/trajectory_server/model.hpp"
+#include "services/trajectory_server/motion_table_model.hpp"
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::trajectory {
@@ -207,7 +207,7 @@ struct Differences {
 };
 
 Differences difference(const scenario::Trajectory& trajectory, const std::vector<State>& reference) {
-  TrajectoryModel model(trajectory, time::Rate(200.0), {2300, 0});
+  MotionTableModel model(trajectory, time::Rate(200.0), {2300, 0});
   const TruthState start = model.current();
   const RealVector start_e = ecef(start.latitude_rad, start.longitude_rad, start.height_m);
   Differences sum;
@@ -242,7 +242,7 @@ class EcefReference : public testing::TestWithParam<Case> {};
 
 TEST_P(EcefReference, AgreesToAMicrometreOverTwentyMinutes) {
   const scenario::Trajectory trajectory = GetParam().table();
-  const TruthState start = TrajectoryModel(trajectory, time::Rate(200.0), {2300, 0}).current();
+  const TruthState start = MotionTableModel(trajectory, time::Rate(200.0), {2300, 0}).current();
   const auto reference = solve(trajectory, start, odeint::bulirsch_stoer<State, Real>(1e-15L, 0.0L));
   ASSERT_GE(reference.size(), 1199U);
 

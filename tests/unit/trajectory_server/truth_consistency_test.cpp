@@ -8,7 +8,7 @@
 
 #include "nav/attitude.hpp"
 #include "nav/wgs84.hpp"
-#include "services/trajectory_server/model.hpp"
+#include "services/trajectory_server/motion_table_model.hpp"
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::trajectory {
@@ -17,7 +17,7 @@ namespace {
 constexpr double kUlpOfTwoRad = 4.4e-16;
 
 std::vector<TruthState> run(const scenario::Trajectory& trajectory, double rate_hz, double seconds) {
-  TrajectoryModel model(trajectory, time::Rate(rate_hz), {2300, 0});
+  MotionTableModel model(trajectory, time::Rate(rate_hz), {2300, 0});
   std::vector<TruthState> truth{model.current()};
   const auto steps = static_cast<std::size_t>(std::lround(seconds * rate_hz));
   while (truth.size() <= steps) truth.push_back(model.advance());
@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(Tables, TruthConsistency,
 /// Where two grids leave the vehicle, in m apart.
 double apart_m(const scenario::Trajectory& trajectory, double rate_hz, double finer_hz, double seconds) {
   const auto end = [&](double hz) {
-    TrajectoryModel model(trajectory, time::Rate(hz), {2300, 0});
+    MotionTableModel model(trajectory, time::Rate(hz), {2300, 0});
     for (long i = std::lround(seconds * hz); i > 0; --i) model.advance();
     return position(model.current());
   };

@@ -1,4 +1,4 @@
-#include "services/trajectory_server/model.hpp"
+#include "services/trajectory_server/motion_table_model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,13 +34,13 @@ VehicleMotion vehicle_at_start(const scenario::Trajectory& trajectory) {
 
 }  // namespace
 
-TrajectoryModel::TrajectoryModel(const scenario::Trajectory& trajectory, const time::Rate& truth_rate,
-                                 const time::GpsTime& start)
+MotionTableModel::MotionTableModel(const scenario::Trajectory& trajectory, const time::Rate& truth_rate,
+                                   const time::GpsTime& start)
     : trajectory_(checked(trajectory)), rate_(truth_rate), start_(start), vehicle_(vehicle_at_start(trajectory)) {
   begin_segment();
 }
 
-TruthState TrajectoryModel::advance() {
+TruthState MotionTableModel::advance() {
   rate_jump_ = false;
   ++sample_;
   const time::Nanoseconds end = rate_.at(sample_);
@@ -62,7 +62,7 @@ TruthState TrajectoryModel::advance() {
 }
 
 /// In equal steps within one smooth piece of the segment.
-void TrajectoryModel::integrate_to(time::Nanoseconds end) {
+void MotionTableModel::integrate_to(time::Nanoseconds end) {
   const double t0_s = time::to_seconds(now_ - segment_start_);
   const double t1_s = time::to_seconds(end - segment_start_);
   const double span_s = time::to_seconds(end - now_);
@@ -77,14 +77,14 @@ void TrajectoryModel::integrate_to(time::Nanoseconds end) {
   now_ = end;
 }
 
-bool TrajectoryModel::begin_segment() {
+bool MotionTableModel::begin_segment() {
   joint_ = 0;
   return vehicle_.begin(segment_ < trajectory_.segments.size()
                             ? MotionSegment(trajectory_.segments[segment_], vehicle_.v_v())
                             : MotionSegment::endless());
 }
 
-void TrajectoryModel::require_domain() const {
+void MotionTableModel::require_domain() const {
   if (nav::in_domain(vehicle_.position())) return;
   try {
     nav::check_domain(vehicle_.position());
@@ -98,7 +98,7 @@ void TrajectoryModel::require_domain() const {
   }
 }
 
-TruthState TrajectoryModel::current() const {
+TruthState MotionTableModel::current() const {
   TruthState truth;
   truth.header.sequence_number = sample_;
   truth.header.sim_time_ns = now_.count();

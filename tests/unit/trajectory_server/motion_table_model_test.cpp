@@ -1,4 +1,4 @@
-#include "services/trajectory_server/model.hpp"
+#include "services/trajectory_server/motion_table_model.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,22 +18,22 @@ using namespace tables;
 constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 const time::GpsTime kStart{2300, 604'799'000'000'000};
 
-TruthState after(TrajectoryModel& model, int steps) {
+TruthState after(MotionTableModel& model, int steps) {
   TruthState truth = model.current();
   for (int i = 0; i < steps; ++i) truth = model.advance();
   return truth;
 }
 TruthState truth_after(const Trajectory& trajectory, double seconds) {
-  TrajectoryModel model(trajectory, time::Rate(200.0), kStart);
+  MotionTableModel model(trajectory, time::Rate(200.0), kStart);
   return after(model, static_cast<int>(std::lround(seconds * 200.0)));
 }
 nav::RollPitchYaw rpy(const TruthState& truth) { return nav::rpy_from_quaternion(truth.q_nv); }
 
-TEST(TrajectoryModel, BeginsWithTheScenariosState) {
+TEST(MotionTableModel, BeginsWithTheScenariosState) {
   Trajectory t = at_wuhan();
   t.initial.speed_m_per_s = 10.0;
   t.initial.roll_deg = 1.0;
-  const TruthState truth = TrajectoryModel(t, time::Rate(200.0), kStart).current();
+  const TruthState truth = MotionTableModel(t, time::Rate(200.0), kStart).current();
   EXPECT_DOUBLE_EQ(truth.latitude_rad, 30.53 * kRadPerDeg);
   EXPECT_DOUBLE_EQ(truth.longitude_rad, 114.35 * kRadPerDeg);
   EXPECT_EQ(truth.height_m, 20.0);
@@ -48,8 +48,8 @@ TEST(TrajectoryModel, BeginsWithTheScenariosState) {
   EXPECT_FALSE(truth.rate_jump);
 }
 
-TEST(TrajectoryModel, CountsSamplesOnTheGridAndCarriesTheWeek) {
-  TrajectoryModel model(at_wuhan(), time::Rate(200.0), kStart);
+TEST(MotionTableModel, CountsSamplesOnTheGridAndCarriesTheWeek) {
+  MotionTableModel model(at_wuhan(), time::Rate(200.0), kStart);
   const TruthState truth = after(model, 201);
   EXPECT_EQ(truth.header.sequence_number, 201U);
   EXPECT_EQ(truth.header.sim_time_ns, 1'005'000'000);
@@ -58,10 +58,10 @@ TEST(TrajectoryModel, CountsSamplesOnTheGridAndCarriesTheWeek) {
   EXPECT_EQ(truth.header.gps_time_of_week_ns, 5'000'000);
 }
 
-TEST(TrajectoryModel, AtRestFeelsTheEarthsRateAndGravityAlone) {
+TEST(MotionTableModel, AtRestFeelsTheEarthsRateAndGravityAlone) {
   Trajectory t = at_wuhan(135.0);
   t.initial.pitch_deg = 3.0;
-  TrajectoryModel model(t, time::Rate(200.0), kStart);
+  MotionTableModel model(t, time::Rate(200.0), kStart);
   const TruthState first = model.current();
   const TruthState truth = after(model, 200 * 60);
   const Matrix3 C_vn = nav::matrix_from_quaternion(truth.q_nv).transpose();
@@ -77,16 +77,16 @@ TEST(TrajectoryModel, AtRestFeelsTheEarthsRateAndGravityAlone) {
   EXPECT_EQ(truth.q_nv.coeffs(), first.q_nv.coeffs());
 }
 
-TEST(TrajectoryModel, TakesTheScenariosGravity) {
+TEST(MotionTableModel, TakesTheScenariosGravity) {
   Trajectory t = at_wuhan();
   t.gravity.model = nav::GravityModel::Series;
   t.gravity.disturbance_mgal = 50.0;
-  const TruthState truth = TrajectoryModel(t, time::Rate(200.0), kStart).current();
+  const TruthState truth = MotionTableModel(t, time::Rate(200.0), kStart).current();
   const nav::Geodetic position{truth.latitude_rad, truth.longitude_rad, truth.height_m};
   EXPECT_NEAR(-truth.f_v.z(), nav::Gravity(nav::GravityModel::Series).g_n(position).z() + 50e-5, 1e-14);
 }
 
-TEST(TrajectoryModel, ConstantVelocityNorthFollowsTheMeridian) {
+TEST(MotionTableModel, ConstantVelocityNorthFollowsTheMeridian) {
   // The time that a meridian arc takes at 100 m/s is the integral of (M + h)/v: Simpson on 1000 pieces of the 6 km arc,
   // whose own error is (1e-6 rad)^4.
   Trajectory t = at_wuhan(0.0);
@@ -106,7 +106,7 @@ TEST(TrajectoryModel, ConstantVelocityNorthFollowsTheMeridian) {
   EXPECT_EQ(truth.height_m, 20.0);
 }
 
-TEST(TrajectoryModel, ConstantVelocityEastTurnsByTheEarthAndTheTransportRate) {
+TEST(MotionTableModel, ConstantVelocityEastTurnsByTheEarthAndTheTransportRate) {
   Trajectory t = at_wuhan(90.0);
   t.initial.speed_m_per_s = 50.0;
   const TruthState truth = truth_after(t, 10.0);
@@ -121,7 +121,7 @@ TEST(TrajectoryModel, ConstantVelocityEastTurnsByTheEarthAndTheTransportRate) {
   EXPECT_NEAR(truth.longitude_rad - 114.35 * kRadPerDeg, 10.0 * longitude_rate, 5e-16);
 }
 
-TEST(TrajectoryModel, TurnReachesItsAngleAndKeepsTheSpeedOnTheNose) {
+TEST(MotionTableModel, TurnReachesItsAngleAndKeepsTheSpeedOnTheNose) {
   Trajectory t = at_wuhan(30.0);
   t.initial.speed_m_per_s = 12.0;
   t.segments = {segment(7.0031, {turn(90.0)})};
@@ -131,7 +131,7 @@ TEST(TrajectoryModel, TurnReachesItsAngleAndKeepsTheSpeedOnTheNose) {
   EXPECT_NEAR(truth.v_n.y(), 12.0 * std::sin(120.0 * kRadPerDeg), 5e-14);
 }
 
-TEST(TrajectoryModel, RightTurnPushesToTheRight) {
+TEST(MotionTableModel, RightTurnPushesToTheRight) {
   Trajectory t = at_wuhan();
   t.initial.speed_m_per_s = 10.0;
   t.segments = {segment(20.0, {constant_rate(10.0)})};
@@ -139,7 +139,7 @@ TEST(TrajectoryModel, RightTurnPushesToTheRight) {
   EXPECT_NEAR(truth_after(t, 5.0).f_v.y(), 10.0 * 10.0 * kRadPerDeg, 2e-3);
 }
 
-TEST(TrajectoryModel, VelocityKeepsItsDirectionWhenNotOnTheNose) {
+TEST(MotionTableModel, VelocityKeepsItsDirectionWhenNotOnTheNose) {
   Trajectory t = at_wuhan(0.0);
   t.initial.speed_m_per_s = 10.0;
   t.segments = {segment(10.0, {turn(90.0)})};
@@ -149,17 +149,17 @@ TEST(TrajectoryModel, VelocityKeepsItsDirectionWhenNotOnTheNose) {
   EXPECT_NEAR(rpy(truth).yaw_rad, 90.0 * kRadPerDeg, 4e-15);
 }
 
-TEST(TrajectoryModel, DeltaSpeedAndTargetSpeedReachTheirSpeeds) {
+TEST(MotionTableModel, DeltaSpeedAndTargetSpeedReachTheirSpeeds) {
   Trajectory t = at_wuhan(0.0);
   t.initial.speed_m_per_s = 3.0;
   t.segments = {segment(4.00007, {delta_speed(5.0)}), segment(6.0, {target_speed(2.5)})};
-  TrajectoryModel model(t, time::Rate(200.0), kStart);
+  MotionTableModel model(t, time::Rate(200.0), kStart);
   // Sample 801 lies 4.93 ms into the rise of the next acceleration, whose slope is (2.5 - 8)/4.5/1.5 m/s^3.
   EXPECT_NEAR(after(model, 801).v_n.x(), 8.0 - 0.5 * 5.5 / 4.5 / 1.5 * 4.93e-3 * 4.93e-3, 1e-14);
   EXPECT_NEAR(after(model, 1200).v_n.x(), 2.5, 1e-14);
 }
 
-TEST(TrajectoryModel, TargetSpeedStartsFromTheActualSpeedAlongItsAxis) {
+TEST(MotionTableModel, TargetSpeedStartsFromTheActualSpeedAlongItsAxis) {
   Trajectory t = at_wuhan(0.0);
   Motion sideways = target_speed(-2.0);
   sideways.axis = Axis::Y;
@@ -168,10 +168,10 @@ TEST(TrajectoryModel, TargetSpeedStartsFromTheActualSpeedAlongItsAxis) {
   EXPECT_LT((truth.v_n - Vector3(1.0, -2.0, 0.0)).norm(), 1e-14);
 }
 
-TEST(TrajectoryModel, GoesOnAsItIsAfterTheLastSegment) {
+TEST(MotionTableModel, GoesOnAsItIsAfterTheLastSegment) {
   Trajectory t = at_wuhan(0.0);
   t.segments = {segment(2.0, {delta_speed(5.0)})};
-  TrajectoryModel model(t, time::Rate(200.0), kStart);
+  MotionTableModel model(t, time::Rate(200.0), kStart);
   EXPECT_EQ(after(model, 399).segment_index, 0U);
   EXPECT_EQ(after(model, 1).segment_index, 1U);
   const TruthState later = after(model, 2000);
@@ -179,10 +179,10 @@ TEST(TrajectoryModel, GoesOnAsItIsAfterTheLastSegment) {
   EXPECT_EQ(later.segment_index, 1U);
 }
 
-TEST(TrajectoryModel, FlagsARateThatJumpsAtTheEndOfAnIntervalAndReportsTheValueAfterIt) {
+TEST(MotionTableModel, FlagsARateThatJumpsAtTheEndOfAnIntervalAndReportsTheValueAfterIt) {
   Trajectory t = at_wuhan(0.0);
   t.segments = {segment(1.0), segment(1.0, {constant_rate(10.0)}), segment(1.0, {turn(30.0)})};
-  TrajectoryModel model(t, time::Rate(200.0), kStart);
+  MotionTableModel model(t, time::Rate(200.0), kStart);
   EXPECT_FALSE(after(model, 199).rate_jump);
   const TruthState at_jump = after(model, 1);
   EXPECT_TRUE(at_jump.rate_jump);
@@ -193,14 +193,14 @@ TEST(TrajectoryModel, FlagsARateThatJumpsAtTheEndOfAnIntervalAndReportsTheValueA
   EXPECT_FALSE(after(model, 200).rate_jump);  // a turn ends at 0
 }
 
-TEST(TrajectoryModel, CrossesTheAntimeridian) {
+TEST(MotionTableModel, CrossesTheAntimeridian) {
   Trajectory t = at_wuhan(90.0);
   t.initial.longitude_deg = 179.9999;
   t.initial.speed_m_per_s = 100.0;
   EXPECT_NEAR(truth_after(t, 1.0).longitude_rad, -3.14159, 1e-4);
 }
 
-TEST(TrajectoryModel, LeavingTheDomainNamesTimeAndQuantity) {
+TEST(MotionTableModel, LeavingTheDomainNamesTimeAndQuantity) {
   Trajectory t = at_wuhan();
   t.initial.height_m = 99'990.0;
   t.initial.pitch_deg = 90.0;
@@ -215,13 +215,13 @@ TEST(TrajectoryModel, LeavingTheDomainNamesTimeAndQuantity) {
   }
 }
 
-TEST(TrajectoryModel, RefusesABrokenTableAndAStartOutsideTheDomain) {
+TEST(MotionTableModel, RefusesABrokenTableAndAStartOutsideTheDomain) {
   Trajectory t = at_wuhan();
   t.segments = {segment(5.0, {target_speed(10.0), delta_speed(1.0)})};
-  EXPECT_THROW(TrajectoryModel(t, time::Rate(200.0), kStart), std::invalid_argument);
+  EXPECT_THROW(MotionTableModel(t, time::Rate(200.0), kStart), std::invalid_argument);
   t = at_wuhan();
   t.initial.latitude_deg = 89.95;
-  EXPECT_THROW(TrajectoryModel(t, time::Rate(200.0), kStart), std::domain_error);
+  EXPECT_THROW(MotionTableModel(t, time::Rate(200.0), kStart), std::domain_error);
 }
 
 }  // namespace

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "samples/truth_state.hpp"
+#include "scenario/load.hpp"
+#include "time/gps_time.hpp"
+
+namespace inslab::trajectory {
+
+/// The truth of a scenario on the grid t_k = k/rate: what the vehicle does, and what a perfect IMU at its reference
+/// point would measure. Knows no clock and no bus; the same scenario gives the same bits.
+class TruthModel {
+ public:
+  TruthModel() = default;
+  TruthModel(const TruthModel&) = default;
+  TruthModel& operator=(const TruthModel&) = default;
+  virtual ~TruthModel() = default;
+
+  /// The newest sample; the start, with no interval, until the first advance(). Run id, publish times and
+  /// journal_in_effect are the publisher's and stay 0.
+  virtual TruthState current() const = 0;
+
+  /// Goes to the next instant of the grid and returns it. Throws std::domain_error, naming time, place in the
+  /// trajectory, quantity and limits, when the vehicle leaves the valid domain; the model is then of no more use.
+  virtual TruthState advance() = 0;
+};
+
+/// The model that the scenario's trajectory.source asks for. Throws as its constructor does.
+std::unique_ptr<TruthModel> make_truth_model(const scenario::LoadedScenario& scenario, const time::GpsTime& start);
+
+}  // namespace inslab::trajectory
