@@ -1,5 +1,7 @@
 #include "services/trajectory_server/server_on_bus.hpp"
 
+#include <fmt/format.h>
+
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service_names.hpp"
@@ -210,9 +212,8 @@ int ServerOnBus::run() {
     while (source_->has_next() && !app::shutdown_requested() && !stop_requested_) {
       send_next();
       if (status_.lag_max_s > max_lag_s) {
-        return end(RunState::Fault, "a sample was " + std::to_string(status_.lag_max_s * 1e3) +
-                                        " ms late; max_lag_ms is " +
-                                        std::to_string(scenario_.scenario.real_time.max_lag_ms));
+        return end(RunState::Fault, fmt::format("a sample was {:.3f} ms late; max_lag_ms is {:g}",
+                                                status_.lag_max_s * 1e3, max_lag_s * 1e3));
       }
     }
   } catch (const std::domain_error& error) {
