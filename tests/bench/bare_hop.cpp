@@ -1,6 +1,7 @@
 #include "tests/bench/bare_hop.hpp"
 
 #include <atomic>
+#include <deque>
 #include <fstream>
 #include <thread>
 
@@ -37,7 +38,7 @@ bool wait_until(Condition condition, std::chrono::nanoseconds timeout) {
 int write_bare_hop(const BareHop& hop) {
   dds::Participant participant(hop.network);
   dds::Writer<TruthState> writer(participant, ping_topic(hop.rate_hz));
-  if (!wait_until([&] { return writer.matched_readers() == 1; }, seconds(10))) return 1;
+  if (!wait_until([&] { return writer.matched_readers() == hop.readers; }, seconds(10))) return 1;
   app::use_precise_timers();
   const time::Rate rate(hop.rate_hz);
   // The same head start as the trajectory server gives.
@@ -70,23 +71,32 @@ int read_bare_hop(const BareHop& hop, const std::string& result_file) {
 }
 
 std::vector<double> measure_bare_hop(const BareHop& hop, const std::string& transport, const std::string& folder) {
-  const std::string result_file = folder + "/bare_hop.txt";
   const std::vector<std::string> common{
-      "--domain", std::to_string(hop.network.domain), "--transport", transport,
-      "--rate",   std::to_string(hop.rate_hz),        "--seconds",   std::to_string(hop.duration_s)};
+      "--domain",  std::to_string(hop.network.domain), "--transport", transport,
+      "--rate",    std::to_string(hop.rate_hz),        "--seconds",   std::to_string(hop.duration_s),
+      "--readers", std::to_string(hop.readers)};
   const auto with = [&common](std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), common.begin(), common.end());
     return arguments;
   };
-  Process reader("bench_chain", with({"--body", "bare-reader", "--result", result_file}));
+  const auto result_file = [&folder](int i) { return folder + "/bare_hop_" + std::to_string(i) + ".txt"; };
+  std::deque<Process> readers;
+  for (int i = 0; i < hop.readers; ++i) {
+    readers.emplace_back("bench_chain", with({"--body", "bare-reader", "--result", result_file(i)}));
+  }
   Process writer("bench_chain", with({"--body", "bare-writer"}));
   const auto longest = seconds(30) + time::from_seconds(hop.duration_s);
-  if (!writer.wait(longest).good || !reader.wait(longest).good) throw std::runtime_error("the bare hop lost samples");
-  std::vector<double> latencies;
-  std::ifstream file(result_file);
-  for (double latency = 0.0; file >> latency;) latencies.push_back(latency);
-  latencies.erase(latencies.begin(), latencies.begin() + static_cast<std::ptrdiff_t>(0.5 * hop.rate_hz));
-  return latencies;
+  bool good = writer.wait(longest).good;
+  for (Process& reader : readers) good = reader.wait(longest).good && good;
+  if (!good) throw std::runtime_error("the bare hop lost samples");
+  std::vector<double> all;
+  for (int i = 0; i < hop.readers; ++i) {
+    std::vector<double> latencies;
+    std::ifstream file(result_file(i));
+    for (double latency = 0.0; file >> latency;) latencies.push_back(latency);
+    all.insert(all.end(), latencies.begin() + static_cast<std::ptrdiff_t>(0.5 * hop.rate_hz), latencies.end());
+  }
+  return all;
 }
 
 }  // namespace inslab::bench

@@ -1,6 +1,6 @@
 // What the chain adds to a bare hop of Fast DDS: truth to IMU (one hop), truth to the reader of the IMU (two hops), and
 // beside them, in alternating blocks of the same run, a bare writer and a bare callback with the same type and
-// settings.
+// settings: with one reader, and with three, as many as the truth has in the chain.
 //
 // The machine's own noise changes by a factor within minutes, so each block of the chain is divided by the bare block
 // right before it, and the medians of these ratios are what to quote.
@@ -26,6 +26,7 @@ struct Options {
   double duration_s = 5.0;
   int repetitions = 5;
   std::uint32_t domain = 90;
+  int readers = 1;          // of a child process: those the bare writer waits for
   std::string body;         // of a child process: what it does
   std::string result_file;  // of a child process
 };
@@ -41,12 +42,16 @@ double median(const std::vector<double>& values) { return quantile(values, 0.5);
 
 /// One row of figures a block.
 struct Rows {
-  std::vector<double> bare_p50, bare_p99, one_p50, one_p99, two_p50, two_p99, one_over_bare, two_over_bare;
+  std::vector<double> bare_p50, bare_p99, fan_p50, fan_p99, one_over_fan, one_p50, one_p99, two_p50, two_p99,
+      one_over_bare, two_over_bare;
   std::map<std::string, std::vector<double>> truth_receipt_p50;
   std::map<std::string, std::vector<double>> cpu_percent;
   std::map<std::string, double> peak_rss_mb;
 
-  void add(const std::vector<double>& bare, const bench::ChainBlock& chain, double duration_s) {
+  void add(const std::vector<double>& bare, const std::vector<double>& fan, const bench::ChainBlock& chain,
+           double duration_s) {
+    fan_p50.push_back(quantile(fan, 0.5));
+    fan_p99.push_back(quantile(fan, 0.99));
     bare_p50.push_back(quantile(bare, 0.5));
     bare_p99.push_back(quantile(bare, 0.99));
     one_p50.push_back(quantile(chain.one_hop_s, 0.5));
@@ -54,6 +59,7 @@ struct Rows {
     two_p50.push_back(quantile(chain.two_hops_s, 0.5));
     two_p99.push_back(quantile(chain.two_hops_s, 0.99));
     one_over_bare.push_back(one_p50.back() / bare_p50.back());
+    one_over_fan.push_back(one_p50.back() / fan_p50.back());
     two_over_bare.push_back(two_p50.back() / bare_p50.back());
     for (const auto& [service, p50] : chain.truth_receipt_p50_s) truth_receipt_p50[service].push_back(p50);
     for (const auto& [service, end] : chain.services) {
@@ -70,9 +76,11 @@ void print(double rate_hz, const std::string& transport, const Rows& rows) {
   std::printf("%.0f Hz, %s, medians of %zu blocks\n", rate_hz, transport.c_str(), rows.bare_p50.size());
   line("bare hop", rows.bare_p50, rows.bare_p99);
   std::printf("\n");
+  line("bare hop to three readers", rows.fan_p50, rows.fan_p99);
+  std::printf("\n");
   line("truth to IMU", rows.one_p50, rows.one_p99);
-  std::printf("   p50 over bare %.2f (%.2f to %.2f)\n", median(rows.one_over_bare), quantile(rows.one_over_bare, 0.0),
-              quantile(rows.one_over_bare, 1.0));
+  std::printf("   p50 over bare %.2f (%.2f to %.2f), over three readers' %.2f\n", median(rows.one_over_bare),
+              quantile(rows.one_over_bare, 0.0), quantile(rows.one_over_bare, 1.0), median(rows.one_over_fan));
   line("truth to the IMU's subscriber", rows.two_p50, rows.two_p99);
   std::printf("   p50 over bare %.2f (%.2f to %.2f)\n", median(rows.two_over_bare), quantile(rows.two_over_bare, 0.0),
               quantile(rows.two_over_bare, 1.0));
@@ -90,12 +98,14 @@ void measure(const Options& options, double rate_hz, const std::string& transpor
   app::NetworkOptions network;
   network.domain = options.domain;
   network.transport = transport;
-  const bench::BareHop hop{app::participant_options(network, "bench"), rate_hz, options.duration_s};
+  const bench::BareHop hop{app::participant_options(network, "bench"), rate_hz, options.duration_s, 1};
+  const bench::BareHop fan{hop.network, rate_hz, options.duration_s, 3};
   const bench::ChainSettings settings{rate_hz, options.duration_s, transport, options.domain, folder};
   Rows rows;
   for (int i = 0; i < options.repetitions; ++i) {
     const std::vector<double> bare = bench::measure_bare_hop(hop, transport, folder);
-    rows.add(bare, bench::run_chain(settings), options.duration_s);
+    const std::vector<double> three = bench::measure_bare_hop(fan, transport, folder);
+    rows.add(bare, three, bench::run_chain(settings), options.duration_s);
   }
   print(rate_hz, transport, rows);
 }
@@ -105,7 +115,7 @@ int run_body(const Options& options) {
   network.domain = options.domain;
   network.transport = options.transports.front();
   const bench::BareHop hop{app::participant_options(network, options.body), options.rates_hz.front(),
-                           options.duration_s};
+                           options.duration_s, options.readers};
   return options.body == "bare-writer" ? bench::write_bare_hop(hop) : bench::read_bare_hop(hop, options.result_file);
 }
 
@@ -126,6 +136,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--domain", options.domain, "DDS domain")->capture_default_str();
   app.add_option("--body", options.body, "what a process of the bench does itself")->group("");
+  app.add_option("--readers", options.readers)->group("");
   app.add_option("--result", options.result_file)->group("");
   CLI11_PARSE(app, argc, argv);
   try {
