@@ -49,6 +49,7 @@ namespace detail {
 inline constexpr std::string_view kVectorAxes[] = {"x", "y", "z"};
 inline constexpr std::string_view kQuaternionAxes[] = {"w", "x", "y", "z"};
 inline constexpr std::string_view kCrossAxes[] = {"xy", "xz", "yx", "yz", "zx", "zy"};
+inline constexpr std::string_view kMatrixAxes[] = {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
 
 class ColumnLister {
  public:
@@ -87,6 +88,8 @@ class ColumnLister {
       add_axes(kQuaternionAxes);
     } else if constexpr (std::is_same_v<T, Vector6>) {
       add_axes(kCrossAxes);
+    } else if constexpr (std::is_same_v<T, Vector9>) {
+      add_axes(kMatrixAxes);
     } else if constexpr (std::is_same_v<T, Vector3>) {
       add_axes(kVectorAxes);
     } else if constexpr (is_list<T>) {

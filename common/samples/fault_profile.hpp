@@ -5,6 +5,16 @@
 namespace inslab {
 inline namespace samples {
 
+/// What is wrong with one axis of an IMU: it repeats its last increment, shows the wrong sign, or no number at all.
+enum class AxisFault : std::uint32_t { None, Stuck, SignFlip, Nan };
+
+template <>
+struct EnumNames<AxisFault> {
+  static constexpr std::string_view type = "AxisFault";
+  static constexpr std::string_view prefix = "AXIS_FAULT_";
+  static constexpr std::array<std::string_view, 4> values{"none", "stuck", "sign_flip", "nan"};
+};
+
 /// Faults of one sensor, all off by default: topic inslab/profile/fault.
 struct FaultProfile {
   static constexpr ProfileKind kind = ProfileKind::Fault;
@@ -13,10 +23,16 @@ struct FaultProfile {
   ProfileRequest request;
   std::string name;
   std::string source;
-  Vector3 gyro_bias_jump_deg_per_h = Vector3::Zero();  ///< imu
-  Vector3 accel_bias_jump_mgal = Vector3::Zero();      ///< imu
-  Vector3 position_jump_ned_m = Vector3::Zero();       ///< gnss
-  bool outage = false;                                 ///< gnss: no fixes while on
+  Vector3 gyro_bias_jump_deg_per_h = Vector3::Zero();              ///< imu
+  Vector3 accel_bias_jump_mgal = Vector3::Zero();                  ///< imu
+  Vector3 gyro_noise_burst_deg_per_sqrt_h = Vector3::Zero();       ///< imu
+  Vector3 accel_noise_burst_m_per_s_per_sqrt_h = Vector3::Zero();  ///< imu
+  std::array<AxisFault, 3> gyro_axes{};                            ///< imu
+  std::array<AxisFault, 3> accel_axes{};                           ///< imu
+  bool gyro_silent = false;                                        ///< imu: no rates while on
+  bool accel_silent = false;                                       ///< imu: no specific forces while on
+  Vector3 position_jump_ned_m = Vector3::Zero();                   ///< gnss
+  bool outage = false;                                             ///< gnss: no fixes while on
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -26,6 +42,18 @@ struct FaultProfile {
           self.gyro_bias_jump_deg_per_h);
     visit(Field("accel_bias_jump_mgal", "imu: bias added while the fault is on").in(-1e7, 1e7),
           self.accel_bias_jump_mgal);
+    visit(Field("gyro_noise_burst_deg_per_sqrt_h", "imu: white noise added while the fault is on").in(0.0, 1e5),
+          self.gyro_noise_burst_deg_per_sqrt_h);
+    visit(Field("accel_noise_burst_m_per_s_per_sqrt_h", "imu: white noise added while the fault is on").in(0.0, 1e5),
+          self.accel_noise_burst_m_per_s_per_sqrt_h);
+    visit(Field("gyro_fault_x", "imu: what is wrong with the axis"), self.gyro_axes[0]);
+    visit(Field("gyro_fault_y", "imu: what is wrong with the axis"), self.gyro_axes[1]);
+    visit(Field("gyro_fault_z", "imu: what is wrong with the axis"), self.gyro_axes[2]);
+    visit(Field("accel_fault_x", "imu: what is wrong with the axis"), self.accel_axes[0]);
+    visit(Field("accel_fault_y", "imu: what is wrong with the axis"), self.accel_axes[1]);
+    visit(Field("accel_fault_z", "imu: what is wrong with the axis"), self.accel_axes[2]);
+    visit(Field("gyro_silent", "imu: no rates while on"), self.gyro_silent);
+    visit(Field("accel_silent", "imu: no specific forces while on"), self.accel_silent);
     visit(Field("position_jump_ned_m", "gnss: offset added while the fault is on").in(-1e5, 1e5),
           self.position_jump_ned_m);
     visit(Field("outage", "gnss: no fix while on"), self.outage);

@@ -24,8 +24,8 @@
 /// reference page are visitors of that list. Order is the order on the wire.
 ///
 /// Kinds of field: bool, the integers uint8/uint32/int64/uint64, double, std::string (with a bound), enums described by
-/// `EnumNames`, Vector3/Quaternion/Vector6 (fixed arrays of double), RunId, `std::vector<struct>` (with a bound), and
-/// nested structs. Configuration (never on the wire) may also use std::optional of these.
+/// `EnumNames`, Vector3/Quaternion/Vector6/Vector9 (fixed arrays of double), RunId, `std::vector<struct>` (with a
+/// bound), and nested structs. Configuration (never on the wire) may also use std::optional of these.
 ///
 /// The structs live in the inline namespace `samples`, so that they share their names with the types generated from
 /// idl/, which live in `inslab` itself, without being the same types to the linker.
@@ -34,6 +34,7 @@ inline namespace samples {
 
 using Vector3 = Eigen::Vector3d;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Vector9 = Eigen::Matrix<double, 9, 1>;  // a 3x3 matrix row by row
 using Matrix3 = Eigen::Matrix3d;
 using Quaternion = Eigen::Quaterniond;  // Hamilton; scalar first in files and on the wire
 

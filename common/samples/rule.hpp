@@ -42,6 +42,13 @@ enum class Rule : std::uint32_t {
   AntennaMounting,     ///< an antenna has no axes
   FixTypeGiven,        ///< a receiver without any fix is a fault, not an error profile
   FaultFitsSensor,     ///< bias jumps are faults of IMUs, outages and position jumps of receivers
+  FullScale,           ///< an accelerometer that saturates reads at least 1 g
+  NonlinearityScale,   ///< a non-linearity in parts of full scale has a full scale
+  TemperatureInOrder,  ///< corners of the temperature are in order of time
+  RandomTable,         ///< a spectral density has two or more corners, in order of frequency
+  MotionReach,         ///< a mount moves at most 5 cm and 2 deg
+  MotionFrequency,     ///< and at most 2 kHz
+  MotionHarmonic,      ///< random vibration is for the sensor domain
   // Requests only.
   ApplyTime,  ///< within the longest scenario
 };
@@ -50,7 +57,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 31> values{"readable",
+  static constexpr std::array<std::string_view, 38> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -80,6 +87,13 @@ struct EnumNames<Rule> {
                                                            "antenna_mounting",
                                                            "fix_type_given",
                                                            "fault_fits_sensor",
+                                                           "full_scale",
+                                                           "nonlinearity_scale",
+                                                           "temperature_in_order",
+                                                           "random_table",
+                                                           "motion_reach",
+                                                           "motion_frequency",
+                                                           "motion_harmonic",
                                                            "apply_time"};
 };
 /// Rules that no file can break: the rest is shown by the files of config/invalid.

@@ -32,6 +32,18 @@ template <>
 struct NestedName<AngularSinusoid> {
   static constexpr std::string_view value = "AngularSinusoid";
 };
+template <>
+struct NestedName<TemperaturePoint> {
+  static constexpr std::string_view value = "TemperaturePoint";
+};
+template <>
+struct NestedName<LinearRandomPoint> {
+  static constexpr std::string_view value = "LinearRandomPoint";
+};
+template <>
+struct NestedName<AngularRandomPoint> {
+  static constexpr std::string_view value = "AngularRandomPoint";
+};
 
 /// Collects the definitions of a type and of everything it holds, each once, in the order of dependence.
 class IdlWriter {
@@ -120,6 +132,8 @@ class IdlWriter {
       return "double " + name + "[3]";
     } else if constexpr (std::is_same_v<T, Vector6>) {
       return "double " + name + "[6]";
+    } else if constexpr (std::is_same_v<T, Vector9>) {
+      return "double " + name + "[9]";
     } else {
       return type_name<T>(field) + " " + name;
     }
