@@ -3,8 +3,9 @@
 #include <array>
 #include <vector>
 
+#include "allan/allan_stream.hpp"
+#include "allan/noise_model.hpp"
 #include "services/imu_error_injector/model.hpp"
-#include "tests/statistical/allan_deviation.hpp"
 
 /// The random errors of the whole IMU model, read off its output by Allan variance: several seeds and three axes give
 /// independent estimates, and the tolerance is 4 standard errors from their own spread. (With 48 estimates that is
@@ -12,8 +13,8 @@
 namespace inslab::imu {
 namespace {
 
-using test::allan_variance;
-using test::gauss_markov_allan_variance;
+using allan::allan_variance;
+using allan::overlapped_allan_variance;
 
 constexpr std::uint64_t kSeeds = 8;
 
@@ -64,7 +65,7 @@ TEST(ImuStatistics, RandomWalksComeBackFromTheAllanVariance) {
   ImuErrorProfile errors;
   errors.gyro.arw_deg_per_sqrt_h = {arw[0], arw[1], arw[2]};
   errors.accel.vrw_m_per_s_per_sqrt_h = {vrw[0], vrw[1], vrw[2]};
-  const std::array<std::size_t, 4> windows{1, 10, 200, 2000};
+  const std::array<std::int64_t, 4> windows{1, 10, 200, 2000};
   std::array<std::array<std::vector<double>, 4>, 6> ratios;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const auto angle = integrated_output(errors, seed, 200.0, 240000);
@@ -72,7 +73,8 @@ TEST(ImuStatistics, RandomWalksComeBackFromTheAllanVariance) {
       const double density = axis < 3 ? arw[axis] * units::kDegPerSqrtH : vrw[axis - 3] * units::kMPerSPerSqrtH;
       for (std::size_t w = 0; w < windows.size(); ++w) {
         const double tau_s = static_cast<double>(windows[w]) * 0.005;
-        ratios[axis][w].push_back(allan_variance(angle[axis], windows[w], 0.005) * tau_s / (density * density));
+        ratios[axis][w].push_back(overlapped_allan_variance(angle[axis], 0.005, windows[w]).variance * tau_s /
+                                  (density * density));
       }
     }
   }
@@ -92,14 +94,17 @@ TEST(ImuStatistics, GaussMarkovBiasFollowsTheAllanVarianceOfAHeldProcess) {
   errors.gyro.bias_gm_correlation_time_s.setConstant(10.0);
   errors.accel.bias_gm_sigma_mgal.setConstant(1000.0);
   errors.accel.bias_gm_correlation_time_s.setConstant(10.0);
-  for (const std::size_t window : {1UL, 10UL, 100UL, 189UL, 1000UL}) {
+  for (const std::int64_t window : {1, 10, 100, 189, 1000}) {
     std::vector<double> ratios;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       const auto angle = integrated_output(errors, seed, 10.0, 72000);
       for (int axis = 0; axis < 6; ++axis) {
         const double sigma = axis < 3 ? 36.0 * units::kDegPerH : 1000.0 * units::kMGal;
-        ratios.push_back(allan_variance(angle[axis], window, 0.1) /
-                         (sigma * sigma * gauss_markov_allan_variance(window, 0.1, 10.0)));
+        allan::NoiseModel held;
+        held.gm_sigma = sigma;
+        held.gm_correlation_time_s = 10.0;
+        ratios.push_back(overlapped_allan_variance(angle[axis], 0.1, window).variance /
+                         allan_variance(held, 0.1, window));
       }
     }
     const Estimate estimate = pooled(ratios);
