@@ -5,86 +5,14 @@
 #include <limits>
 
 #include "allan/minimize.hpp"
+#include "allan/search_variables.hpp"
 
 namespace inslab::allan {
 namespace {
 
 constexpr double kTolerance = 1e-4;  ///< of a logarithm of likelihood: 1/30000 of what a 99 % interval allows
-constexpr double kMaxLogTime = 25.0;
-constexpr double kMinLogTime = -25.0;
-
-/// Which of sigma and T stands beside the drive as a variable of the search: the one that may be held.
-enum class GmVariable { Sigma, CorrelationTime };
-
-/// The variables of a search, logarithms all.
-class Variables {
- public:
-  Variables(std::vector<Term> terms, GmVariable gm) : terms_(std::move(terms)), gm_(gm) {}
-
-  std::vector<double> of(const NoiseModel& model) const {
-    std::vector<double> x;
-    for (const Term term : terms_) {
-      if (term == Term::GaussMarkov) {
-        const double log_sigma = std::log(model.gm_sigma);
-        const double log_time = std::log(model.gm_correlation_time_s);
-        x.push_back(gm_ == GmVariable::Sigma ? log_sigma : log_time);
-        x.push_back(log_sigma - 0.5 * log_time);
-      } else {
-        x.push_back(std::log(value_of(model, parameters_of(term).front())));
-      }
-    }
-    return x;
-  }
-
-  NoiseModel model(const std::vector<double>& x) const {
-    NoiseModel model;
-    std::size_t i = 0;
-    for (const Term term : terms_) {
-      const double first = x[i++];
-      switch (term) {
-        case Term::White:
-          model.white = std::exp(first);
-          break;
-        case Term::Quantization:
-          model.quantization = std::exp(first);
-          break;
-        case Term::Flicker:
-          model.flicker = std::exp(first);
-          break;
-        case Term::RandomWalk:
-          model.random_walk = std::exp(first);
-          break;
-        case Term::GaussMarkov: {
-          const double half_log_drive = x[i++];
-          const double log_time = gm_ == GmVariable::Sigma ? 2.0 * (first - half_log_drive) : first;
-          const double bounded = std::clamp(log_time, kMinLogTime, kMaxLogTime);
-          model.gm_correlation_time_s = std::exp(bounded);
-          model.gm_sigma = gm_ == GmVariable::Sigma ? std::exp(first) : std::exp(half_log_drive + 0.5 * bounded);
-          break;
-        }
-      }
-    }
-    return model;
-  }
-
-  /// Where `parameter` stands; it is a variable.
-  std::size_t index(Parameter parameter) const {
-    std::size_t i = 0;
-    for (const Term term : terms_) {
-      const auto parameters = parameters_of(term);
-      if (std::find(parameters.begin(), parameters.end(), parameter) != parameters.end()) return i;
-      i += parameters.size();
-    }
-    return i;
-  }
-
- private:
-  std::vector<Term> terms_;
-  GmVariable gm_;
-};
-
 /// The best model when variable `held` of `variables` keeps its value in `x`.
-std::pair<NoiseModel, double> best_with_held(const LogLikelihood& log_likelihood, const Variables& variables,
+std::pair<NoiseModel, double> best_with_held(const LogLikelihood& log_likelihood, const SearchVariables& variables,
                                              const std::vector<double>& x, std::size_t held) {
   std::vector<double> rest = x;
   rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(held));
@@ -98,7 +26,7 @@ std::pair<NoiseModel, double> best_with_held(const LogLikelihood& log_likelihood
   return {variables.model(whole(place)), -value};
 }
 
-Variables variables_for(const Fit& fit, Parameter parameter) {
+SearchVariables variables_for(const Fit& fit, Parameter parameter) {
   return {fit.terms, parameter == Parameter::GmSigma ? GmVariable::Sigma : GmVariable::CorrelationTime};
 }
 
@@ -214,7 +142,7 @@ NoiseModel first_guess(const Likelihood& record, const std::vector<Term>& terms)
 }
 
 Fit maximize(const LogLikelihood& log_likelihood, const std::vector<Term>& terms, const NoiseModel& guess) {
-  const Variables variables(terms, GmVariable::CorrelationTime);
+  const SearchVariables variables(terms, GmVariable::CorrelationTime);
   const auto cost = [&](const std::vector<double>& x) { return -log_likelihood(variables.model(x)); };
   // A simplex may end on a slope; one that begins anew from there does not end on the same.
   const auto rough = minimize(cost, variables.of(guess), 0.5, 0.1);
@@ -265,7 +193,7 @@ Fit select(const Likelihood& record) {
 }
 
 double drop_at(const LogLikelihood& log_likelihood, const Fit& fit, Parameter parameter, double value) {
-  const Variables variables = variables_for(fit, parameter);
+  const SearchVariables variables = variables_for(fit, parameter);
   std::vector<double> x = variables.of(fit.model);
   const std::size_t held = variables.index(parameter);
   x[held] = std::log(value);
@@ -274,7 +202,7 @@ double drop_at(const LogLikelihood& log_likelihood, const Fit& fit, Parameter pa
 
 Interval likelihood_interval(const LogLikelihood& log_likelihood, const Fit& fit, Parameter parameter,
                              double confidence) {
-  const Variables variables = variables_for(fit, parameter);
+  const SearchVariables variables = variables_for(fit, parameter);
   const std::vector<double> best = variables.of(fit.model);
   const std::size_t held = variables.index(parameter);
   const double limit = 0.5 * chi_square_quantile(confidence, 1.0);

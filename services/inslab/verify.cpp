@@ -1,10 +1,11 @@
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
 
 #include "app/exit_code.hpp"
 #include "services/inslab/commands.hpp"
-#include "services/inslab/verify/table.hpp"
+#include "services/inslab/verify/allan.hpp"
 
 namespace inslab::cli {
 
@@ -17,8 +18,13 @@ struct Verification {
   std::vector<verify::Table> (*run)(bool full);
 };
 
+void say(const std::string& what) { spdlog::info(what); }
+
 const std::vector<Verification>& verifications() {
-  static const std::vector<Verification> list{};
+  static const std::vector<Verification> list{
+      {"allan", "Random errors of the IMU by Allan variance (thesis tables 4-4 to 4-7)",
+       [](bool full) { return verify::allan_tables(full, say); }},
+  };
   return list;
 }
 
