@@ -6,6 +6,7 @@
 #include "app/exit_code.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/verify/allan.hpp"
+#include "services/inslab/verify/increments.hpp"
 
 namespace inslab::cli {
 
@@ -24,6 +25,8 @@ const std::vector<Verification>& verifications() {
   static const std::vector<Verification> list{
       {"allan", "Random errors of the IMU by Allan variance (thesis tables 4-4 to 4-7)",
        [](bool full) { return verify::allan_tables(full, say); }},
+      {"increments", "Order of the error of mechanized increments, and of rate times interval",
+       [](bool) { return verify::increments(60.0); }},
   };
   return list;
 }

@@ -2,7 +2,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "services/trajectory_server/inverse_mechanization_model.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
+#include "tests/unit/trajectory_server/file_rows.hpp"
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::trajectory {
@@ -30,12 +32,23 @@ void ManySegments(benchmark::State& state) {
   drive(state, table, 200.0);
 }
 
+/// Rows at the rate given, truth at 200 Hz.
+void InverseMechanization(benchmark::State& state) {
+  const auto file =
+      std::make_shared<io::TrajectoryFile>(rows_of(tables::vehicle(), static_cast<double>(state.range(0)), 1200.0));
+  InverseMechanizationModel model(file, nav::Gravity(), {}, time::Rate(200.0), {2300, 0});
+  double sum = 0.0;
+  for (auto _ : state) benchmark::DoNotOptimize(sum += model.advance().dv_v.x());
+  state.SetItemsProcessed(state.iterations());
+}
+
 // 240000 samples are 20 minutes: what follows the table is cheaper and not counted.
 BENCHMARK(Static)->Iterations(240000);
 BENCHMARK(Vehicle)->Iterations(240000);
 BENCHMARK(Aircraft)->Iterations(240000);
 BENCHMARK(Ship)->Iterations(240000);
 BENCHMARK(VehicleAt1kHz)->Iterations(1200000);
+BENCHMARK(InverseMechanization)->Arg(200)->Arg(10)->Iterations(240000);
 BENCHMARK(ManySegments)->Arg(600)->Arg(50000)->Iterations(240000);
 
 }  // namespace

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+
+#include "io/trajectory_file.hpp"
+#include "scenario/load.hpp"
+#include "services/inslab/verify/table.hpp"
+
+namespace inslab::verify {
+
+/// A trajectory with the figure published for it.
+struct LoopCase {
+  std::string name;
+  scenario::Trajectory trajectory;
+  double published_position_m = 0.0;  ///< thesis table 4-2, RMS, to its four decimals
+  time::Nanoseconds duration{0};
+};
+
+/// A tenth of the published figure, where that is 0.0003 m or below 3e-5 m.
+double position_limit_m(const LoopCase& one);
+
+/// The trajectories of thesis table 4-2, from the catalogue in the folder `scenarios`. Throws config::Error.
+std::vector<LoopCase> loop_cases(const std::filesystem::path& scenarios);
+
+/// The same for an hour, the table's segments repeated; what ends itself is left out.
+std::vector<LoopCase> for_an_hour(std::vector<LoopCase> cases);
+
+/// Files at 200 Hz, `inverse_mechanization`, IMU, mechanization, against the files.
+Table inverse_mechanization_table(const std::string& title, const std::vector<LoopCase>& cases);
+
+/// The first `duration` of the case's rows with what real files have: velocities biased by some cm/s, a position that
+/// jitters by 2 cm from row to row and steps by 0.5 m half-way.
+std::shared_ptr<const io::TrajectoryFile> contradictory_rows(const LoopCase& one, time::Nanoseconds duration);
+
+/// Files whose position and velocity contradict each other, by `inverse_mechanization`: how far the result goes from
+/// the file's positions, beside the bound that file and feedback set.
+Table contradiction_table(const std::vector<std::shared_ptr<const io::TrajectoryFile>>& files);
+
+/// All of the command: the catalogue as it is and for an hour, and a made contradictory file.
+std::vector<Table> closed_loop(const std::filesystem::path& scenarios);
+
+}  // namespace inslab::verify

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "io/trajectory_file.hpp"
+#include "nav/gravity.hpp"
+#include "scenario/trajectory.hpp"
+#include "services/inslab/verify/deviation.hpp"
+#include "services/trajectory_server/truth_model.hpp"
+#include "time/rate.hpp"
+
+namespace inslab::verify {
+
+/// The rows of a motion table's first `duration` at `rate`, fewer when the motion ends itself before, with the decimals
+/// that a file of ours has: 12 of latitude and longitude in deg, 6 of height in m and velocity in m/s, 9 of attitude in
+/// deg.
+std::shared_ptr<const io::TrajectoryFile> rows_as_written(const scenario::Trajectory& trajectory,
+                                                          const std::string& name, const time::Rate& rate,
+                                                          time::Nanoseconds duration);
+
+/// Truth to perfect IMU to a navigation app's two-sample mechanization that begins at the truth's first state, for
+/// `steps` intervals of `rate`; each state found is held against `expected`.
+DeviationFigures close_loop(trajectory::TruthModel& truth, const nav::Gravity& gravity,
+                            const nav::Strapdown::Options& options, const time::Rate& rate, std::uint64_t steps,
+                            const std::function<nav::NavState(const TruthState&)>& expected);
+
+/// The same with `inverse_mechanization` of `file` as truth, held against the file, as far as the file reaches.
+DeviationFigures close_file_loop(const std::shared_ptr<const io::TrajectoryFile>& file, const nav::Gravity& gravity,
+                                 const time::Rate& rate);
+
+}  // namespace inslab::verify
