@@ -18,6 +18,7 @@ class ReferenceWriter {
   struct Row {
     std::string text;  ///< all but the meaning
     std::string meaning;
+    std::string path;
   };
   std::vector<Row> rows;
 
@@ -55,17 +56,20 @@ class ReferenceWriter {
     }
   }
 
-  /// Each row once, with the values of the discriminator that have it unless all have.
+  /// Each row once, with the values of the discriminator that have it unless all have or what encloses it says so.
   template <class T>
   void alternatives(const std::string& prefix, T& value) {
     std::vector<Row> merged;
     std::vector<std::vector<std::string>> holders;
+    ReferenceWriter as_declared(prefix);
+    T::fields(value, as_declared);
     DiscriminatorSetter setter{0, {}, 1, {}};
     for (std::size_t i = 0; i < setter.alternatives; ++i) {
       setter = {i, {}, 0, {}};
       T::fields(value, setter);
       ReferenceWriter inner(prefix);
       T::fields(value, inner);
+      inner.rows.front() = as_declared.rows.front();  // the discriminator, with the default it had before it was set
       for (const Row& row : inner.rows) {
         const auto same = std::find_if(merged.begin(), merged.end(), [&](const Row& r) { return r.text == row.text; });
         if (same == merged.end()) holders.emplace_back();
@@ -73,11 +77,16 @@ class ReferenceWriter {
         if (same == merged.end()) merged.push_back(row);
       }
     }
+    const Row* said = nullptr;
     for (std::size_t i = 0; i < merged.size(); ++i) {
-      if (holders[i].size() < setter.alternatives) {
+      const bool is_inside = said != nullptr && merged[i].path.size() > said->path.size() &&
+                             merged[i].path.compare(0, said->path.size(), said->path) == 0 &&
+                             std::string_view(".[").find(merged[i].path[said->path.size()]) != std::string_view::npos;
+      if (holders[i].size() < setter.alternatives && !is_inside) {
         std::string of = setter.key + " ";
         for (const std::string& name : holders[i]) of += (&name == &holders[i].front() ? "" : ", ") + name;
         merged[i].meaning = of + (merged[i].meaning.empty() ? "" : ": " + merged[i].meaning);
+        said = &merged[i];
       }
       rows.push_back(merged[i]);
     }
@@ -85,7 +94,7 @@ class ReferenceWriter {
 
   void line(const Field& field, const std::string& path, const std::string& type, const std::string& initial) {
     rows.push_back({"| `" + path + "` | " + type + " | " + (field.is_required ? "required" : initial) + " | ",
-                    std::string(field.meaning)});
+                    std::string(field.meaning), path});
   }
 
   static std::string range(const Field& field) {

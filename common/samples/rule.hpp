@@ -34,6 +34,15 @@ enum class Rule : std::uint32_t {
   TargetSpeedAlone,   ///< nothing else accelerates along the axis of a target speed
   TargetSpeedOnNose,  ///< the axis of a target speed does not turn away from the velocity
   TrajectoryLength,   ///< at most 1e9 s
+  MethodNeeds,        ///< the file has the columns that the method works on
+  FileCoversRun,      ///< the file's rows reach to the end of the run
+  // The rows of a trajectory file.
+  FileColumns,   ///< known columns, each once, enough of them, and the same number in every row
+  FileTime,      ///< time increases
+  FileGap,       ///< rows follow each other within the stated limit
+  FileVelocity,  ///< the velocity agrees with the positions
+  FileStep,      ///< position, velocity and attitude do not jump
+  FileOffTrack,  ///< the nose does not point away from the velocity, when that is judged
   // Several fields of a profile.
   ProfileFitsSensor,   ///< IMU profiles go to IMUs, GNSS profiles to receivers
   OnlyVibrationFades,  ///< a fade is for vibration
@@ -57,7 +66,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 38> values{"readable",
+  static constexpr std::array<std::string_view, 46> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -80,6 +89,14 @@ struct EnumNames<Rule> {
                                                            "target_speed_alone",
                                                            "target_speed_on_nose",
                                                            "trajectory_length",
+                                                           "method_needs",
+                                                           "file_covers_run",
+                                                           "file_columns",
+                                                           "file_time",
+                                                           "file_gap",
+                                                           "file_velocity",
+                                                           "file_step",
+                                                           "file_off_track",
                                                            "profile_fits_sensor",
                                                            "only_vibration_fades",
                                                            "correlation_time",

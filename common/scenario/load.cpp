@@ -1,6 +1,8 @@
 #include "scenario/load.hpp"
 
 #include "config/json_reader.hpp"
+#include "io/error.hpp"
+#include "io/trajectory_judge.hpp"
 #include "samples/profile_rules.hpp"
 
 namespace inslab::scenario {
@@ -79,6 +81,8 @@ class NamedFiles {
 
 std::optional<Violation> missing_file(const Scenario& scenario, const std::filesystem::path& folder) {
   NamedFiles files(folder);
+  const Trajectory& trajectory = scenario.trajectory;
+  if (trajectory.source == TrajectorySource::File) files.look_for("trajectory.file.path", trajectory.file.path);
   const auto at = [](const char* list, std::size_t index) { return list + ("[" + std::to_string(index) + "]."); };
   for (std::size_t i = 0; i < scenario.imu.size(); ++i) {
     const ImuSensor& imu = scenario.imu[i];
@@ -97,6 +101,41 @@ std::optional<Violation> missing_file(const Scenario& scenario, const std::files
     files.look_for(at("swaps", i) + "profile", scenario.swaps[i].profile);
   }
   return files.missing;
+}
+
+io::TrajectoryReading read_rows(const std::filesystem::path& file, const FileMotion& motion) {
+  try {
+    return io::read_trajectory(file.string(), {motion.columns, motion.topic, true});
+  } catch (const io::ReadError& error) {
+    const std::string prefix = file.string() + ": ";
+    const std::string what = error.what();
+    throw config::Error(file.string(),
+                        {Rule::Readable, "", what.rfind(prefix, 0) == 0 ? what.substr(prefix.size()) : what});
+  }
+}
+
+/// The rows of a trajectory's file, held to its limits and to what the method needs.
+std::shared_ptr<const io::TrajectoryFile> load_rows(const std::filesystem::path& file, const FileMotion& motion) {
+  io::TrajectoryReading reading = read_rows(file, motion);
+  if (reading.problems.empty()) io::judge_trajectory(reading, motion.limits, true);
+  if (!reading.problems.empty()) throw config::Error(file.string(), reading.problems.kept().front());
+  const io::TrajectoryRow& first = reading.file.rows.front();
+  if (motion.method == FileMethod::InverseMechanization && !(first.v_n && first.rpy)) {
+    throw config::Error(file.string(), {Rule::MethodNeeds, "",
+                                        std::string("has no ") + (first.v_n ? "attitude" : "velocity") +
+                                            "; expected both for the method inverse_mechanization"});
+  }
+  return std::make_shared<const io::TrajectoryFile>(std::move(reading.file));
+}
+
+void check_rows_cover_run(const LoadedScenario& loaded) {
+  const time::Nanoseconds last_sample = loaded.truth_rate.at(loaded.truth_samples - 1);
+  const time::Nanoseconds last_row = loaded.trajectory_file->rows.back().time;
+  if (last_sample <= last_row) return;
+  throw config::Error(loaded.file.string(), {Rule::FileCoversRun, "duration_s",
+                                             "is " + inslab::detail::number_text(loaded.scenario.duration_s) +
+                                                 "; the rows of the trajectory's file reach to " +
+                                                 inslab::detail::number_text(time::to_seconds(last_row)) + " s"});
 }
 
 }  // namespace
@@ -128,6 +167,10 @@ LoadedScenario load(const std::filesystem::path& file) {
   loaded.truth_samples =
       1 + static_cast<std::uint64_t>(time::from_seconds(scenario.duration_s) / loaded.truth_rate.period());
   const std::filesystem::path folder = file.parent_path();
+  if (scenario.trajectory.source == TrajectorySource::File) {
+    loaded.trajectory_file = load_rows(folder / scenario.trajectory.file.path, scenario.trajectory.file);
+    check_rows_cover_run(loaded);
+  }
   for (const ImuSensor& sensor : scenario.imu) loaded.imus.push_back(load_imu(folder, sensor));
   for (const GnssSensor& sensor : scenario.gnss) loaded.gnss.push_back(load_gnss(folder, sensor));
   std::uint64_t request_id = 1;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
+#include "io/trajectory_file.hpp"
 #include "scenario/scenario.hpp"
 #include "time/rate.hpp"
 
@@ -33,6 +35,9 @@ struct LoadedScenario {
   Scenario scenario;
   time::Rate truth_rate{200.0};
   std::uint64_t truth_samples = 0;  ///< sample 0 included
+  /// What the trajectory's file says, judged by its limits; null when the trajectory has none. Its rows reach from sim
+  /// time 0 to the last sample at least, and they have what the method needs.
+  std::shared_ptr<const io::TrajectoryFile> trajectory_file;
   std::vector<LoadedImu> imus;
   std::vector<LoadedGnss> gnss;
   std::vector<AnyProfile> swaps;  ///< requests in order: target and request are filled in

@@ -7,6 +7,7 @@
 #include "nav/gravity.hpp"
 #include "samples/field.hpp"
 #include "samples/violation.hpp"
+#include "scenario/file_motion.hpp"
 
 /// The motion part of a scenario: where the vehicle starts and what it does, segment after segment.
 ///
@@ -118,6 +119,7 @@ struct GravityOptions {
 /// What the motion is made from.
 enum class TrajectorySource : std::uint32_t {
   MotionTable,  ///< segments, one after the other; after the last the vehicle goes on as it is
+  File,         ///< the rows of a file; LoadedScenario has them
 };
 
 /// The motion of the vehicle. Which parameters it has depends on `source`.
@@ -128,6 +130,7 @@ struct Trajectory {
   GravityOptions gravity;
   InitialState initial;           ///< motion_table
   std::vector<Segment> segments;  ///< motion_table
+  FileMotion file;                ///< file
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -137,6 +140,9 @@ struct Trajectory {
       case TrajectorySource::MotionTable:
         visit(Field("initial", "state at the scenario's start").required(), self.initial);
         visit(Field("segments", "one after the other").at_most(100000), self.segments);
+        break;
+      case TrajectorySource::File:
+        visit(Field("file", "the rows and how the motion is made from them").required(), self.file);
         break;
     }
   }
@@ -285,7 +291,7 @@ template <>
 struct EnumNames<scenario::TrajectorySource> {
   static constexpr std::string_view type = "TrajectorySource";
   static constexpr std::string_view prefix = "TRAJECTORY_";
-  static constexpr std::array<std::string_view, 1> values{"motion_table"};
+  static constexpr std::array<std::string_view, 2> values{"motion_table", "file"};
 };
 template <>
 struct EnumNames<scenario::Axis> {

@@ -1,5 +1,6 @@
 #include "services/trajectory_server/truth_model.hpp"
 
+#include "config/error.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
 
 namespace inslab::trajectory {
@@ -9,6 +10,10 @@ std::unique_ptr<TruthModel> make_truth_model(const scenario::LoadedScenario& sce
   switch (trajectory.source) {
     case scenario::TrajectorySource::MotionTable:
       break;
+    case scenario::TrajectorySource::File:
+      throw config::Error(scenario.file.string(),
+                          {Rule::MethodNeeds, "trajectory.file.method",
+                           "is " + std::string(enum_name(trajectory.file.method)) + ", which is not built in"});
   }
   return std::make_unique<MotionTableModel>(trajectory, scenario.truth_rate, start);
 }

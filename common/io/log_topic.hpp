@@ -1,0 +1,45 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "io/error.hpp"
+#include "io/mcap_reader.hpp"
+#include "wire/cdr.hpp"
+#include "wire/wire_type.hpp"
+
+namespace inslab::io {
+
+/// The channels of a topic whose samples are of the named type; empty when the log has none.
+std::set<std::uint16_t> channels_of(const McapReader& log, const std::string& topic, std::string_view type);
+
+/// The topics of a log with their types, for messages: "inslab/truth (inslab::TruthState), ...".
+std::string topics_text(const McapReader& log);
+
+/// Calls `visit(sample, number)` with the samples of a topic in the order of their log times, `number` counting the
+/// topic's messages from 1; `visit` returns false to stop. Messages that do not decode are left out and counted: the
+/// count is returned. Throws ReadError, also when the log has no such topic of this type.
+template <class T, class Visit>
+std::uint64_t for_each_sample(const McapReader& log, const std::string& topic, Visit visit) {
+  const std::set<std::uint16_t> channels = channels_of(log, topic, wire::WireType<T>::name);
+  if (channels.empty()) {
+    throw ReadError(log.path() + ": has no topic " + topic + " of the type " + std::string(wire::WireType<T>::name) +
+                    "; it has " + topics_text(log));
+  }
+  std::uint64_t number = 0;
+  std::uint64_t unreadable = 0;
+  T sample;
+  log.for_each(
+      [&](const mcap::Message& message) {
+        ++number;
+        if (!wire::decode(message.data, message.size, sample)) {
+          ++unreadable;
+          return true;
+        }
+        return visit(sample, number);
+      },
+      McapReader::Order::LogTime, channels);
+  return unreadable;
+}
+
+}  // namespace inslab::io

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+
+#include "io/trajectory_limits.hpp"
+#include "io/trajectory_reader.hpp"
+
+namespace inslab::io {
+
+/// The largest value of something, and the row at whose end it stands.
+struct Worst {
+  double value = 0.0;
+  std::size_t row = 0;
+};
+
+/// What a trajectory is like, measured row by row.
+struct TrajectoryFigures {
+  double shortest_interval_s = 0.0;
+  Worst longest_interval_s;
+  double fastest_m_per_s = 0.0;     ///< by the velocities; without them by the positions
+  Worst velocity_mismatch_m_per_s;  ///< see TrajectoryLimits
+  Worst position_step_m;            ///< what the mean of two velocities does not explain of a displacement
+  Worst acceleration_m_per_s2;
+  Worst rate_deg_per_s;
+  Worst off_track_deg;  ///< faster than kTrackSpeed
+};
+
+/// Slower than this a velocity does not tell a direction, m/s.
+inline constexpr double kTrackSpeed = 2.0;
+
+/// The displacement from row - 1 to row in NED at the former, less the trapezoid of the two velocities, m.
+nav::Vector3 unexplained_step_n(const TrajectoryFile& file, std::size_t row);
+
+/// Measures a trajectory of two rows or more, and adds a problem to the reading for every place where it breaks a
+/// limit; with `stop_at_first` measures no further than the first.
+TrajectoryFigures judge_trajectory(TrajectoryReading& reading, const TrajectoryLimits& limits, bool stop_at_first);
+
+}  // namespace inslab::io

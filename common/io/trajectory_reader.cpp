@@ -1,0 +1,41 @@
+#include "io/trajectory_reader.hpp"
+
+#include <array>
+
+#include "io/input_file.hpp"
+#include "io/trajectory_log.hpp"
+#include "io/trajectory_text.hpp"
+
+namespace inslab::io {
+
+void TrajectoryProblems::add(Violation problem) {
+  if (++counts_[problem.rule] <= kKeptPerRule) kept_.push_back(std::move(problem));
+}
+
+std::string TrajectoryReading::place(std::size_t row, Quantity quantity) const {
+  const std::string number = std::to_string(lines.at(row));
+  if (is_log()) return "message " + number;
+  const auto column = columns.find(quantity);
+  if (!column) return "line " + number;
+  return "line " + number + ", column " + std::to_string(*column + 1) + " (" + columns[*column].name + ")";
+}
+
+TrajectoryReading read_trajectory(const std::string& path, const TrajectoryReadOptions& options) {
+  // The MCAP specification's magic, without the version.
+  constexpr std::array<std::uint8_t, 5> kMcap{0x89, 'M', 'C', 'A', 'P'};
+  std::array<std::uint8_t, kMcap.size()> beginning{};
+  {
+    const InputFile file(path);
+    if (file.size() >= beginning.size()) file.read(0, beginning.data(), beginning.size());
+  }
+  TrajectoryReading reading =
+      beginning == kMcap ? read_trajectory_log(path, options) : read_trajectory_text(path, options);
+  reading.file.name = path;
+  if (reading.file.rows.size() < 2 && reading.problems.empty()) {
+    reading.problems.add(
+        {Rule::NotEmpty, "", "has " + std::to_string(reading.file.rows.size()) + " rows; expected at least 2"});
+  }
+  return reading;
+}
+
+}  // namespace inslab::io

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "io/trajectory_reader.hpp"
+
+namespace inslab::io {
+
+/// Adds rows to a reading in the order of the file: takes care of the first one's GPS time and of time that does not
+/// increase.
+class TrajectoryRows {
+ public:
+  explicit TrajectoryRows(TrajectoryReading& reading) : reading_(&reading) {}
+
+  /// `time` counts from the same zero in all rows; of the first one it becomes `start`. `row.time` is set here. Adds a
+  /// problem instead when time does not increase.
+  void add(std::uint64_t line, time::Nanoseconds time, const time::GpsTime& start, TrajectoryRow row);
+
+ private:
+  TrajectoryReading* reading_;
+  time::Nanoseconds first_{0};
+};
+
+}  // namespace inslab::io
