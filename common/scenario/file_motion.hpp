@@ -23,6 +23,7 @@ struct FileMotion {
   std::string topic = "inslab/truth";
   io::TrajectoryLimits limits;
   double position_feedback_per_s = 0.01;  ///< inverse_mechanization
+  bool full_rotation_term = false;        ///< inverse_mechanization
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -39,6 +40,8 @@ struct FileMotion {
     if (self.method == FileMethod::InverseMechanization) {
       visit(Field("position_feedback_per_s", "share of the position's error that the velocity takes back").in(0.0, 1.0),
             self.position_feedback_per_s);
+      visit(Field("full_rotation_term", "of the algorithm inverted: 1/6 dtheta x (dtheta x dv), as your app has it"),
+            self.full_rotation_term);
     }
   }
 };

@@ -47,6 +47,21 @@ TEST_P(LiveRun, GivesTheBitsOfTheOfflineRun) {
 INSTANTIATE_TEST_SUITE_P(Transports, LiveRun, testing::Values("udp", "shm"),
                          [](const auto& instance) { return std::string(instance.param); });
 
+TEST(LiveRun, AlongTheRowsOfAFileGivesTheBitsOfTheOfflineRun) {
+  const TestFolder folder;
+  const std::string scenario = source("tests/data/from_file.json");
+  Process live("inslab", {"run", scenario, "--log", folder / "live.mcap", "--domain", own_domain()});
+  ASSERT_EQ(live.wait(seconds(60)), 0) << live.output();
+  Process offline("inslab", {"simulate", scenario, "-o", folder / "offline"});
+  ASSERT_EQ(offline.wait(seconds(60)), 0) << offline.output();
+
+  const std::string live_log = folder / "live.mcap";
+  const std::string offline_log = folder / "offline/from_file.mcap";
+  expect_same_bits<TruthState>(live_log, offline_log, "inslab/truth", 1601);
+  expect_same_bits<ImuSample>(live_log, offline_log, "inslab/imu/0", 1600);
+  expect_same_bits<GnssFix>(live_log, offline_log, "inslab/gnss/0", 80);
+}
+
 TEST(LiveRun, SummaryNamesStreamsSwapsAndLog) {
   const TestFolder folder;
   Process live("inslab",

@@ -4,6 +4,7 @@
 
 #include "io/trajectory_file.hpp"
 #include "nav/attitude.hpp"
+#include "nav/strapdown.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
 
 /// Rows that a motion table gives, as a file would have them.

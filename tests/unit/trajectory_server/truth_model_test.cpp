@@ -1,0 +1,49 @@
+#include "services/trajectory_server/truth_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "services/trajectory_server/inverse_mechanization_model.hpp"
+#include "services/trajectory_server/motion_table_model.hpp"
+#include "tests/unit/trajectory_server/file_rows.hpp"
+
+namespace inslab::trajectory {
+namespace {
+
+scenario::LoadedScenario loaded(const std::string& name) {
+  return scenario::load(std::string(INSLAB_SOURCE_DIR) + "/tests/data/" + name);
+}
+
+TEST(TruthModel, IsTheMotionTablesForAMotionTable) {
+  const auto model = make_truth_model(loaded("short.json"), {2300, 0});
+  EXPECT_NE(dynamic_cast<const MotionTableModel*>(model.get()), nullptr);
+}
+
+TEST(TruthModel, FollowsTheRowsOfTheScenariosFile) {
+  const scenario::LoadedScenario scenario = loaded("from_file.json");
+  const auto model = make_truth_model(scenario, {2300, 0});
+  TruthState truth = model->current();
+  for (std::uint64_t k = 1; k < scenario.truth_samples; ++k) truth = model->advance();
+  const io::TrajectoryRow& last = scenario.trajectory_file->rows.back();
+  ASSERT_EQ(truth.header.sim_time_ns, last.time.count());
+  // Velocity linear over the 0.1 s between rows, where the turn's jerk is below 6 m/s^3: h^2/12 of it, for 8 s.
+  EXPECT_LT(nav::ned_from(last.position, state_of(truth).position).norm(), 6.0 * 0.01 / 12.0 * 8.0);
+  EXPECT_LT(nav::angle_between(truth.q_nv, nav::quaternion_from_rpy(*last.rpy)), 1e-14);
+}
+
+TEST(TruthModel, TakesFeedbackAndRotationTermFromTheScenario) {
+  scenario::LoadedScenario scenario = loaded("from_file.json");
+  const auto dv_after_second = [&scenario] {
+    const auto model = make_truth_model(scenario, {2300, 0});
+    for (int k = 0; k < 399; ++k) model->advance();
+    return model->advance().dv_v;
+  };
+  const Vector3 as_declared = dv_after_second();
+  scenario.scenario.trajectory.file.full_rotation_term = true;
+  EXPECT_NE(dv_after_second(), as_declared);
+  scenario.scenario.trajectory.file.full_rotation_term = false;
+  scenario.scenario.trajectory.file.position_feedback_per_s = 0.02;
+  EXPECT_NE(dv_after_second(), as_declared);
+}
+
+}  // namespace
+}  // namespace inslab::trajectory
