@@ -34,7 +34,7 @@ TruthState spinning(std::int64_t time_ns, const Vector3& rate_v, const Quaternio
 TruthState at_rest(std::int64_t time_ns) { return spinning(time_ns, Vector3::Zero(), Quaternion::Identity()); }
 
 GnssModel::Setup setup(double gnss_hz = 5.0) {
-  GnssModel::Setup s{42, 0, time::Rate(200.0), time::Rate(gnss_hz), {}, {}, {}};
+  GnssModel::Setup s{42, 0, time::Rate(200.0), time::Rate(gnss_hz), {}, {}, {}, {}};
   s.installation.target.kind = SensorKind::Gnss;
   return s;
 }
