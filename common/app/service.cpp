@@ -54,7 +54,7 @@ int run_service(const char* name, const char* purpose, const ServiceTraits& trai
   install_signal_handlers();
   warn_of_environment();
   try {
-    Context context(name, options, scenario::load(options.scenario));
+    Context context(name, options, scenario::load(options.scenario, options.network.unit));
     return body(context);
   } catch (const config::Error& error) {
     spdlog::error("{}", error.what());

@@ -55,4 +55,8 @@ Stream::Group Stream::uniform_group(std::uint64_t group) const {
   return numbers;
 }
 
+std::uint64_t seed_of(std::uint64_t seed, std::string_view name) {
+  return philox<1>(seed, 0, extended(kFnvOffset, name))[0].first[0];
+}
+
 }  // namespace inslab::random

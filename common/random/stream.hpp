@@ -44,6 +44,9 @@ class Stream {
   std::uint64_t name_hash_;
 };
 
+/// 64 bits drawn from (seed, name): the seed of what shares no stream with others of the same seed, such as a vehicle.
+std::uint64_t seed_of(std::uint64_t seed, std::string_view name);
+
 /// Reads the normal numbers of a stream; equal to Stream::normal at every index, and cheap for indices that follow each
 /// other. What it keeps is a cache, not a state.
 class NormalCursor {

@@ -32,6 +32,9 @@ struct FaultProfile {
   bool gyro_silent = false;                                        ///< imu: no rates while on
   bool accel_silent = false;                                       ///< imu: no specific forces while on
   Vector3 position_jump_ned_m = Vector3::Zero();                   ///< gnss
+  Vector3 velocity_jump_ned_m_per_s = Vector3::Zero();             ///< gnss
+  Vector3 position_drift_ned_m_per_s = Vector3::Zero();            ///< gnss: spoofing that leads away slowly
+  bool drift_in_velocity = false;                                  ///< gnss
   bool outage = false;                                             ///< gnss: no fixes while on
 
   template <class Self, class Visitor>
@@ -56,6 +59,14 @@ struct FaultProfile {
     visit(Field("accel_silent", "imu: no specific forces while on"), self.accel_silent);
     visit(Field("position_jump_ned_m", "gnss: offset added while the fault is on").in(-1e5, 1e5),
           self.position_jump_ned_m);
+    visit(Field("velocity_jump_ned_m_per_s", "gnss: offset added while the fault is on").in(-1e4, 1e4),
+          self.velocity_jump_ned_m_per_s);
+    visit(Field("position_drift_ned_m_per_s",
+                "gnss: speed of an offset that grows from 0 when the fault comes on, to at most 100 km")
+              .in(-1e3, 1e3),
+          self.position_drift_ned_m_per_s);
+    visit(Field("drift_in_velocity", "gnss: velocity shows the drift too, as a consistent spoofer makes it"),
+          self.drift_in_velocity);
     visit(Field("outage", "gnss: no fix while on"), self.outage);
   }
 };

@@ -50,6 +50,32 @@ inline std::optional<Violation> correlation_violation(const std::string& path, c
   return std::nullopt;
 }
 
+/// `path` ends before the field's name, such as "lesser_solutions[1].".
+inline std::optional<Violation> solution_violation(const std::string& path, const SolutionErrors& errors) {
+  if (auto broken = correlation_violation(path + "position_gm_correlation_time_s", "position_gm_sigma_ned_m",
+                                          errors.position_gm_sigma_ned_m, errors.position_gm_correlation_time_s)) {
+    return broken;
+  }
+  return correlation_violation(path + "velocity_gm_correlation_time_s", "velocity_gm_sigma_ned_m_per_s",
+                               errors.velocity_gm_sigma_ned_m_per_s, errors.velocity_gm_correlation_time_s);
+}
+
+inline std::optional<Violation> ladder_violation(const GnssErrorProfile& profile) {
+  for (std::size_t i = 0; i < profile.lesser_solutions.size(); ++i) {
+    const LesserSolution& solution = profile.lesser_solutions[i];
+    const std::string path = "lesser_solutions[" + std::to_string(i) + "].";
+    const FixType better =
+        i + 1 < profile.lesser_solutions.size() ? profile.lesser_solutions[i + 1].fix_type : profile.fix_type;
+    if (!(solution.fix_type < better)) {
+      return Violation{Rule::SolutionsAscend, path + "fix_type",
+                       "is " + std::string(enum_name(solution.fix_type)) + "; expected a worse one than " +
+                           std::string(enum_name(better)) + ", which comes next"};
+    }
+    if (auto broken = solution_violation(path, solution)) return broken;
+  }
+  return std::nullopt;
+}
+
 inline std::optional<Violation> nonlinearity_violation(const std::string& path, const char* full_scale_name,
                                                        const Vector3& nonlinearity, const Vector3& full_scale) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -194,7 +220,8 @@ inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
   if (profile.fix_type == FixType::None) {
     return Violation{Rule::FixTypeGiven, "fix_type", "is none; a receiver without a fix is the fault 'outage'"};
   }
-  return std::nullopt;
+  if (auto broken = detail::solution_violation("", profile)) return broken;
+  return detail::ladder_violation(profile);
 }
 
 namespace detail {
@@ -223,15 +250,29 @@ inline std::optional<Violation> imu_fault_violation(const FaultProfile& profile)
   return std::nullopt;
 }
 
+/// What of a fault profile a receiver alone can have.
+inline std::optional<Violation> receiver_fault_violation(const FaultProfile& profile) {
+  if (profile.outage) {
+    return Violation{Rule::FaultFitsSensor, "outage", "is true; an outage is a fault of a gnss receiver"};
+  }
+  constexpr const char* kReason = "is given; this is a fault of a gnss receiver";
+  const std::pair<const char*, const Vector3*> vectors[] = {
+      {"position_jump_ned_m", &profile.position_jump_ned_m},
+      {"velocity_jump_ned_m_per_s", &profile.velocity_jump_ned_m_per_s},
+      {"position_drift_ned_m_per_s", &profile.position_drift_ned_m_per_s}};
+  for (const auto& [path, value] : vectors) {
+    if (auto broken = zero_violation(Rule::FaultFitsSensor, path, *value, kReason)) return broken;
+  }
+  if (profile.drift_in_velocity) return Violation{Rule::FaultFitsSensor, "drift_in_velocity", kReason};
+  return std::nullopt;
+}
+
 }  // namespace detail
 
 inline std::optional<Violation> violation(const FaultProfile& profile) {
   if (auto broken = detail::fade_violation(profile.request)) return broken;
-  if (profile.target.kind == SensorKind::Gnss) return detail::imu_fault_violation(profile);
-  if (profile.outage)
-    return Violation{Rule::FaultFitsSensor, "outage", "is true; an outage is a fault of a gnss receiver"};
-  return detail::zero_violation(Rule::FaultFitsSensor, "position_jump_ned_m", profile.position_jump_ned_m,
-                                "is not 0; a position jump is a fault of a gnss receiver");
+  return profile.target.kind == SensorKind::Imu ? detail::receiver_fault_violation(profile)
+                                                : detail::imu_fault_violation(profile);
 }
 
 }  // namespace samples

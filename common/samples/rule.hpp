@@ -27,6 +27,8 @@ enum class Rule : std::uint32_t {
   StartInWeek,        ///< the seconds of week are less than a week
   SensorNumberOnce,   ///< no two sensors of a kind share a number
   SensorPeriod,       ///< a multiple of the truth's
+  OutagePeriod,       ///< an outage ends before it comes again
+  OutagePath,         ///< an outage area has points, and legs of at most 10 km
   NamedFile,          ///< files that a scenario names are there
   SensorExists,       ///< swaps and services name sensors of the scenario
   SwapBeforeEnd,      ///< a swap lies inside the run
@@ -49,6 +51,7 @@ enum class Rule : std::uint32_t {
   CorrelationTime,     ///< a Gauss-Markov process with a sigma has a correlation time
   LeverArmLength,      ///< at most 1 km
   AntennaMounting,     ///< an antenna has no axes
+  SolutionsAscend,     ///< lesser solutions go up from the worst, each worse than the profile's own
   FixTypeGiven,        ///< a receiver without any fix is a fault, not an error profile
   FaultFitsSensor,     ///< bias jumps are faults of IMUs, outages and position jumps of receivers
   FullScale,           ///< an accelerometer that saturates reads at least 1 g
@@ -66,7 +69,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 46> values{"readable",
+  static constexpr std::array<std::string_view, 49> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -82,6 +85,8 @@ struct EnumNames<Rule> {
                                                            "start_in_week",
                                                            "sensor_number_once",
                                                            "sensor_period",
+                                                           "outage_period",
+                                                           "outage_path",
                                                            "named_file",
                                                            "sensor_exists",
                                                            "swap_before_end",
@@ -102,6 +107,7 @@ struct EnumNames<Rule> {
                                                            "correlation_time",
                                                            "lever_arm_length",
                                                            "antenna_mounting",
+                                                           "solutions_ascend",
                                                            "fix_type_given",
                                                            "fault_fits_sensor",
                                                            "full_scale",

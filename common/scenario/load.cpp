@@ -3,6 +3,7 @@
 #include "config/json_reader.hpp"
 #include "io/error.hpp"
 #include "io/trajectory_judge.hpp"
+#include "random/stream.hpp"
 #include "samples/profile_rules.hpp"
 
 namespace inslab::scenario {
@@ -56,6 +57,7 @@ LoadedGnss load_gnss(const std::filesystem::path& folder, const GnssSensor& sens
           ? gnss.installation
           : named_profile<InstallationProfile>(folder, sensor.nominal_installation_profile, target);
   gnss.outages = sensor.outages;
+  gnss.outage_areas = sensor.outage_areas;
   return gnss;
 }
 
@@ -156,9 +158,10 @@ AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, con
   return read_profile<FaultProfile>(file, target);
 }
 
-LoadedScenario load(const std::filesystem::path& file) {
+LoadedScenario load(const std::filesystem::path& file, const std::string& unit) {
   LoadedScenario loaded;
   loaded.file = file;
+  loaded.unit = unit;
   loaded.scenario = config::read_file<Scenario>(file);
   const Scenario& scenario = loaded.scenario;
   if (auto broken = violation(scenario)) throw config::Error(file.string(), *broken);
@@ -189,6 +192,10 @@ LoadedScenario load(const std::filesystem::path& file) {
 time::GpsTime LoadedScenario::start(time::Nanoseconds realtime_now) const {
   if (scenario.start.at == StartAt::Now) return time::gps_from_realtime(realtime_now);
   return {scenario.start.gps_week, time::from_seconds(scenario.start.gps_seconds_of_week_s).count()};
+}
+
+std::uint64_t LoadedScenario::stream_seed() const {
+  return unit.empty() ? scenario.seed : random::seed_of(scenario.seed, "unit/" + unit);
 }
 
 nav::Gravity LoadedScenario::gravity() const {

@@ -27,6 +27,7 @@ struct LoadedGnss {
   InstallationProfile installation;
   InstallationProfile nominal_installation;
   std::vector<Outage> outages;
+  std::vector<OutageArea> outage_areas;
 };
 
 /// A scenario with every file it names read and checked.
@@ -41,9 +42,13 @@ struct LoadedScenario {
   std::vector<LoadedImu> imus;
   std::vector<LoadedGnss> gnss;
   std::vector<AnyProfile> swaps;  ///< requests in order: target and request are filled in
+  std::string unit;               ///< the vehicle's name on the network; empty: it has none
 
   /// GPS time of sim time 0; with `start: now` that of `realtime_now` (CLOCK_REALTIME).
   time::GpsTime start(time::Nanoseconds realtime_now) const;
+  /// The seed of the random streams: the scenario's, or, for a unit with a name, one drawn from that and the name, so
+  /// that no two units share a stream.
+  std::uint64_t stream_seed() const;
   /// The gravity that the scenario's options describe.
   nav::Gravity gravity() const;
   /// Throws config::Error when the scenario has no such sensor.
@@ -51,8 +56,9 @@ struct LoadedScenario {
   const LoadedGnss& gnss_number(std::uint32_t number) const;
 };
 
-/// Reads a scenario and everything it names. Throws config::Error naming file, path in it and reason.
-LoadedScenario load(const std::filesystem::path& file);
+/// Reads a scenario and everything it names, for the vehicle called `unit`. Throws config::Error naming file, path in
+/// it and reason.
+LoadedScenario load(const std::filesystem::path& file, const std::string& unit = {});
 
 /// Reads a profile file of that kind, checks its limits and rules for the given target. Throws config::Error.
 AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target);

@@ -34,6 +34,30 @@ std::optional<Violation> sensors_violation(const char* list, const std::vector<S
   return std::nullopt;
 }
 
+/// Receivers alone: outages by time and by place.
+std::optional<Violation> outages_violation(const GnssSensor& sensor, const std::string& path) {
+  for (std::size_t i = 0; i < sensor.outages.size(); ++i) {
+    const Outage& outage = sensor.outages[i];
+    if (outage.period_s != 0.0 && !(outage.period_s > outage.duration_s)) {
+      return Violation{Rule::OutagePeriod, path + at("outages", i, "period_s"),
+                       "is not above duration_s; expected 0, or an outage that ends before it comes again"};
+    }
+  }
+  for (std::size_t i = 0; i < sensor.outage_areas.size(); ++i) {
+    const std::vector<GroundPoint>& points = sensor.outage_areas[i].path;
+    const std::string name = path + at("outage_areas", i, "path");
+    if (points.empty()) return Violation{Rule::OutagePath, name, "is empty; expected a point or more"};
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const double leg_m = (ground_point_e(points[k]) - ground_point_e(points[k - 1])).norm();
+      if (leg_m > kMaxOutageLegM) {
+        return Violation{Rule::OutagePath, name + "[" + std::to_string(k) + "]",
+                         "lies " + std::to_string(leg_m) + " m from the point before it; expected at most 10 km"};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 bool has_sensor(const Scenario& scenario, SensorKind kind, std::uint32_t number) {
   const auto has = [number](const auto& sensors) {
     for (const auto& sensor : sensors) {
@@ -117,6 +141,9 @@ std::optional<Violation> violation(const Scenario& scenario) {
   }
   if (auto broken = sensors_violation("imu", scenario.imu, *truth)) return broken;
   if (auto broken = sensors_violation("gnss", scenario.gnss, *truth)) return broken;
+  for (std::size_t i = 0; i < scenario.gnss.size(); ++i) {
+    if (auto broken = outages_violation(scenario.gnss[i], at("gnss", i, ""))) return broken;
+  }
   return swaps_violation(scenario);
 }
 

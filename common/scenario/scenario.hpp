@@ -1,6 +1,7 @@
 #pragma once
 
 #include "samples/any_profile.hpp"
+#include "samples/outage.hpp"
 #include "scenario/trajectory.hpp"
 
 /// What a scenario file says. Paths in it are relative to the file; scenario/load.hpp follows them.
@@ -18,18 +19,6 @@ struct Start {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit);
-};
-
-/// A stretch of sim time without fixes.
-struct Outage {
-  double start_s = 0.0;
-  double duration_s = 0.0;
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor& visit) {
-    visit(Field("start_s", "sim time").in(0.0, 1e7).required(), self.start_s);
-    visit(Field("duration_s").in(0.0, 1e7).required(), self.duration_s);
-  }
 };
 
 /// One IMU of the unit. Profiles are files; without one the IMU is ideal, still, and at the reference point.
@@ -62,6 +51,7 @@ struct GnssSensor {
   std::string installation_profile;
   std::string nominal_installation_profile;
   std::vector<Outage> outages;
+  std::vector<OutageArea> outage_areas;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -72,7 +62,8 @@ struct GnssSensor {
           self.installation_profile);
     visit(Field("nominal_installation_profile", "file: what the app is told; absent: the true one").at_most(4096),
           self.nominal_installation_profile);
-    visit(Field("outages", "no fixes in these").at_most(10000), self.outages);
+    visit(Field("outages", "no signals in these").at_most(10000), self.outages);
+    visit(Field("outage_areas", "no signals while the antenna is in these").at_most(1000), self.outage_areas);
   }
 };
 

@@ -25,6 +25,10 @@ struct NestedName<AccelErrors> {
   static constexpr std::string_view value = "AccelErrors";
 };
 template <>
+struct NestedName<LesserSolution> {
+  static constexpr std::string_view value = "LesserSolution";
+};
+template <>
 struct NestedName<LinearSinusoid> {
   static constexpr std::string_view value = "LinearSinusoid";
 };

@@ -7,9 +7,8 @@ namespace inslab::gnss {
 namespace {
 
 GnssModel::Setup setup_of(const scenario::LoadedScenario& scenario, const scenario::LoadedGnss& gnss) {
-  std::vector<Outage> outages;
-  for (const scenario::Outage& outage : gnss.outages) outages.push_back({outage.start_s, outage.duration_s});
-  return {scenario.scenario.seed, gnss.number, scenario.truth_rate, gnss.rate, gnss.errors, gnss.installation, outages};
+  return {scenario.stream_seed(), gnss.number,  scenario.truth_rate, gnss.rate, gnss.errors,
+          gnss.installation,      gnss.outages, gnss.outage_areas};
 }
 
 }  // namespace

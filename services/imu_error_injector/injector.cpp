@@ -7,7 +7,7 @@ namespace inslab::imu {
 namespace {
 
 ImuModel::Setup setup_of(const scenario::LoadedScenario& scenario, const scenario::LoadedImu& imu) {
-  return {scenario.scenario.seed, imu.number, scenario.truth_rate, imu.rate,
+  return {scenario.stream_seed(), imu.number, scenario.truth_rate, imu.rate,
           scenario.gravity(),     imu.errors, imu.vibration,       imu.installation};
 }
 

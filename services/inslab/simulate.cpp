@@ -18,6 +18,7 @@ namespace {
 
 struct SimulateOptions {
   std::string scenario;
+  std::string unit;
   std::string directory = "runs";
   bool without_log = false;
 };
@@ -46,7 +47,7 @@ time::Nanoseconds run_to_end(OfflineRun& run, const scenario::LoadedScenario& lo
 }
 
 int simulate(const SimulateOptions& options) {
-  const scenario::LoadedScenario loaded = scenario::load(options.scenario);
+  const scenario::LoadedScenario loaded = scenario::load(options.scenario, options.unit);
   const time::GpsTime start = loaded.start(app::realtime_now());
   const RunId run_id = app::random_run_id();
   const time::Nanoseconds begun = app::monotonic_now();
@@ -77,6 +78,7 @@ void add_simulate(CLI::App& app, std::function<int()>& action) {
   CLI::App* command =
       app.add_subcommand("simulate", "Run a scenario in one process, without DDS, as fast as it goes; same samples");
   command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
+  command->add_option("--unit", options->unit, "the vehicle's name: it chooses the random streams, as in a live run");
   command->add_option("-o,--output", options->directory, "directory for the log NAME.mcap")->capture_default_str();
   command->add_flag("--no-log", options->without_log, "write no log");
   command->callback([options, &action] { action = [options] { return simulate(*options); }; });

@@ -124,17 +124,38 @@ EvidenceLine sigma_line(const char* quantity, const char* unit, double per_unit,
   return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
 }
 
-/// One line for one axis of an arm; the mean of n fixes has the standard error sigma/sqrt(n).
+/// One line for the noise of fixes, from first differences: of a Gauss-Markov error, which is slow, they pass the power
+/// 1 - exp(-dt/T).
+EvidenceLine fix_line(const char* quantity, const char* unit, const NoiseStatistics& before,
+                      const NoiseStatistics& after, double promised_before, double promised_after,
+                      const Vector3& mask) {
+  const auto measured = [&](const NoiseStatistics& series, double promised) {
+    return judged(series.pooled_white_sigma(mask), promised,
+                  difference_tolerance(promised, mask.sum() * static_cast<double>(series.differences())));
+  };
+  return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
+}
+
+/// What fix_line() should find for a white and a Gauss-Markov error, pooled over the axes of `mask`.
+double promised_difference_sigma(const Vector3& white, const Vector3& gm_sigma, const Vector3& correlation_time_s,
+                                 double dt_s, const Vector3& mask) {
+  Vector3 passed = Vector3::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (gm_sigma[axis] > 0.0) passed[axis] = gm_sigma[axis] * std::sqrt(-std::expm1(-dt_s / correlation_time_s[axis]));
+  }
+  return std::sqrt(mean_square(white, mask) + mean_square(passed, mask));
+}
+
+/// One line for one axis of an arm, of which the series shows the mean with the given standard error.
 EvidenceLine arm_line(const std::string& quantity, int axis, const NoiseStatistics& before,
                       const NoiseStatistics& after, const Vector3& promised_before, const Vector3& promised_after,
-                      double sigma_before_m, double sigma_after_m) {
+                      double error_before_m, double error_after_m) {
   constexpr double kResolution_m = 1e-6;
-  const auto measured = [&](const NoiseStatistics& series, const Vector3& promised, double sigma_m) {
-    return judged(series.mean()[axis], promised[axis],
-                  4.0 * sigma_m / std::sqrt(static_cast<double>(series.count())) + kResolution_m);
+  const auto measured = [&](const NoiseStatistics& series, const Vector3& promised, double error_m) {
+    return judged(series.mean()[axis], promised[axis], 4.0 * error_m + kResolution_m);
   };
-  return {quantity, "m", measured(before, promised_before, sigma_before_m),
-          measured(after, promised_after, sigma_after_m)};
+  return {quantity, "m", measured(before, promised_before, error_before_m),
+          measured(after, promised_after, error_after_m)};
 }
 
 class Weigher {
@@ -144,7 +165,7 @@ class Weigher {
   std::vector<EvidenceLine> lines() const {
     const bool imu = swap_.ack.target.kind == SensorKind::Imu;
     const auto enough = [imu](const SwapWindow& window) {
-      return (imu ? window.gyro_rad_per_s.differences() : window.position_ned_m.count()) >= kFewest;
+      return (imu ? window.gyro_rad_per_s.differences() : window.position_ned_m.differences()) >= kFewest;
     };
     if (!enough(swap_.before) || !enough(swap_.after)) return {};
     switch (swap_.ack.kind) {
@@ -164,8 +185,13 @@ class Weigher {
 
  private:
   double period_s() const {
-    for (const auto& imu : summary_.scenario.imu) {
-      if (imu.number == swap_.ack.target.number) return 1.0 / imu.rate_hz;
+    return swap_.ack.target.kind == SensorKind::Imu ? period_s(summary_.scenario.imu)
+                                                    : period_s(summary_.scenario.gnss);
+  }
+  template <class Sensor>
+  double period_s(const std::vector<Sensor>& sensors) const {
+    for (const Sensor& sensor : sensors) {
+      if (sensor.number == swap_.ack.target.number) return 1.0 / sensor.rate_hz;
     }
     return 0.0;
   }
@@ -202,21 +228,25 @@ class Weigher {
     return arms("IMU arm", swap_.before.imu_arm_v_m, swap_.after.imu_arm_v_m, 0.0, 0.0);
   }
   std::vector<EvidenceLine> antenna_installation() const {
-    const auto sigma = [this](const SwapWindow& window) {
-      return in_use<GnssErrorProfile>(window).position_sigma_ned_m.maxCoeff();
+    // White noise averages out over the fixes of a window; a Gauss-Markov error as slow as the window does not.
+    const auto mean_error_m = [this](const SwapWindow& window) {
+      const auto profile = in_use<GnssErrorProfile>(window);
+      return std::hypot(
+          profile.position_sigma_ned_m.maxCoeff() / std::sqrt(static_cast<double>(window.antenna_arm_v_m.count())),
+          profile.position_gm_sigma_ned_m.maxCoeff());
     };
-    return arms("antenna arm", swap_.before.antenna_arm_v_m, swap_.after.antenna_arm_v_m, sigma(swap_.before),
-                sigma(swap_.after));
+    return arms("antenna arm", swap_.before.antenna_arm_v_m, swap_.after.antenna_arm_v_m, mean_error_m(swap_.before),
+                mean_error_m(swap_.after));
   }
   std::vector<EvidenceLine> arms(const std::string& name, const NoiseStatistics& before, const NoiseStatistics& after,
-                                 double sigma_before_m, double sigma_after_m) const {
+                                 double error_before_m, double error_after_m) const {
     const Vector3 promised_before = in_use<InstallationProfile>(swap_.before).lever_arm_v_m;
     const Vector3 promised_after = in_use<InstallationProfile>(swap_.after).lever_arm_v_m;
     static constexpr const char* kAxes[] = {" forward", " right", " down"};
     std::vector<EvidenceLine> lines;
     for (int axis = 0; axis < 3; ++axis) {
-      lines.push_back(arm_line(name + kAxes[axis], axis, before, after, promised_before, promised_after, sigma_before_m,
-                               sigma_after_m));
+      lines.push_back(arm_line(name + kAxes[axis], axis, before, after, promised_before, promised_after, error_before_m,
+                               error_after_m));
     }
     return lines;
   }
@@ -225,15 +255,20 @@ class Weigher {
     const auto before = in_use<GnssErrorProfile>(swap_.before);
     const auto after = in_use<GnssErrorProfile>(swap_.after);
     const auto position = [&](const char* name, const Vector3& mask) {
-      return sigma_line(name, "m", 1.0, swap_.before.position_ned_m, swap_.after.position_ned_m,
-                        std::sqrt(mean_square(before.position_sigma_ned_m, mask)),
-                        std::sqrt(mean_square(after.position_sigma_ned_m, mask)), mask);
+      const auto promised = [&](const GnssErrorProfile& p) {
+        return promised_difference_sigma(p.position_sigma_ned_m, p.position_gm_sigma_ned_m,
+                                         p.position_gm_correlation_time_s, period_s(), mask);
+      };
+      return fix_line(name, "m", swap_.before.position_ned_m, swap_.after.position_ned_m, promised(before),
+                      promised(after), mask);
     };
-    return {
-        position("horizontal position noise", kHorizontal), position("vertical position noise", kVertical),
-        sigma_line("velocity noise", "m/s", 1.0, swap_.before.velocity_ned_m_per_s, swap_.after.velocity_ned_m_per_s,
-                   std::sqrt(mean_square(before.velocity_sigma_ned_m_per_s, kAllAxes)),
-                   std::sqrt(mean_square(after.velocity_sigma_ned_m_per_s, kAllAxes)), kAllAxes)};
+    const auto velocity = [&](const GnssErrorProfile& p) {
+      return promised_difference_sigma(p.velocity_sigma_ned_m_per_s, p.velocity_gm_sigma_ned_m_per_s,
+                                       p.velocity_gm_correlation_time_s, period_s(), kAllAxes);
+    };
+    return {position("horizontal position noise", kHorizontal), position("vertical position noise", kVertical),
+            fix_line("velocity noise", "m/s", swap_.before.velocity_ned_m_per_s, swap_.after.velocity_ned_m_per_s,
+                     velocity(before), velocity(after), kAllAxes)};
   }
 
   const LogSummary& summary_;

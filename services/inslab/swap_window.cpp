@@ -4,7 +4,7 @@
 
 #include "nav/geodesy.hpp"
 #include "nav/wgs84.hpp"
-#include "time/gps_time.hpp"
+#include "time/rate.hpp"
 
 namespace inslab::cli {
 
@@ -57,9 +57,21 @@ void note_first(SwapWindows& windows, const Sample& sample) {
   windows.first_sequence_seen = sample.header.sequence_number;
 }
 
-}  // namespace
+/// Counts epochs, so that fixes on both sides of an outage are no neighbours.
+std::uint64_t epoch_of(const GnssFix& fix, const LogSummary& summary) {
+  for (const auto& receiver : summary.scenario.gnss) {
+    if (receiver.number != fix.sensor_number) continue;
+    return static_cast<std::uint64_t>(fix.header.sim_time_ns / time::Rate(receiver.rate_hz).period().count());
+  }
+  return fix.header.sequence_number;
+}
 
-namespace {
+/// Not one of the profile's lesser solutions, whose sigmas are others.
+bool is_at_its_best(const GnssFix& fix, const LogSummary& summary) {
+  const AnyProfile* errors =
+      summary.in_use(ProfileKind::GnssError, {SensorKind::Gnss, fix.sensor_number}, fix.header.sim_time_ns);
+  return errors == nullptr || std::get<GnssErrorProfile>(*errors).fix_type == fix.fix_type;
+}
 
 /// From when on the samples of a sensor were made under an entry, its fade included: samples later than this. A sensor
 /// slower than the truth takes an entry up at its own next sample, so the ack says it, not the entry's apply time.
@@ -122,11 +134,12 @@ void add_imu(std::vector<SwapWindows>& windows, const ImuSample& sample, const I
 void add_fix(std::vector<SwapWindows>& windows, const GnssFix& fix, const TruthState& vehicle,
              const LogSummary& summary) {
   const SensorAddress receiver{SensorKind::Gnss, fix.sensor_number};
+  const std::uint64_t k = epoch_of(fix, summary);
   for (SwapWindows& swap : windows) {
     if (!(swap.ack.target == receiver)) continue;
     note_first(swap, fix);
     for (SwapWindow* window : {&swap.before, &swap.after}) {
-      if (!window->contains(fix.header.sim_time_ns)) continue;
+      if (!window->contains(fix.header.sim_time_ns) || !is_at_its_best(fix, summary)) continue;
       const AnyProfile* installed = summary.in_use(ProfileKind::Installation, receiver, fix.header.sim_time_ns);
       const Vector3 arm_v = installed ? std::get<InstallationProfile>(*installed).lever_arm_v_m : Vector3::Zero();
       const nav::Geodetic place = place_of(fix.latitude_rad, fix.longitude_rad, fix.height_m);
@@ -135,7 +148,6 @@ void add_fix(std::vector<SwapWindows>& windows, const GnssFix& fix, const TruthS
       const Vector3 omega_ie_v = C_ev(vehicle).transpose() * Vector3(0.0, 0.0, nav::wgs84::omega_e_rad_per_s);
       const Vector3 v_e = C_ev(vehicle) * (vehicle.q_nv.toRotationMatrix().transpose() * vehicle.v_n +
                                            (vehicle.omega_iv_v - omega_ie_v).cross(arm_v));
-      const std::uint64_t k = fix.header.sequence_number;
       window->antenna_arm_v_m.add(k, C_ev(vehicle).transpose() * offset);
       window->position_ned_m.add(k, C_en.transpose() * (offset - C_ev(vehicle) * arm_v));
       window->velocity_ned_m_per_s.add(k, fix.v_n - C_en.transpose() * v_e);

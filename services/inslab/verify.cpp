@@ -6,6 +6,7 @@
 #include "app/exit_code.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/verify/allan.hpp"
+#include "services/inslab/verify/gnss.hpp"
 #include "services/inslab/verify/increments.hpp"
 
 namespace inslab::cli {
@@ -27,6 +28,7 @@ const std::vector<Verification>& verifications() {
        [](bool full) { return verify::allan_tables(full, say); }},
       {"increments", "Order of the error of mechanized increments, and of rate times interval",
        [](bool) { return verify::increments(60.0); }},
+      {"gnss", "Errors of the receivers and the lever arm of their antenna (thesis tables 4-8, 4-9)", verify::gnss},
   };
   return list;
 }

@@ -24,6 +24,7 @@ RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario
     : path_(path), file_(path, log_options()) {
   file_.metadata("scenario", {{"file", scenario.file.filename().string()},
                               {"name", scenario.scenario.name},
+                              {"unit", scenario.unit},
                               {"json", config::to_json(scenario.scenario).dump(2)}});
   file_.metadata("build", {{"version", kVersion}, {"cpu_features", cpu_features}});
   for (const auto& imu : scenario.imus) {

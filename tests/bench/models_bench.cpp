@@ -108,7 +108,7 @@ void BM_ImuEveryTerm(benchmark::State& state) {
 BENCHMARK(BM_ImuEveryTerm);
 
 void BM_GnssFix(benchmark::State& state) {
-  gnss::GnssModel::Setup setup{1, 0, time::Rate(200.0), time::Rate(200.0), {}, {}, {}};
+  gnss::GnssModel::Setup setup{1, 0, time::Rate(200.0), time::Rate(200.0), {}, {}, {}, {}};
   setup.errors.position_sigma_ned_m.setConstant(1.0);
   setup.errors.velocity_sigma_ned_m_per_s.setConstant(0.1);
   setup.installation.target.kind = SensorKind::Gnss;

@@ -41,7 +41,8 @@ TEST_P(LiveRun, GivesTheBitsOfTheOfflineRun) {
   expect_same_bits<ImuTruth>(live_log, offline_log, "inslab/imu_truth/0", 1600);
   expect_same_bits<ImuSample>(live_log, offline_log, "inslab/imu/3", 400);
   expect_same_bits<ImuTruth>(live_log, offline_log, "inslab/imu_truth/3", 400);
-  expect_same_bits<GnssFix>(live_log, offline_log, "inslab/gnss/0", 70);
+  expect_same_bits<GnssFix>(live_log, offline_log, "inslab/gnss/0",
+                            65);  // 10 epochs in the outage, 5 until the first fix after it
 }
 
 INSTANTIATE_TEST_SUITE_P(Transports, LiveRun, testing::Values("udp", "shm"),
@@ -60,6 +61,26 @@ TEST(LiveRun, AlongTheRowsOfAFileGivesTheBitsOfTheOfflineRun) {
   expect_same_bits<TruthState>(live_log, offline_log, "inslab/truth", 1601);
   expect_same_bits<ImuSample>(live_log, offline_log, "inslab/imu/0", 1600);
   expect_same_bits<GnssFix>(live_log, offline_log, "inslab/gnss/0", 80);
+}
+
+TEST(LiveRun, OfTwoImusAndTwoAntennasGivesTheBitsOfTheOfflineRun) {
+  // One injector process per IMU, one emulator per receiver; swaps go to imu1, gnss1 and imu0. A unit with a name.
+  const TestFolder folder;
+  const std::string scenario = source("config/scenarios/two_imus_two_antennas.json");
+  Process live("inslab", {"run", scenario, "--log", folder / "live.mcap", "--domain", own_domain(), "--unit", "left"});
+  Process offline("inslab", {"simulate", scenario, "--unit", "left", "-o", folder / "offline"});
+  ASSERT_EQ(live.wait(seconds(80)), 0) << live.output();
+  ASSERT_EQ(offline.wait(seconds(60)), 0) << offline.output();
+
+  const std::string live_log = folder / "live.mcap";
+  const std::string offline_log = folder / "offline/two_imus_two_antennas.mcap";
+  expect_same_bits<ImuSample>(live_log, offline_log, "inslab/imu/0", 3200);
+  expect_same_bits<ImuTruth>(live_log, offline_log, "inslab/imu_truth/0", 3200);
+  expect_same_bits<ImuSample>(live_log, offline_log, "inslab/imu/1", 1600);
+  expect_same_bits<ImuTruth>(live_log, offline_log, "inslab/imu_truth/1", 1600);
+  expect_same_bits<GnssFix>(live_log, offline_log, "inslab/gnss/0", 125);
+  // Twice 0.5 s without signals and 0.5 s until the first fix after it: five epochs each time.
+  expect_same_bits<GnssFix>(live_log, offline_log, "inslab/gnss/1", 70);
 }
 
 TEST(LiveRun, SummaryNamesStreamsSwapsAndLog) {

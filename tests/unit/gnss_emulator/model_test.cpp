@@ -6,52 +6,13 @@
 #include <limits>
 #include <vector>
 
-#include "nav/attitude.hpp"
-#include "nav/geodesy.hpp"
 #include "nav/wgs84.hpp"
+#include "tests/unit/gnss_emulator/receiver.hpp"
 
 namespace inslab::gnss {
 namespace {
 
-constexpr std::int64_t kTruthNs = 5000000;
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
-
-/// A vehicle that turns about a fixed axis of v at `rate_v` (relative to e) while its reference point rests in e.
-TruthState spinning(std::int64_t time_ns, const Vector3& rate_v, const Quaternion& q_nv_at_start) {
-  TruthState truth;
-  truth.header.sim_time_ns = time_ns;
-  truth.interval_ns = kTruthNs;
-  truth.latitude_rad = 0.53;
-  truth.longitude_rad = 1.996;
-  truth.height_m = 20.0;
-  const double t = static_cast<double>(time_ns) * 1e-9;
-  truth.q_nv = nav::canonical(q_nv_at_start * nav::quaternion_from_rotation_vector(rate_v * t));
-  truth.omega_iv_v = rate_v + truth.q_nv.conjugate() * nav::omega_ie_n(truth.latitude_rad);
-  return truth;
-}
-
-/// A vehicle at rest, level, pointing north.
-TruthState at_rest(std::int64_t time_ns) { return spinning(time_ns, Vector3::Zero(), Quaternion::Identity()); }
-
-GnssModel::Setup setup(double gnss_hz = 5.0) {
-  GnssModel::Setup s{42, 0, time::Rate(200.0), time::Rate(gnss_hz), {}, {}, {}};
-  s.installation.target.kind = SensorKind::Gnss;
-  return s;
-}
-
-std::vector<GnssFix> run(GnssModel model, double duration_s) {
-  std::vector<GnssFix> fixes;
-  const auto samples = static_cast<std::int64_t>(duration_s * 200.0);
-  for (std::int64_t k = 0; k <= samples; ++k) {
-    if (auto fix = model.observe(at_rest(k * kTruthNs))) fixes.push_back(*fix);
-  }
-  return fixes;
-}
-
-Vector3 position_error_ned(const GnssFix& fix, const TruthState& truth) {
-  return nav::ned_from({truth.latitude_rad, truth.longitude_rad, truth.height_m},
-                       {fix.latitude_rad, fix.longitude_rad, fix.height_m});
-}
+using namespace test;
 
 TEST(GnssModel, FirstFixComesAfterOnePeriodAndNoneBetweenEpochs) {
   const auto fixes = run(GnssModel(setup()), 2.0);
@@ -173,7 +134,7 @@ GnssModel::Setup noisy() {
 
 TEST(GnssModel, AnOutagePublishesNothingAndChangesNoOtherFix) {
   GnssModel::Setup with_outage = noisy();
-  with_outage.outages = {{2.0, 1.0}, {5.0, 0.2}};
+  with_outage.outages = {{2.0, 1.0, 0.0}, {5.0, 0.2, 0.0}};
   const auto all = run(GnssModel(noisy()), 10.0), some = run(GnssModel(with_outage), 10.0);
   ASSERT_EQ(all.size(), 50U);
   ASSERT_EQ(some.size(), 44U);  // without 2.0, 2.2 .. 2.8 and 5.0 s
@@ -250,8 +211,8 @@ TEST(GnssModel, RefusesWhatBreaksARule) {
   no_fix.fix_type = FixType::None;
   EXPECT_THROW(model.apply(no_fix), std::invalid_argument);
   GnssModel::Setup negative = setup(), unknown = setup(), off_grid = setup();
-  negative.outages = {{1.0, -1.0}};
-  unknown.outages = {{std::numeric_limits<double>::quiet_NaN(), 1.0}};
+  negative.outages = {{1.0, -1.0, 0.0}};
+  unknown.outages = {{std::numeric_limits<double>::quiet_NaN(), 1.0, 0.0}};
   off_grid.gnss_rate = time::Rate(400.0);
   EXPECT_THROW(GnssModel{negative}, std::invalid_argument);
   EXPECT_THROW(GnssModel{unknown}, std::invalid_argument);

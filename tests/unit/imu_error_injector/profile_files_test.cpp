@@ -41,7 +41,7 @@ TEST(ProfileFiles, InstallationProfilesAreValid) {
 }
 
 TEST(ProfileFiles, GnssProfilesAreValid) {
-  check_files<GnssErrorProfile>("gnss", {"rtk", "ppp", "dgnss", "single_point"});
+  check_files<GnssErrorProfile>("gnss", {"rtk", "ppp", "dgnss", "single_point", "degraded_urban"});
 }
 
 TEST(ProfileFiles, AScalarMeansAllThreeAxes) {
