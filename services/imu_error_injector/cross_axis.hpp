@@ -4,7 +4,7 @@
 
 namespace inslab::imu {
 
-/// Stage 3b: each axis reads a part of its neighbours' inputs: N in thesis (3-35), (3-36).
+/// Stage 3c: each axis reads a part of its neighbours' inputs: N in thesis (3-35), (3-36).
 ///
 /// The six small angles are ordered x to y, x to z, y to x, y to z, z to x, z to y. "x to y" is the angle by which the
 /// sensitive axis y leans towards x: an input on x shows on output y times that angle.
@@ -21,6 +21,8 @@ class CrossAxis {
         x_y, 0.0, z_y,    //
         x_z, y_z, 0.0;
   }
+
+  bool is_off() const { return N_.isZero(0.0); }
 
   /// The error of an increment, in its unit.
   Vector3 error(const Vector3& sensed) const { return N_ * sensed; }

@@ -38,6 +38,7 @@ class Installation {
 
   const Vector3& lever_arm_v_m() const { return lever_arm_v_m_; }
   const Quaternion& q_vb() const { return q_vb_; }
+  const Matrix3& C_bv() const { return C_bv_; }
 
  private:
   nav::Gravity gravity_;

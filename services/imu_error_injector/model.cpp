@@ -4,6 +4,8 @@
 #include <string>
 
 #include "samples/profile_rules.hpp"
+#include "services/imu_error_injector/mount_motion.hpp"
+#include "time/gps_time.hpp"
 
 namespace inslab::imu {
 namespace {
@@ -23,13 +25,19 @@ ImuModel::ImuModel(const Setup& setup)
     : sensor_number_(setup.sensor_number),
       truth_period_ns_(setup.truth_rate.period().count()),
       imu_period_ns_(setup.imu_rate.multiple_of(setup.truth_rate) * truth_period_ns_),
+      dt_s_(setup.imu_rate.period_s()),
       gravity_(setup.gravity),
       installation_(checked(setup.installation), setup.gravity),
-      vibration_(checked(setup.vibration)),
-      gyro_(in_si(checked(setup.errors).gyro), setup.imu_rate.period_s(), setup.seed,
-            sensor_name(setup.sensor_number) + "/gyro", "arw"),
-      accel_(in_si(setup.errors.accel), setup.imu_rate.period_s(), setup.seed,
-             sensor_name(setup.sensor_number) + "/accel", "vrw"),
+      vibration_(checked(setup.vibration), {dt_s_, setup.seed, sensor_name(setup.sensor_number)}),
+      temperature_(checked(setup.errors).temperature),
+      gyro_(in_si(setup.errors.gyro), dt_s_, setup.seed, sensor_name(setup.sensor_number) + "/gyro", "arw"),
+      accel_(in_si(setup.errors.accel), dt_s_, setup.seed, sensor_name(setup.sensor_number) + "/accel", "vrw"),
+      g_sensitivity_(setup.errors.gyro.g_sensitivity_deg_per_h_per_g),
+      gyro_limits_(in_si(setup.errors.gyro), dt_s_),
+      accel_limits_(in_si(setup.errors.accel), dt_s_),
+      drops_(setup.errors.drop_probability,
+             random::Stream(setup.seed, sensor_name(setup.sensor_number) + "/dropped_samples")),
+      latency_ns_(time::from_seconds(setup.errors.latency_s).count()),
       revisions_{setup.errors.request.journal_number, setup.vibration.request.journal_number,
                  setup.installation.request.journal_number, 0} {}
 
@@ -53,7 +61,7 @@ std::optional<ImuModel::Output> ImuModel::measure(const TruthState& truth) {
   }
   if (previous_ns % imu_period_ns_ == 0) begin_interval();
   const Installation::Instant end = installation_.at(truth);
-  perfect_ += installation_.increments(truth, start_, end);
+  perfect_ += perfect_increments(truth, end);
   start_ = end;
   previous_ = truth;
   if (truth.header.sim_time_ns % imu_period_ns_ != 0) return std::nullopt;
@@ -69,13 +77,22 @@ void ImuModel::begin_interval() {
 }
 
 void ImuModel::take(const ImuErrorProfile& profile, std::uint64_t k) {
-  gyro_.retune(in_si(profile.gyro), profile.request.continuity, k);
-  accel_.retune(in_si(profile.accel), profile.request.continuity, k);
+  const Continuity continuity = profile.request.continuity;
+  const TriadParameters gyro = in_si(profile.gyro);
+  const TriadParameters accel = in_si(profile.accel);
+  temperature_ = Temperature(profile.temperature);
+  gyro_.retune(gyro, continuity, k);
+  accel_.retune(accel, continuity, k);
+  g_sensitivity_ = GSensitivity(profile.gyro.g_sensitivity_deg_per_h_per_g);
+  gyro_limits_.retune(gyro, continuity);
+  accel_limits_.retune(accel, continuity);
+  drops_.retune(profile.drop_probability);
+  latency_ns_ = time::from_seconds(profile.latency_s).count();
   revisions_.imu_error = profile.request.journal_number;
 }
 
 void ImuModel::take(const VibrationProfile& profile, std::uint64_t) {
-  vibration_.swap(profile, previous_->header.sim_time_ns, profile.request.fade_s);
+  if (vibration_.swap(profile, previous_->header.sim_time_ns, profile.request.fade_s)) relocated();
   revisions_.vibration = profile.request.journal_number;
 }
 
@@ -84,22 +101,35 @@ void ImuModel::take(const InstallationProfile& profile, std::uint64_t) {
   const Quaternion old_q_vb = installation_.q_vb();
   installation_ = Installation(profile, gravity_);
   start_ = installation_.at(*previous_);
-  discontinuity_ = discontinuity_ || installation_.lever_arm_v_m() != old_arm_v_m ||
-                   installation_.q_vb().coeffs() != old_q_vb.coeffs();
+  if (installation_.lever_arm_v_m() != old_arm_v_m || installation_.q_vb().coeffs() != old_q_vb.coeffs()) relocated();
   revisions_.installation = profile.request.journal_number;
 }
 
 void ImuModel::take(const FaultProfile& profile, std::uint64_t) {
-  gyro_.set_bias_jump(profile.gyro_bias_jump_deg_per_h * units::kDegPerH);
-  accel_.set_bias_jump(profile.accel_bias_jump_mgal * units::kMGal);
+  gyro_.set_fault(profile.gyro_bias_jump_deg_per_h * units::kDegPerH,
+                  profile.gyro_noise_burst_deg_per_sqrt_h * units::kDegPerSqrtH);
+  accel_.set_fault(profile.accel_bias_jump_mgal * units::kMGal,
+                   profile.accel_noise_burst_m_per_s_per_sqrt_h * units::kMPerSPerSqrtH);
+  gyro_limits_.set_faults(profile.gyro_axes, profile.gyro_silent);
+  accel_limits_.set_faults(profile.accel_axes, profile.accel_silent);
   revisions_.fault = profile.request.journal_number;
+}
+
+void ImuModel::relocated() {
+  discontinuity_ = true;
+  gyro_limits_.relocate();
+  accel_limits_.relocate();
+}
+
+Increments ImuModel::perfect_increments(const TruthState& truth, const Installation::Instant& end) const {
+  if (!vibration_.mount_moves()) return installation_.increments(truth, start_, end);
+  return mounted_increments(installation_, *previous_, truth, start_, end, vibration_);
 }
 
 std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) {
   const std::int64_t end_ns = truth.header.sim_time_ns;
   const auto k = static_cast<std::uint64_t>(end_ns / imu_period_ns_ - 1);
-  const double dt_s = static_cast<double>(imu_period_ns_) * 1e-9;
-  const Increments vibration = vibration_.increments(end_ns - imu_period_ns_, end_ns);
+  const double temperature_deg_c = temperature_.at(end_ns);
 
   std::optional<Output> out(std::in_place);  // filled in place: a kilobyte is not worth a copy
   ImuTruth& perfect = out->truth;
@@ -111,13 +141,8 @@ std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) 
   perfect.dtheta_b = perfect_.dtheta;
   perfect.dv_b = perfect_.dv;
   perfect.interval_ns = imu_period_ns_;
-  perfect.latitude_rad = start_.site.position.latitude_rad;  // start_ has become the end of this interval
-  perfect.longitude_rad = start_.site.position.longitude_rad;
-  perfect.height_m = start_.site.position.height_m;
-  perfect.v_n = start_.site.v_n;
-  perfect.q_nb = installation_.q_nb(truth, start_);
-  perfect.gyro_error = gyro_.errors(perfect_.dtheta, vibration.dtheta, k);
-  perfect.accel_error = accel_.errors(perfect_.dv, vibration.dv, k);
+  set_pose(truth, perfect);
+  set_errors(vibration_.increments(end_ns - imu_period_ns_, end_ns), temperature_deg_c, k, perfect);
   perfect.discontinuity = discontinuity_;
   perfect.revisions = revisions_;
   discontinuity_ = false;
@@ -125,13 +150,57 @@ std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) 
   ImuSample& sample = out->sample;
   sample.header = perfect.header;
   sample.sensor_number = sensor_number_;
-  sample.dtheta_b = perfect.dtheta_b + perfect.gyro_error.sum();
-  sample.dv_b = perfect.dv_b + perfect.accel_error.sum();
+  sample.available_sim_time_ns = end_ns + latency_ns_;
   sample.interval_ns = imu_period_ns_;
-  sample.mean_omega_ib_b = sample.dtheta_b / dt_s;
-  sample.mean_f_b = sample.dv_b / dt_s;
+  sample.temperature_deg_c = temperature_deg_c;
   sample.revisions = revisions_;
+  set_output(k, *out);
   return out;
+}
+
+void ImuModel::set_pose(const TruthState& truth, ImuTruth& perfect) const {
+  const auto set = [&perfect](const SensorSite& site, const Quaternion& q_nb) {
+    perfect.latitude_rad = site.position.latitude_rad;
+    perfect.longitude_rad = site.position.longitude_rad;
+    perfect.height_m = site.position.height_m;
+    perfect.v_n = site.v_n;
+    perfect.q_nb = q_nb;
+  };
+  if (vibration_.mount_moves()) {
+    const MountedPose pose = mounted_pose(installation_, truth, vibration_);
+    set(pose.site, pose.q_nb);
+  } else {
+    set(start_.site, installation_.q_nb(truth, start_));  // start_ has become the end of this interval
+  }
+}
+
+void ImuModel::set_errors(const Increments& vibration, double temperature_deg_c, std::uint64_t k, ImuTruth& perfect) {
+  const double warmer_k = temperature_deg_c - Temperature::kCalibratedAt;
+  gyro_.add_errors(perfect_.dtheta, vibration.dtheta, warmer_k, k, perfect.gyro_error);
+  accel_.add_errors(perfect_.dv, vibration.dv, warmer_k, k, perfect.accel_error);
+  if (!g_sensitivity_.is_off()) {
+    perfect.gyro_error.g_sensitivity = g_sensitivity_.error(perfect_.dv + vibration.dv);
+  }
+}
+
+void ImuModel::set_output(std::uint64_t k, Output& out) {
+  const bool dropped = drops_.dropped(k);
+  const auto limited = [dropped](TriadLimits& limits, const Vector3& perfect, TriadErrorBudget& budget) {
+    const Vector3 wanted = perfect + budget.sum();
+    TriadLimits::Result result = limits.applied(wanted, dropped);
+    budget.limits = result.increment - wanted;
+    return result;
+  };
+  const TriadLimits::Result gyro = limited(gyro_limits_, out.truth.dtheta_b, out.truth.gyro_error);
+  const TriadLimits::Result accel = limited(accel_limits_, out.truth.dv_b, out.truth.accel_error);
+  out.sample.dtheta_b = gyro.increment;
+  out.sample.dv_b = accel.increment;
+  out.sample.mean_omega_ib_b = gyro.increment / dt_s_;
+  out.sample.mean_f_b = accel.increment / dt_s_;
+  out.sample.gyro_valid = gyro.valid;
+  out.sample.accel_valid = accel.valid;
+  out.sample.gyro_saturated = gyro.saturated;
+  out.sample.accel_saturated = accel.saturated;
 }
 
 }  // namespace inslab::imu

@@ -8,8 +8,12 @@
 #include "samples/fault_profile.hpp"
 #include "samples/imu_truth.hpp"
 #include "samples/truth_state.hpp"
+#include "services/imu_error_injector/dropped_samples.hpp"
+#include "services/imu_error_injector/g_sensitivity.hpp"
 #include "services/imu_error_injector/installation.hpp"
+#include "services/imu_error_injector/temperature.hpp"
 #include "services/imu_error_injector/triad_errors.hpp"
+#include "services/imu_error_injector/triad_limits.hpp"
 #include "services/imu_error_injector/vibration.hpp"
 #include "time/rate.hpp"
 
@@ -42,8 +46,9 @@ class ImuModel {
 
   /// Swaps a profile from the next interval of the IMU on, in the order of the calls; samples from there carry its
   /// journal number. Throws std::invalid_argument when it breaks a rule, and then changes nothing. What `continuity`
-  /// does is in Bias::retune, what `fade_s` does in Vibration. A new installation relocates the IMU between two
-  /// intervals: the next one begins at the new place, moving as it does there, and is marked as a discontinuity.
+  /// does is in Bias::retune and TriadLimits::retune, what `fade_s` does in Vibration. A new installation relocates the
+  /// IMU between two intervals: the next one begins at the new place, moving as it does there, and is marked as a
+  /// discontinuity; so does a moving mount that begins or ends without a fade.
   void apply(const ImuErrorProfile& profile);
   void apply(const VibrationProfile& profile);
   void apply(const InstallationProfile& profile);
@@ -63,17 +68,29 @@ class ImuModel {
   void take(const VibrationProfile& profile, std::uint64_t k);
   void take(const InstallationProfile& profile, std::uint64_t k);
   void take(const FaultProfile& profile, std::uint64_t k);
+  void relocated();
+  Increments perfect_increments(const TruthState& truth, const Installation::Instant& end) const;
   std::optional<Output> end_interval(const TruthState& truth);
+  void set_pose(const TruthState& truth, ImuTruth& perfect) const;
+  void set_errors(const Increments& vibration, double temperature_deg_c, std::uint64_t k, ImuTruth& perfect);
+  void set_output(std::uint64_t k, Output& out);
 
   std::uint32_t sensor_number_;
   std::int64_t truth_period_ns_;
   std::int64_t imu_period_ns_;
+  double dt_s_;
   nav::Gravity gravity_;
 
   Installation installation_;
   Vibration vibration_;
+  Temperature temperature_;
   TriadErrors gyro_;
   TriadErrors accel_;
+  GSensitivity g_sensitivity_;
+  TriadLimits gyro_limits_;
+  TriadLimits accel_limits_;
+  DroppedSamples drops_;
+  std::int64_t latency_ns_;
 
   std::optional<TruthState> previous_;
   Installation::Instant start_;  ///< at `previous_`, under the present installation

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "random/white_noise.hpp"
 #include "samples/imu_truth.hpp"
 #include "services/imu_error_injector/bias.hpp"
 #include "services/imu_error_injector/cross_axis.hpp"
+#include "services/imu_error_injector/noise.hpp"
+#include "services/imu_error_injector/nonlinearity.hpp"
 #include "services/imu_error_injector/scale_factor.hpp"
 
 namespace inslab::imu {
@@ -14,44 +15,48 @@ class TriadErrors {
   /// `triad` such as "imu0/gyro"; `walk` names the white noise's stream, "arw" or "vrw".
   TriadErrors(const TriadParameters& parameters, double dt_s, std::uint64_t seed, const std::string& triad,
               const std::string& walk)
-      : scale_factor_(parameters.scale_factor),
+      : dt_s_(dt_s),
+        scale_factor_(parameters, dt_s, seed, triad),
+        nonlinearity_(parameters),
         cross_axis_(parameters.cross_axis_rad),
         bias_(parameters, dt_s, seed, triad),
-        noise_{noise(parameters, dt_s, seed, triad, walk, 0), noise(parameters, dt_s, seed, triad, walk, 1),
-               noise(parameters, dt_s, seed, triad, walk, 2)} {}
+        noise_(parameters, dt_s, seed, triad, walk) {}
 
   /// Takes new parameters before interval `k`; see Bias::retune.
   void retune(const TriadParameters& parameters, Continuity continuity, std::uint64_t k) {
-    scale_factor_ = ScaleFactor(parameters.scale_factor);
+    scale_factor_.retune(parameters, continuity, k);
+    nonlinearity_ = Nonlinearity(parameters);
     cross_axis_ = CrossAxis(parameters.cross_axis_rad);
     bias_.retune(parameters, continuity, k);
-    for (int axis = 0; axis < 3; ++axis) noise_[axis].retune(parameters.random_walk[axis]);
+    noise_.retune(parameters);
   }
 
-  void set_bias_jump(const Vector3& jump) { bias_.set_jump(jump); }
+  /// Bias (rad/s | m/s^2) and noise density (rad/sqrt(s) | m/s/sqrt(s)) that a fault adds.
+  void set_fault(const Vector3& bias_jump, const Vector3& burst) {
+    bias_.set_jump(bias_jump);
+    noise_.set_burst(burst);
+  }
 
-  /// The errors of interval `k`. The triad senses its perfect increment and the vibration, and errs on both.
-  TriadErrorBudget errors(const Vector3& perfect, const Vector3& vibration, std::uint64_t k) {
+  /// Sets the errors of interval `k` in `budget`, whose terms are zero. The triad senses its perfect increment and the
+  /// vibration, and errs on both; `warmer_k` is the temperature above that of calibration.
+  void add_errors(const Vector3& perfect, const Vector3& vibration, double warmer_k, std::uint64_t k,
+                  TriadErrorBudget& budget) {
     const Vector3 sensed = perfect + vibration;
-    TriadErrorBudget budget;
     budget.vibration = vibration;
-    budget.scale = scale_factor_.error(sensed);
-    budget.cross_axis = cross_axis_.error(sensed);
-    budget.bias = bias_.error(k);
-    for (int axis = 0; axis < 3; ++axis) budget.noise[axis] = noise_[axis].increment(k);
-    return budget;
+    budget.scale = scale_factor_.error(sensed, warmer_k, k);
+    if (!nonlinearity_.is_off()) budget.scale += nonlinearity_.error(sensed, dt_s_);
+    if (!cross_axis_.is_off()) budget.cross_axis = cross_axis_.error(sensed);
+    budget.bias = bias_.error(warmer_k, k);
+    budget.noise = noise_.error(k);
   }
 
  private:
-  static random::WhiteNoise noise(const TriadParameters& parameters, double dt_s, std::uint64_t seed,
-                                  const std::string& triad, const std::string& walk, int axis) {
-    return {parameters.random_walk[axis], dt_s, random::Stream(seed, axis_names(triad)[axis] + walk)};
-  }
-
+  double dt_s_;
   ScaleFactor scale_factor_;
+  Nonlinearity nonlinearity_;
   CrossAxis cross_axis_;
   Bias bias_;
-  std::array<random::WhiteNoise, 3> noise_;
+  Noise noise_;
 };
 
 }  // namespace inslab::imu

@@ -2,33 +2,63 @@
 
 #include <complex>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "samples/vibration_profile.hpp"
 #include "services/imu_error_injector/increments.hpp"
+#include "services/imu_error_injector/random_vibration.hpp"
 
 namespace inslab::imu {
 
-/// Stage 2: vibration added to the IMU's output, thesis (3-33), (3-34): sums of amplitude * sin(2 pi f t + phase) of
-/// specific force and angular rate in b, t since the scenario's start.
+/// Where the mount of an IMU is against its place in the vehicle, in the axes it has at rest (b without vibration), and
+/// how it moves there. `turn` is the rotation vector of the moved axes.
+struct MountState {
+  Vector3 displacement_m = Vector3::Zero();
+  Vector3 velocity_m_per_s = Vector3::Zero();
+  Vector3 turn_rad = Vector3::Zero();
+  Vector3 turn_rate_rad_per_s = Vector3::Zero();
+};
+
+/// Stage 2: vibration, sums of amplitude * sin(2 pi f t + phase) of specific force and angular rate along b, t since
+/// the scenario's start, and random vibration with a given spectrum.
 ///
-/// Each interval is integrated in closed form, (amplitude / pi f) sin(pi f dt) sin(2 pi f t_middle + phase), so a
-/// frequency above half the sample rate comes out as its integral and not as an alias; whole turns are taken off f t
-/// exactly, so a phase is as good after a week as at the start.
+/// Domain `sensor`, thesis (3-33), (3-34): it is added to the IMU's output. Each interval is integrated in closed form,
+/// (amplitude / pi f) sin(pi f dt) sin(2 pi f t_middle + phase), so a frequency above half the sample rate comes out as
+/// its integral and not as an alias; so does random vibration (RandomVibration).
+///
+/// Domain `motion`: the mount moves against the vehicle; the sinusoids are the second derivative of its displacement
+/// and the derivative of its rotation vector, whose means are 0. What the IMU feels of it is in MountMotion.
 ///
 /// A swap may fade: the new profile's weight is (1 - cos(pi tau))/2 (continuous with its slope), the old one's the
-/// rest. Products of cosines are sums of cosines, so fades are integrated in closed form, too. At most two fades
-/// overlap: a further swap ends the older at once.
+/// rest. Products of cosines are sums of cosines, so fades of sinusoids are integrated in closed form, too; random
+/// vibration takes the weight at the interval's middle; of a moving mount the weights are those of displacement and
+/// turn. At most two fades overlap: a further swap ends the older at once.
 class Vibration {
  public:
-  explicit Vibration(const VibrationProfile& profile);
+  /// What random vibration is drawn for: the IMU's interval, the scenario's seed, and the sensor, such as "imu0".
+  struct Setup {
+    double dt_s;
+    std::uint64_t seed;
+    std::string sensor;
+  };
+
+  Vibration(const VibrationProfile& profile, Setup setup);
 
   /// From `time_ns` on the vibration is `profile`, after a fade of `fade_s` (0: at once). The weights of what is fading
-  /// already go on. Times of calls must not go back.
-  void swap(const VibrationProfile& profile, std::int64_t time_ns, double fade_s);
+  /// already go on. Times of calls must not go back. Returns whether the mount jumps: it moves, and does not fade.
+  bool swap(const VibrationProfile& profile, std::int64_t time_ns, double fade_s);
 
-  /// The integrals over (from_ns, to_ns], to_ns > from_ns.
+  /// The integrals over (from_ns, to_ns], to_ns > from_ns; random vibration needs to_ns = (k + 1) dt, from_ns = k dt.
   Increments increments(std::int64_t from_ns, std::int64_t to_ns);
+
+  /// Whether the mount moves, and its highest frequency.
+  bool mount_moves() const { return fastest_motion_hz_ > 0.0; }
+  double fastest_motion_hz() const { return fastest_motion_hz_; }
+
+  /// The mount at `time_ns` + `offset_s`.
+  MountState mount(std::int64_t time_ns, double offset_s) const;
 
  private:
   struct Tone {
@@ -44,6 +74,14 @@ class Vibration {
   struct Layer {
     std::vector<Tone> linear;
     std::vector<Tone> angular;
+    std::vector<Tone> mount_linear;
+    std::vector<Tone> mount_angular;
+    std::optional<RandomVibration> linear_random;
+    std::optional<RandomVibration> angular_random;
+
+    bool is_still() const;
+    bool mount_moves() const { return !mount_linear.empty() || !mount_angular.empty(); }
+    MountState mount(std::int64_t time_ns, double offset_s) const;
   };
   /// Layer i + 1 rises and all layers before it fall with fade i.
   struct Fade {
@@ -58,15 +96,26 @@ class Vibration {
     std::int64_t from_ns;
     std::int64_t to_ns;
   };
+  /// Product of a layer's gates at an instant, and its derivative, 1/s.
+  struct Weight {
+    double value;
+    double slope;
+  };
 
-  static Layer layer_of(const VibrationProfile& profile);
+  Layer layer_of(const VibrationProfile& profile) const;
   static std::complex<double> gated_integral(double frequency_hz, double middle_turns, const Span& span,
                                              const Gate* gate, const Gate* end);
   static Vector3 integral(std::vector<Tone>& tones, const Span& span, const std::vector<Gate>& gates);
+  Increments random_increments(std::int64_t from_ns, std::int64_t to_ns);
+  Weight weight(std::size_t layer, std::int64_t time_ns, double offset_s) const;
   void drop_layers_until(std::size_t count);
+  void note_motion();
 
+  Setup setup_;
   std::vector<Layer> layers_;
   std::vector<Fade> fades_;
+  double fastest_motion_hz_ = 0.0;  ///< 0: no mount moves
+  bool has_random_ = false;
 };
 
 }  // namespace inslab::imu

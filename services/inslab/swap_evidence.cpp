@@ -1,10 +1,10 @@
 #include "services/inslab/swap_evidence.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <set>
 
 #include "samples/units.hpp"
+#include "services/inslab/imu_promise.hpp"
 #include "services/inslab/swap_window.hpp"
 #include "wire/cdr.hpp"
 #include "wire/wire_type.hpp"
@@ -29,78 +29,7 @@ double difference_tolerance(double promised, double values) { return 4.0 * promi
 
 double mean_square(const Vector3& v, const Vector3& mask) { return v.cwiseProduct(v).dot(mask) / mask.sum(); }
 
-/// What the profiles of one IMU promise for its output minus its truth, as rates, at one sample period.
-class ImuPromise {
- public:
-  ImuPromise(const LogSummary& summary, const SensorAddress& imu, std::int64_t sim_time_ns, double dt_s) : dt_s_(dt_s) {
-    if (const AnyProfile* errors = summary.in_use(ProfileKind::ImuError, imu, sim_time_ns)) {
-      const auto& profile = std::get<ImuErrorProfile>(*errors);
-      gyro_density_ = profile.gyro.arw_deg_per_sqrt_h * units::kDegPerSqrtH;
-      accel_density_ = profile.accel.vrw_m_per_s_per_sqrt_h * units::kMPerSPerSqrtH;
-    }
-    if (const AnyProfile* shaking = summary.in_use(ProfileKind::Vibration, imu, sim_time_ns)) {
-      vibration_ = &std::get<VibrationProfile>(*shaking);
-    }
-  }
-
-  /// Standard deviation of the rate error: white noise, and the sinusoids as their interval means show them.
-  double gyro_sigma() const {
-    return std::sqrt(noise(gyro_density_) + angular([](double) { return 1.0; }));
-  }
-  double accel_sigma() const {
-    return std::sqrt(noise(accel_density_) + linear([](double) { return 1.0; }));
-  }
-  /// The same after first differences over sqrt(2), which pass a sinusoid with the power 1 - cos(2 pi f dt).
-  double gyro_white_sigma() const { return std::sqrt(noise(gyro_density_) + angular(difference_gain())); }
-  double accel_white_sigma() const { return std::sqrt(noise(accel_density_) + linear(difference_gain())); }
-
- private:
-  double noise(const Vector3& density) const { return mean_square(density, kAllAxes) / dt_s_; }
-
-  std::function<double(double)> difference_gain() const {
-    return [dt_s = dt_s_](double frequency_hz) { return 1.0 - std::cos(2.0 * units::kPi * frequency_hz * dt_s); };
-  }
-  double interval_mean_gain(double frequency_hz) const {
-    const double x = units::kPi * frequency_hz * dt_s_;
-    return std::sin(x) / x;
-  }
-  template <class Gain>
-  double power(const Vector3& amplitude, double frequency_hz, const Gain& gain) const {
-    const double mean_gain = interval_mean_gain(frequency_hz);
-    return 0.5 * mean_square(amplitude, kAllAxes) * mean_gain * mean_gain * gain(frequency_hz);
-  }
-  template <class Gain>
-  double linear(const Gain& gain) const {
-    double sum = 0.0;
-    if (vibration_ == nullptr) return sum;
-    for (const auto& term : vibration_->linear) sum += power(term.amplitude_m_per_s2, term.frequency_hz, gain);
-    return sum;
-  }
-  template <class Gain>
-  double angular(const Gain& gain) const {
-    double sum = 0.0;
-    if (vibration_ == nullptr) return sum;
-    for (const auto& term : vibration_->angular) {
-      sum += power(term.amplitude_deg_per_s * units::kDeg, term.frequency_hz, gain);
-    }
-    return sum;
-  }
-
-  double dt_s_;
-  Vector3 gyro_density_ = Vector3::Zero();
-  Vector3 accel_density_ = Vector3::Zero();
-  const VibrationProfile* vibration_ = nullptr;
-};
-
-/// Relative error of the power of a sinusoid over a stretch that holds no whole number of its periods.
-double leakage(const AnyProfile& profile, const SwapWindow& window) {
-  const auto* vibration = std::get_if<VibrationProfile>(&profile);
-  if (vibration == nullptr) return 0.0;
-  double slowest_hz = 1e9;
-  for (const auto& term : vibration->linear) slowest_hz = std::min(slowest_hz, term.frequency_hz);
-  for (const auto& term : vibration->angular) slowest_hz = std::min(slowest_hz, term.frequency_hz);
-  return 1.0 / (2.0 * units::kPi * slowest_hz * static_cast<double>(window.until_ns - window.after_ns) * 1e-9);
-}
+double duration_s(const SwapWindow& window) { return static_cast<double>(window.until_ns - window.after_ns) * 1e-9; }
 
 /// One line for a white noise density: rate sigma times sqrt(dt), in the profile's unit.
 EvidenceLine density_line(const char* quantity, const char* unit, double per_unit, const NoiseStatistics& before,
@@ -207,6 +136,7 @@ class Weigher {
   std::vector<EvidenceLine> imu_error() const {
     const ImuPromise before = promise(swap_.before);
     const ImuPromise after = promise(swap_.after);
+    if (!before.is_plain() || !after.is_plain()) return {};
     return {
         density_line("gyro white noise", "deg/sqrt(h)", units::kDegPerSqrtH, swap_.before.gyro_rad_per_s,
                      swap_.after.gyro_rad_per_s, before.gyro_white_sigma(), after.gyro_white_sigma(), period_s()),
@@ -217,7 +147,9 @@ class Weigher {
   std::vector<EvidenceLine> vibration() const {
     const ImuPromise before = promise(swap_.before);
     const ImuPromise after = promise(swap_.after);
-    const double extra = leakage(*swap_.profile, swap_.after);
+    if (!before.is_plain() || !after.is_plain()) return {};
+    const double extra =
+        std::max(before.spread_error(duration_s(swap_.before)), after.spread_error(duration_s(swap_.after)));
     return {sigma_line("specific force, noise and vibration", "m/s^2", 1.0, swap_.before.accel_m_per_s2,
                        swap_.after.accel_m_per_s2, before.accel_sigma(), after.accel_sigma(), kAllAxes, extra),
             sigma_line("angular rate, noise and vibration", "deg/s", units::kDeg, swap_.before.gyro_rad_per_s,
@@ -225,7 +157,8 @@ class Weigher {
   }
 
   std::vector<EvidenceLine> imu_installation() const {
-    return arms("IMU arm", swap_.before.imu_arm_v_m, swap_.after.imu_arm_v_m, 0.0, 0.0);
+    return arms("IMU arm", swap_.before.imu_arm_v_m, swap_.after.imu_arm_v_m, promise(swap_.before).mount_reach_m(),
+                promise(swap_.after).mount_reach_m());
   }
   std::vector<EvidenceLine> antenna_installation() const {
     // White noise averages out over the fixes of a window; a Gauss-Markov error as slow as the window does not.

@@ -117,11 +117,12 @@ std::vector<SwapWindows> cut_windows(const LogSummary& summary) {
 void add_imu(std::vector<SwapWindows>& windows, const ImuSample& sample, const ImuTruth& imu_truth,
              const TruthState& vehicle) {
   const double dt_s = static_cast<double>(sample.interval_ns) * 1e-9;
+  const bool delivered = sample.gyro_valid && sample.accel_valid;
   for (SwapWindows& swap : windows) {
     if (!(swap.ack.target == SensorAddress{SensorKind::Imu, sample.sensor_number})) continue;
     note_first(swap, sample);
     for (SwapWindow* window : {&swap.before, &swap.after}) {
-      if (!window->contains(sample.header.sim_time_ns)) continue;
+      if (!delivered || !window->contains(sample.header.sim_time_ns)) continue;
       const std::uint64_t k = sample.header.sequence_number;
       window->gyro_rad_per_s.add(k, (sample.dtheta_b - imu_truth.dtheta_b) / dt_s);
       window->accel_m_per_s2.add(k, (sample.dv_b - imu_truth.dv_b) / dt_s);

@@ -86,26 +86,88 @@ void BM_ImuLeverArm(benchmark::State& state) {
 }
 BENCHMARK(BM_ImuLeverArm);
 
-/// Arm, mounting, three linear and three angular sinusoids, every error term.
-void BM_ImuEveryTerm(benchmark::State& state) {
-  auto setup = imu_setup();
-  setup.installation.lever_arm_v_m = {0.5, 0.2, -0.8};
-  setup.installation.mounting_rpy_deg = {1.0, 2.0, 3.0};
-  for (const double frequency_hz : {12.0, 30.0, 85.0}) {
-    setup.vibration.linear.push_back({Vector3::Constant(0.3), frequency_hz, Vector3(0.0, 90.0, 45.0)});
-    setup.vibration.angular.push_back({Vector3::Constant(0.3), frequency_hz, Vector3(0.0, 90.0, 45.0)});
-  }
-  for (auto* vector : {&setup.errors.gyro.bias_constant_deg_per_h, &setup.errors.gyro.bias_turn_on_sigma_deg_per_h,
-                       &setup.errors.gyro.scale_factor_ppm, &setup.errors.accel.bias_constant_mgal,
-                       &setup.errors.accel.bias_turn_on_sigma_mgal, &setup.errors.accel.scale_factor_ppm}) {
+template <class Errors>
+void add_every_common_term(Errors& errors) {
+  errors.scale_factor_ppm.setConstant(10.0);
+  errors.scale_factor_turn_on_sigma_ppm.setConstant(10.0);
+  errors.scale_factor_gm_sigma_ppm.setConstant(10.0);
+  errors.scale_factor_gm_correlation_time_s.setConstant(1000.0);
+  errors.scale_factor_temperature_ppm_per_deg_c.setConstant(1.0);
+  errors.scale_factor_asymmetry_ppm.setConstant(5.0);
+  errors.nonlinearity_ppm_of_full_scale.setConstant(5.0);
+  errors.cross_axis_arcsec.setConstant(30.0);
+  errors.bandwidth_hz.setConstant(50.0);
+  errors.bandwidth_order = FilterOrder::Second;
+}
+
+/// Every error term: deterministic, random, and limits.
+ImuErrorProfile every_error() {
+  ImuErrorProfile errors = bias_and_noise();
+  add_every_common_term(errors.gyro);
+  add_every_common_term(errors.accel);
+  for (auto* vector : {&errors.gyro.bias_constant_deg_per_h, &errors.gyro.bias_turn_on_sigma_deg_per_h,
+                       &errors.gyro.bias_random_walk_deg_per_h_per_sqrt_h, &errors.gyro.bias_instability_deg_per_h,
+                       &errors.gyro.bias_temperature_deg_per_h_per_deg_c, &errors.accel.bias_constant_mgal,
+                       &errors.accel.bias_turn_on_sigma_mgal, &errors.accel.bias_random_walk_mgal_per_sqrt_h,
+                       &errors.accel.bias_instability_mgal, &errors.accel.bias_temperature_mgal_per_deg_c,
+                       &errors.accel.nonlinearity_ppm_per_g, &errors.accel.full_scale_g}) {
     vector->setConstant(10.0);
   }
-  setup.errors.gyro.cross_axis_arcsec.setConstant(30.0);
-  setup.errors.accel.cross_axis_arcsec.setConstant(30.0);
+  errors.gyro.g_sensitivity_deg_per_h_per_g.setConstant(1.0);
+  errors.gyro.full_scale_deg_per_s.setConstant(400.0);
+  errors.gyro.quantization_arcsec.setConstant(0.1);
+  errors.accel.quantization_m_per_s.setConstant(1e-5);
+  errors.temperature = {{0.0, 20.0}, {1e6, 60.0}};
+  errors.drop_probability = 1e-3;
+  return errors;
+}
+
+void BM_ImuEveryError(benchmark::State& state) {
+  auto setup = imu_setup();
+  setup.errors = every_error();
+  imu::ImuModel model(setup);
+  run_imu(state, model);
+}
+BENCHMARK(BM_ImuEveryError);
+
+void shake(VibrationProfile& vibration) {
+  for (const double frequency_hz : {12.0, 30.0, 85.0}) {
+    vibration.linear.push_back({Vector3::Constant(0.3), frequency_hz, Vector3(0.0, 90.0, 45.0)});
+    vibration.angular.push_back({Vector3::Constant(0.3), frequency_hz, Vector3(0.0, 90.0, 45.0)});
+  }
+}
+
+/// Arm, mounting, three linear and three angular sinusoids, every error.
+void BM_ImuEveryTerm(benchmark::State& state) {
+  auto setup = imu_setup();
+  setup.errors = every_error();
+  setup.installation.lever_arm_v_m = {0.5, 0.2, -0.8};
+  setup.installation.mounting_rpy_deg = {1.0, 2.0, 3.0};
+  shake(setup.vibration);
   imu::ImuModel model(setup);
   run_imu(state, model);
 }
 BENCHMARK(BM_ImuEveryTerm);
+
+/// Random vibration along and about three axes beside bias and noise.
+void BM_ImuRandomVibration(benchmark::State& state) {
+  auto setup = imu_setup();
+  setup.vibration.linear_random = {{10.0, Vector3::Constant(0.01)}, {500.0, Vector3::Constant(0.01)}};
+  setup.vibration.angular_random = {{10.0, Vector3::Constant(0.01)}, {500.0, Vector3::Constant(0.01)}};
+  imu::ImuModel model(setup);
+  run_imu(state, model);
+}
+BENCHMARK(BM_ImuRandomVibration);
+
+/// The same sinusoids as motion of the mount.
+void BM_ImuMovingMount(benchmark::State& state) {
+  auto setup = imu_setup();
+  shake(setup.vibration);
+  setup.vibration.domain = VibrationDomain::Motion;
+  imu::ImuModel model(setup);
+  run_imu(state, model);
+}
+BENCHMARK(BM_ImuMovingMount);
 
 void BM_GnssFix(benchmark::State& state) {
   gnss::GnssModel::Setup setup{1, 0, time::Rate(200.0), time::Rate(200.0), {}, {}, {}, {}};

@@ -238,7 +238,7 @@ TEST(ImuModel, AVibrationSwapFades) {
   profile.request.journal_number = 2;
   model.measure(motion()[0]);
   model.apply(profile);
-  Vibration full(shaking());
+  Vibration full(shaking(), {kPeriodS, 42, "imu0"});
   for (std::int64_t k = 1; k <= 400; ++k) {
     const auto output = model.measure(motion()[k]);
     const Increments at_full = full.increments((k - 1) * kPeriodNs, k * kPeriodNs);

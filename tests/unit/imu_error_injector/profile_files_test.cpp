@@ -29,19 +29,47 @@ void check_files(const std::string& kind, const std::set<std::string>& expected)
 }
 
 TEST(ProfileFiles, ImuProfilesAreValid) {
-  check_files<ImuErrorProfile>("imu", {"ideal", "pos830", "stim300", "adis16488", "mems_automotive"});
+  check_files<ImuErrorProfile>(
+      "imu", {"ideal", "pos830", "stim300", "adis16488", "mems_automotive", "grade_marine", "grade_aviation",
+              "grade_intermediate", "grade_tactical", "grade_automotive", "span100c", "every_term"});
 }
 
 TEST(ProfileFiles, VibrationProfilesAreValid) {
-  check_files<VibrationProfile>("vibration", {"none", "car", "rotorcraft"});
+  check_files<VibrationProfile>("vibration",
+                                {"none", "car", "car_rough_road", "rotorcraft", "fixed_wing", "ship_engine", "launch"});
 }
 
 TEST(ProfileFiles, InstallationProfilesAreValid) {
-  check_files<InstallationProfile>("installation", {"centre", "imu_trunk", "antenna_roof", "antenna_trunk"});
+  check_files<InstallationProfile>(
+      "installation", {"centre", "imu_trunk", "antenna_roof", "antenna_trunk", "imu_avionics_bay", "antenna_fuselage"});
 }
 
 TEST(ProfileFiles, GnssProfilesAreValid) {
   check_files<GnssErrorProfile>("gnss", {"rtk", "ppp", "dgnss", "single_point", "degraded_urban"});
+}
+
+/// Grows where a term is declared that the example leaves out.
+struct NumbersAtZero {
+  std::vector<std::string> names;
+
+  template <class T>
+  void operator()(const Field& field, const T& value) {
+    if constexpr (std::is_same_v<T, double>) {
+      if (value == 0.0) names.emplace_back(field.name);
+    } else if constexpr (std::is_same_v<T, Vector3> || std::is_same_v<T, Vector6> || std::is_same_v<T, Vector9>) {
+      if (value.isZero(0.0)) names.emplace_back(field.name);
+    }
+  }
+};
+
+TEST(ProfileFiles, TheExampleOfEveryTermHasEveryTerm) {
+  const auto profile = config::read_file<ImuErrorProfile>(folder("imu") / "every_term.json");
+  NumbersAtZero zeros;
+  GyroErrors::fields(profile.gyro, zeros);
+  AccelErrors::fields(profile.accel, zeros);
+  ImuErrorProfile::fields(profile, zeros);
+  EXPECT_EQ(zeros.names, std::vector<std::string>());
+  EXPECT_FALSE(profile.temperature.empty());
 }
 
 TEST(ProfileFiles, AScalarMeansAllThreeAxes) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr std::int64_t kPeriodNs = 5000000;
+const Vibration::Setup kSetup{5e-3, 42, "imu0"};
 
 VibrationProfile linear_x(double amplitude_m_per_s2, double frequency_hz, double phase_deg) {
   VibrationProfile profile;
@@ -26,7 +27,7 @@ double simpson(const std::function<double(double)>& f, double a, double b, int n
 }
 
 TEST(Vibration, AnIntervalHoldsTheIntegralOfTheSinusoid) {
-  Vibration vibration(linear_x(3.0, 12.5, 30.0));
+  Vibration vibration(linear_x(3.0, 12.5, 30.0), kSetup);
   for (std::int64_t k = 0; k < 400; ++k) {
     const double w = 2.0 * kPi * 12.5, phase = kPi / 6.0;
     const double t0 = static_cast<double>(k) * 5e-3, t1 = t0 + 5e-3;
@@ -39,7 +40,7 @@ TEST(Vibration, AnIntervalHoldsTheIntegralOfTheSinusoid) {
 TEST(Vibration, AnglesAreInRadiansAndEveryAxisHasItsOwnAmplitudeAndPhase) {
   VibrationProfile profile;
   profile.angular.push_back({Vector3(90.0, 45.0, 0.0), 1.0, Vector3(0.0, 90.0, 0.0)});
-  Vibration vibration(profile);
+  Vibration vibration(profile, kSetup);
   const Increments out = vibration.increments(0, 250000000);  // a quarter period
   // Integral of sin over a quarter: 1/(2 pi); of cos: the same.
   EXPECT_NEAR(out.dtheta.x(), 0.5 * kPi / (2.0 * kPi), 1e-15);
@@ -50,9 +51,9 @@ TEST(Vibration, AnglesAreInRadiansAndEveryAxisHasItsOwnAmplitudeAndPhase) {
 
 TEST(Vibration, AFrequencyAboveHalfTheSampleRateLeavesItsIntegralAndNoAlias) {
   // 200 Hz sampled at 200 Hz: whole periods, so nothing is left where instantaneous samples would show a constant.
-  Vibration whole(linear_x(10.0, 200.0, 90.0));
+  Vibration whole(linear_x(10.0, 200.0, 90.0), kSetup);
   // 210 Hz: a tenth of a period more; the integral is a/(pi f) sin(pi f dt), not a dt.
-  Vibration more(linear_x(10.0, 210.0, 90.0));
+  Vibration more(linear_x(10.0, 210.0, 90.0), kSetup);
   double largest = 0.0;
   for (std::int64_t k = 0; k < 200; ++k) {
     EXPECT_NEAR(whole.increments(k * kPeriodNs, (k + 1) * kPeriodNs).dv.x(), 0.0, 1e-15);
@@ -65,7 +66,7 @@ TEST(Vibration, AFrequencyAboveHalfTheSampleRateLeavesItsIntegralAndNoAlias) {
 }
 
 TEST(Vibration, IncrementsAddUpToTheIntegralOfTheWhole) {
-  Vibration vibration(linear_x(2.0, 33.3, 12.0));
+  Vibration vibration(linear_x(2.0, 33.3, 12.0), kSetup);
   double sum = 0.0;
   for (std::int64_t k = 0; k < 20000; ++k) sum += vibration.increments(k * kPeriodNs, (k + 1) * kPeriodNs).dv.x();
   const double w = 2.0 * kPi * 33.3, phase = 12.0 * kPi / 180.0;
@@ -75,7 +76,7 @@ TEST(Vibration, IncrementsAddUpToTheIntegralOfTheWhole) {
 
 TEST(Vibration, PrecisionDoesNotFadeInAWeek) {
   // 1000.125 Hz is exact in binary and makes a whole number of turns in a week.
-  Vibration vibration(linear_x(1.0, 1000.125, 77.0));
+  Vibration vibration(linear_x(1.0, 1000.125, 77.0), kSetup);
   constexpr std::int64_t kWeekNs = 604800LL * 1000000000LL;
   for (std::int64_t k = 0; k < 100; ++k) {
     const double at_start = vibration.increments(k * kPeriodNs, (k + 1) * kPeriodNs).dv.x();
@@ -85,7 +86,7 @@ TEST(Vibration, PrecisionDoesNotFadeInAWeek) {
 }
 
 TEST(Vibration, ASwapWithoutAFadeTakesEffectAtOnce) {
-  Vibration vibration(linear_x(1.0, 10.0, 0.0));
+  Vibration vibration(linear_x(1.0, 10.0, 0.0), kSetup);
   vibration.swap(VibrationProfile(), 40 * kPeriodNs, 0.0);
   EXPECT_EQ(vibration.increments(40 * kPeriodNs, 41 * kPeriodNs).dv, Vector3::Zero());
 }
@@ -97,7 +98,7 @@ double rise(double t, double start, double length) {
 
 TEST(Vibration, AFadeIsIntegratedExactlyThroughItsEndInsideAnInterval) {
   // From 9.5 Hz at 2 m/s^2 to 170 Hz at 5 m/s^2 in 0.4321 s from 0.1 s on.
-  Vibration vibration(linear_x(2.0, 9.5, 20.0));
+  Vibration vibration(linear_x(2.0, 9.5, 20.0), kSetup);
   const auto mixed = [](double t) {
     const double w = rise(t, 0.1, 0.4321);
     return (1.0 - w) * 2.0 * std::sin(2.0 * kPi * 9.5 * t + kPi / 9.0) +
@@ -115,7 +116,7 @@ TEST(Vibration, AFadeIsIntegratedExactlyThroughItsEndInsideAnInterval) {
 
 TEST(Vibration, AFadeOfTheSameProfileChangesNothing) {
   // The weights of both sum to 1 at every instant; 1e-17 is the rounding of increments of 1e-2.
-  Vibration still(linear_x(2.0, 9.5, 20.0)), swapped(linear_x(2.0, 9.5, 20.0));
+  Vibration still(linear_x(2.0, 9.5, 20.0), kSetup), swapped(linear_x(2.0, 9.5, 20.0), kSetup);
   for (std::int64_t k = 0; k < 300; ++k) {
     if (k == 20) swapped.swap(linear_x(2.0, 9.5, 20.0), k * kPeriodNs, 1.0);
     if (k == 90) swapped.swap(linear_x(2.0, 9.5, 20.0), k * kPeriodNs, 0.5);
@@ -127,7 +128,7 @@ TEST(Vibration, AFadeOfTheSameProfileChangesNothing) {
 
 TEST(Vibration, ASwapDuringAFadeGoesOnSmoothlyFromWhereItIs) {
   // a -> b (1 s from 0.1 s), b -> c (0.4 s from 0.3 s): weights (1 - r1)(1 - r2), r1 (1 - r2), r2.
-  Vibration vibration(linear_x(1.0, 5.0, 0.0));
+  Vibration vibration(linear_x(1.0, 5.0, 0.0), kSetup);
   const auto mixed = [](double t) {
     const double r1 = rise(t, 0.1, 1.0), r2 = rise(t, 0.3, 0.4);
     return (1.0 - r1) * (1.0 - r2) * std::sin(2.0 * kPi * 5.0 * t) +
@@ -143,7 +144,7 @@ TEST(Vibration, ASwapDuringAFadeGoesOnSmoothlyFromWhereItIs) {
 }
 
 TEST(Vibration, AThirdFadeEndsTheFirstAtOnce) {
-  Vibration vibration(linear_x(100.0, 5.0, 0.0));
+  Vibration vibration(linear_x(100.0, 5.0, 0.0), kSetup);
   vibration.swap(linear_x(0.0, 7.0, 0.0), 0, 10.0);
   vibration.swap(linear_x(0.0, 9.0, 0.0), 0, 10.0);
   EXPECT_NE(vibration.increments(0, kPeriodNs).dv.x(), 0.0);
