@@ -84,7 +84,7 @@ std::optional<Violation> missing_file(const Scenario& scenario, const std::files
   NamedFiles files(folder);
   const Trajectory& trajectory = scenario.trajectory;
   if (trajectory.source == TrajectorySource::File) files.look_for("trajectory.file.path", trajectory.file.path);
-  files.look_for_optional("trajectory.segments_file", scenario.trajectory.segments_file);
+  files.look_for_optional("trajectory.segments_file", trajectory.segments_file);
   const auto at = [](const char* list, std::size_t index) { return list + ("[" + std::to_string(index) + "]."); };
   for (std::size_t i = 0; i < scenario.imu.size(); ++i) {
     const ImuSensor& imu = scenario.imu[i];

@@ -25,6 +25,13 @@ scenario::Trajectory from_segment(scenario::Trajectory table, std::ptrdiff_t fir
   return table;
 }
 
+/// A minute of an aircraft's bumps and turns from another place.
+scenario::Trajectory aircraft_at(double latitude_deg, double longitude_deg, double height_m, double yaw_deg) {
+  scenario::Trajectory table = from_segment(tables::aircraft(), 7, 200.0);
+  table.initial = {latitude_deg, longitude_deg, height_m, 200.0, 0.0, 0.0, yaw_deg};
+  return table;
+}
+
 class EcefReference : public testing::TestWithParam<Case> {};
 
 TEST_P(EcefReference, AgreesToAMicrometre) {
@@ -44,9 +51,21 @@ INSTANTIATE_TEST_SUITE_P(Tables, EcefReference,
                          testing::Values(Case{"basic", from_segment(tables::basic(), 1, 0.0), 90.0},
                                          Case{"vehicle", from_segment(tables::vehicle(), 1, 0.0), 90.0},
                                          Case{"aircraft", from_segment(tables::aircraft(), 6, 200.0), 110.0},
-                                         Case{"ship", tables::ship(), 60.0},
-                                         Case{"rocket", tables::rocket(), 60.0}),
+                                         Case{"ship", tables::ship(), 60.0}, Case{"rocket", tables::rocket(), 60.0}),
                          [](const auto& table) { return table.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Places, EcefReference,
+    testing::Values(Case{"south_west", aircraft_at(-33.45, -70.66, 500.0, 0.0), 60.0},
+                    Case{"across_the_equator", aircraft_at(0.005, 0.0, 500.0, 180.0), 60.0},
+                    Case{"eastward_across_the_antimeridian", aircraft_at(-17.0, 179.99, 500.0, 90.0), 60.0},
+                    Case{"westward_across_the_antimeridian", aircraft_at(52.0, -179.99, 500.0, -90.0), 60.0},
+                    Case{"across_the_prime_meridian_from_below_360_deg", aircraft_at(51.5, 359.99, 500.0, 90.0), 60.0},
+                    Case{"near_the_north_pole", aircraft_at(89.7, 10.0, 500.0, 60.0), 60.0},
+                    Case{"near_the_south_pole", aircraft_at(-89.7, -160.0, 3000.0, 90.0), 60.0},
+                    Case{"in_the_dead_sea", aircraft_at(31.5, 35.5, -900.0, 0.0), 60.0},
+                    Case{"at_the_upper_edge", aircraft_at(45.0, 100.0, 99900.0, 45.0), 60.0}),
+    [](const auto& place) { return place.param.name; });
 
 }  // namespace
 }  // namespace inslab::verify
