@@ -102,13 +102,21 @@ class JsonReader {
   template <class Enum>
   void read_enum(const std::string& path, const Json& json, Enum& value) const {
     const auto& names = EnumNames<Enum>::values;
+    std::vector<std::string> known(names.begin(), names.end());
+    if constexpr (enum_has_numbers<Enum>) {
+      if (json.is_number_integer()) {
+        if (const auto numbered = enum_of_number<Enum>(json.get<std::int64_t>())) {
+          value = *numbered;
+          return;
+        }
+        for (const auto number : EnumNames<Enum>::numbers) known.push_back(std::to_string(number));
+        fail(Rule::KnownName, path, "is " + json.dump() + "; expected one of: " + joined(known));
+      }
+    }
     if (!json.is_string()) wrong_type(path, json, "a string");
     const auto text = json.get<std::string>();
     const auto found = std::find(names.begin(), names.end(), text);
-    if (found == names.end()) {
-      fail(Rule::KnownName, path,
-           "is '" + text + "'; expected one of: " + joined(std::vector<std::string>(names.begin(), names.end())));
-    }
+    if (found == names.end()) fail(Rule::KnownName, path, "is '" + text + "'; expected one of: " + joined(known));
     value = static_cast<Enum>(found - names.begin());
   }
 

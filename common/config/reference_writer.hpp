@@ -63,9 +63,9 @@ class ReferenceWriter {
     std::vector<std::vector<std::string>> holders;
     ReferenceWriter as_declared(prefix);
     T::fields(value, as_declared);
-    DiscriminatorSetter setter{0, {}, 1, {}};
+    DiscriminatorSetter setter{0, {}, 1, {}, {}};
     for (std::size_t i = 0; i < setter.alternatives; ++i) {
-      setter = {i, {}, 0, {}};
+      setter = {i, {}, 0, {}, {}};
       T::fields(value, setter);
       ReferenceWriter inner(prefix);
       T::fields(value, inner);
@@ -110,7 +110,11 @@ class ReferenceWriter {
     } else if constexpr (std::is_enum_v<T>) {
       (void)value;
       std::string text;
-      for (const std::string_view name : EnumNames<T>::values) text += (text.empty() ? "" : ", ") + std::string(name);
+      for (std::size_t i = 0; i < EnumNames<T>::values.size(); ++i) {
+        const auto number = enum_number(static_cast<T>(i));
+        text += (i == 0 ? "" : ", ") + std::string(EnumNames<T>::values[i]);
+        if (number) text += " (" + std::to_string(*number) + ")";
+      }
       return text;
     } else if constexpr (std::is_same_v<T, double>) {
       return "number" + range(field);

@@ -54,6 +54,9 @@ class SchemaWriter {
     } else if constexpr (std::is_enum_v<T>) {
       Json schema{{"enum", Json::array()}};
       for (const std::string_view name : EnumNames<T>::values) schema["enum"].push_back(std::string(name));
+      if constexpr (enum_has_numbers<T>) {
+        for (const auto number : EnumNames<T>::numbers) schema["enum"].push_back(number);
+      }
       if (!field.is_required) schema["default"] = std::string(enum_name(value));
       return schema;
     } else if constexpr (std::is_same_v<T, double>) {
@@ -100,6 +103,7 @@ struct DiscriminatorSetter {
   std::string key;
   std::size_t alternatives = 0;
   std::string value_name;
+  std::optional<std::uint32_t> value_number;
 
   template <class T>
   void operator()(const Field& field, T& value) {
@@ -109,6 +113,7 @@ struct DiscriminatorSetter {
       alternatives = EnumNames<T>::values.size();
       value = static_cast<T>(index);
       value_name = enum_name(value);
+      value_number = enum_number(value);
     }
   }
 };
@@ -119,12 +124,16 @@ Json schema_of_struct() {
     Json alternatives = Json::array();
     for (std::size_t i = 0, count = 1; i < count; ++i) {
       T value;
-      DiscriminatorSetter setter{i, {}, 0, {}};
+      DiscriminatorSetter setter{i, {}, 0, {}, {}};
       T::fields(value, setter);
       count = setter.alternatives;
       Json schema = schema_of_fields(value);
       Json fixed = Json::object();
-      fixed["const"] = setter.value_name;
+      if (setter.value_number) {
+        fixed["enum"] = Json::array({setter.value_name, *setter.value_number});
+      } else {
+        fixed["const"] = setter.value_name;
+      }
       schema["properties"][setter.key] = std::move(fixed);
       alternatives.push_back(std::move(schema));
     }

@@ -86,7 +86,8 @@ struct Field {
 };
 
 /// Specialised for every enum on the wire or in JSON: `type` is the IDL name, `prefix` the enumerators' prefix there,
-/// `values` their JSON names, in order from 0.
+/// `values` their JSON names, in order from 0. Where a source numbers the enumerators, JSON takes these `numbers` too:
+/// one for each of the first enumerators, in their order.
 template <class Enum>
 struct EnumNames;
 
@@ -107,6 +108,10 @@ struct HasFields : std::false_type {};
 template <class T>
 struct HasFields<T, std::void_t<decltype(T::fields(std::declval<T&>(), std::declval<AnyVisitor&>()))>>
     : std::true_type {};
+template <class Enum, class = void>
+struct EnumHasNumbers : std::false_type {};
+template <class Enum>
+struct EnumHasNumbers<Enum, std::void_t<decltype(EnumNames<Enum>::numbers)>> : std::true_type {};
 template <class T>
 struct IsVector : std::false_type {};
 template <class T>
@@ -120,6 +125,31 @@ struct IsOptional<std::optional<T>> : std::true_type {};
 /// True for structs that list their fields.
 template <class T>
 inline constexpr bool has_fields = detail::HasFields<std::remove_const_t<T>>::value;
+
+/// True for enums that JSON may give by number too.
+template <class Enum>
+inline constexpr bool enum_has_numbers = detail::EnumHasNumbers<Enum>::value;
+
+/// The number that JSON may give instead of the enumerator's name, if it has one.
+template <class Enum>
+std::optional<std::uint32_t> enum_number(Enum value) {
+  if constexpr (enum_has_numbers<Enum>) {
+    const auto index = static_cast<std::size_t>(value);
+    if (index < EnumNames<Enum>::numbers.size()) return EnumNames<Enum>::numbers[index];
+  }
+  return std::nullopt;
+}
+
+/// The enumerator of that number, if there is one.
+template <class Enum>
+std::optional<Enum> enum_of_number(std::int64_t number) {
+  if constexpr (enum_has_numbers<Enum>) {
+    for (std::size_t i = 0; i < EnumNames<Enum>::numbers.size(); ++i) {
+      if (number == EnumNames<Enum>::numbers[i]) return static_cast<Enum>(i);
+    }
+  }
+  return std::nullopt;
+}
 
 /// True for std::vector.
 template <class T>

@@ -44,7 +44,9 @@ class LimitChecker {
 
   template <class T>
   void check(const Field& field, const std::string& path, const T& value) {
-    if constexpr (std::is_same_v<T, std::string>) {
+    if constexpr (is_optional<T>) {
+      if (value) check(field, path, *value);
+    } else if constexpr (std::is_same_v<T, std::string>) {
       if (value.size() > field.max_size) {
         found = Violation{
             Rule::BoundedSize, path,

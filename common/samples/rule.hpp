@@ -35,6 +35,9 @@ enum class Rule : std::uint32_t {
   SwapsInOrder,       ///< swaps are in order of time
   TargetSpeedAlone,   ///< nothing else accelerates along the axis of a target speed
   TargetSpeedOnNose,  ///< the axis of a target speed does not turn away from the velocity
+  BallisticAlone,     ///< nothing else moves or turns a ballistic vehicle
+  SegmentsOnce,       ///< the segments are in the scenario or in a file, not in both
+  MotionMatrix,       ///< a file of segments has the rows of the thesis's matrix
   TrajectoryLength,   ///< at most 1e9 s
   MethodNeeds,        ///< the file has the columns that the method works on
   FileCoversRun,      ///< the file's rows reach to the end of the run
@@ -93,6 +96,9 @@ struct EnumNames<Rule> {
                                                            "swaps_in_order",
                                                            "target_speed_alone",
                                                            "target_speed_on_nose",
+                                                           "ballistic_alone",
+                                                           "segments_once",
+                                                           "motion_matrix",
                                                            "trajectory_length",
                                                            "method_needs",
                                                            "file_covers_run",

@@ -5,6 +5,7 @@
 #include "io/trajectory_judge.hpp"
 #include "random/stream.hpp"
 #include "samples/profile_rules.hpp"
+#include "scenario/motion_matrix.hpp"
 
 namespace inslab::scenario {
 
@@ -85,6 +86,7 @@ std::optional<Violation> missing_file(const Scenario& scenario, const std::files
   NamedFiles files(folder);
   const Trajectory& trajectory = scenario.trajectory;
   if (trajectory.source == TrajectorySource::File) files.look_for("trajectory.file.path", trajectory.file.path);
+  files.look_for_optional("trajectory.segments_file", trajectory.segments_file);
   const auto at = [](const char* list, std::size_t index) { return list + ("[" + std::to_string(index) + "]."); };
   for (std::size_t i = 0; i < scenario.imu.size(); ++i) {
     const ImuSensor& imu = scenario.imu[i];
@@ -140,6 +142,13 @@ void check_rows_cover_run(const LoadedScenario& loaded) {
                                                  inslab::detail::number_text(time::to_seconds(last_row)) + " s"});
 }
 
+/// Afterwards the scenario says all by itself: what is logged with a run needs no other file.
+void take_segments_from_file(Trajectory& trajectory, const std::filesystem::path& folder) {
+  if (trajectory.segments_file.empty()) return;
+  trajectory.segments = read_motion_matrix(folder / trajectory.segments_file);
+  trajectory.segments_file.clear();
+}
+
 }  // namespace
 
 AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target) {
@@ -174,6 +183,7 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit) 
     loaded.trajectory_file = load_rows(folder / scenario.trajectory.file.path, scenario.trajectory.file);
     check_rows_cover_run(loaded);
   }
+  take_segments_from_file(loaded.scenario.trajectory, folder);
   for (const ImuSensor& sensor : scenario.imu) loaded.imus.push_back(load_imu(folder, sensor));
   for (const GnssSensor& sensor : scenario.gnss) loaded.gnss.push_back(load_gnss(folder, sensor));
   std::uint64_t request_id = 1;

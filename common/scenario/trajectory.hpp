@@ -15,6 +15,9 @@
 /// Source: thesis 3.2.1 and table 3-1, with the extensions named in docs/models.md.
 namespace inslab::scenario {
 
+inline constexpr std::size_t kMaxSegments = 100000;
+inline constexpr double kMaxTrajectoryLength_s = 1e9;
+
 /// What one motion does. Numbers in the comments are the types of the thesis's table 3-1.
 enum class MotionType : std::uint32_t {
   Uniform,        ///< 1: rest or constant velocity
@@ -28,6 +31,7 @@ enum class MotionType : std::uint32_t {
   SineRate,       ///< 9: A sin(2 pi t/T)
   CosineRate,     ///< 91: A cos(2 pi t/T)
   RampRate,       ///< 10: linear from one value to another
+  Ballistic,      ///< gravity and drag alone; the attitude follows the velocity
 };
 
 /// An axis of v.
@@ -53,6 +57,8 @@ struct Motion {
   double to_deg_per_s = 0.0;           ///< ramp_rate
   double period_s = 1.0;               ///< sine_accel, sine_rate, cosine_rate
   double ramp_fraction = 0.25;         ///< delta_speed, target_speed, turn
+  double drag_per_m = 0.0;             ///< ballistic
+  bool until_start_height = false;     ///< ballistic
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit);
@@ -130,6 +136,7 @@ struct Trajectory {
   GravityOptions gravity;
   InitialState initial;           ///< motion_table
   std::vector<Segment> segments;  ///< motion_table
+  std::string segments_file;      ///< motion_table; load() puts what it says into `segments`
   FileMotion file;                ///< file
 
   template <class Self, class Visitor>
@@ -139,7 +146,10 @@ struct Trajectory {
     switch (self.source) {
       case TrajectorySource::MotionTable:
         visit(Field("initial", "state at the scenario's start").required(), self.initial);
-        visit(Field("segments", "one after the other").at_most(100000), self.segments);
+        visit(Field("segments", "one after the other").at_most(kMaxSegments), self.segments);
+        visit(Field("segments_file", "file with them as a plain matrix (CSV): type, duration_s and two parameters")
+                  .at_most(4096),
+              self.segments_file);
         break;
       case TrajectorySource::File:
         visit(Field("file", "the rows and how the motion is made from them").required(), self.file);
@@ -149,18 +159,18 @@ struct Trajectory {
 };
 
 /// True for the motions that turn the vehicle, false for those that accelerate it (and for uniform).
-inline bool is_angular(MotionType type);
+bool is_angular(MotionType type);
 
 /// The axis a motion acts along or about: the one it names, or else z_v for angular and x_v for linear motions.
-inline Axis axis_of(const Motion& motion);
+Axis axis_of(const Motion& motion);
 
 /// The first rule that the trajectory breaks and that no single field's limits express, or nothing.
-inline std::optional<Violation> violation(const Trajectory& trajectory);
+std::optional<Violation> violation(const Trajectory& trajectory);
 
 template <class Self, class Visitor>
 void Motion::fields(Self& self, Visitor& visit) {
   visit(Field("type", "the other parameters depend on it").required(), self.type);
-  if (self.type != MotionType::Uniform) {
+  if (self.type != MotionType::Uniform && self.type != MotionType::Ballistic) {
     visit(Field("axis", "of the vehicle; absent: x for accelerations, z for turns and rates"), self.axis);
   }
   const Field ramp_fraction =
@@ -205,68 +215,16 @@ void Motion::fields(Self& self, Visitor& visit) {
       visit(Field("from_deg_per_s", "at the segment's start").in(-1e4, 1e4).required(), self.from_deg_per_s);
       visit(Field("to_deg_per_s", "at the segment's end").in(-1e4, 1e4).required(), self.to_deg_per_s);
       break;
+    case MotionType::Ballistic:
+      visit(Field("drag_per_m", "deceleration over speed squared: half of density, drag coefficient and area over mass")
+                .in(0.0, 1.0),
+            self.drag_per_m);
+      visit(Field("until_start_height",
+                  "the segment ends when the vehicle is back at the height of its start, after duration_s at the "
+                  "latest; with the last segment ends the run"),
+            self.until_start_height);
+      break;
   }
-}
-
-namespace detail {
-
-inline std::string path_of_motion(std::size_t segment, std::size_t motion) {
-  return "segments[" + std::to_string(segment) + "].motions[" + std::to_string(motion) + "]";
-}
-
-/// A speed can be promised only when nothing else accelerates along the same axis.
-inline std::optional<Violation> target_speed_violation(const Segment& segment, std::size_t segment_index) {
-  for (std::size_t i = 0; i < segment.motions.size(); ++i) {
-    if (segment.motions[i].type != MotionType::TargetSpeed) continue;
-    for (std::size_t j = 0; j < segment.motions.size(); ++j) {
-      const Motion& other = segment.motions[j];
-      if (j == i || is_angular(other.type) || other.type == MotionType::Uniform) continue;
-      if (axis_of(other) == axis_of(segment.motions[i])) {
-        return Violation{Rule::TargetSpeedAlone, path_of_motion(segment_index, j) + ".axis",
-                         "another motion of this segment holds a target speed along the same axis"};
-      }
-    }
-    if (segment.keep_velocity_on_nose) continue;
-    for (std::size_t j = 0; j < segment.motions.size(); ++j) {
-      if (is_angular(segment.motions[j].type)) {
-        return Violation{Rule::TargetSpeedOnNose, path_of_motion(segment_index, j) + ".type",
-                         "turns the axis of a target speed while keep_velocity_on_nose is false"};
-      }
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace detail
-
-inline bool is_angular(MotionType type) {
-  switch (type) {
-    case MotionType::Turn:
-    case MotionType::ConstantRate:
-    case MotionType::SineRate:
-    case MotionType::CosineRate:
-    case MotionType::RampRate:
-      return true;
-    default:
-      return false;
-  }
-}
-
-inline Axis axis_of(const Motion& motion) { return motion.axis.value_or(is_angular(motion.type) ? Axis::Z : Axis::X); }
-
-inline std::optional<Violation> violation(const Trajectory& trajectory) {
-  for (std::size_t i = 0; i < trajectory.segments.size(); ++i) {
-    if (auto broken = detail::target_speed_violation(trajectory.segments[i], i)) return broken;
-  }
-  double total_s = 0.0;
-  for (std::size_t i = 0; i < trajectory.segments.size(); ++i) {
-    total_s += trajectory.segments[i].duration_s;
-    if (!(total_s <= 1e9)) {
-      return Violation{Rule::TrajectoryLength, "segments[" + std::to_string(i) + "].duration_s",
-                       "brings the segments' total above 1e9 s"};
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace inslab::scenario
@@ -283,9 +241,10 @@ template <>
 struct EnumNames<scenario::MotionType> {
   static constexpr std::string_view type = "MotionType";
   static constexpr std::string_view prefix = "MOTION_";
-  static constexpr std::array<std::string_view, 11> values{
+  static constexpr std::array<std::string_view, 12> values{
       "uniform", "delta_speed",   "target_speed", "constant_accel", "sine_accel", "ramp_accel",
-      "turn",    "constant_rate", "sine_rate",    "cosine_rate",    "ramp_rate"};
+      "turn",    "constant_rate", "sine_rate",    "cosine_rate",    "ramp_rate",  "ballistic"};
+  static constexpr std::array<std::uint32_t, 11> numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 91, 10};  ///< thesis, table 3-1
 };
 template <>
 struct EnumNames<scenario::TrajectorySource> {

@@ -8,6 +8,7 @@
 #include "services/inslab/verify/allan.hpp"
 #include "services/inslab/verify/gnss.hpp"
 #include "services/inslab/verify/increments.hpp"
+#include "services/inslab/verify/trajectory.hpp"
 
 namespace inslab::cli {
 
@@ -24,6 +25,8 @@ void say(const std::string& what) { spdlog::info(what); }
 
 const std::vector<Verification>& verifications() {
   static const std::vector<Verification> list{
+      {"trajectory", "Truth of motion tables against an independent solution (thesis table 4-1)",
+       verify::verify_trajectory},
       {"allan", "Random errors of the IMU by Allan variance (thesis tables 4-4 to 4-7)",
        [](bool full) { return verify::allan_tables(full, say); }},
       {"increments", "Order of the error of mechanized increments, and of rate times interval",

@@ -37,7 +37,7 @@ class InverseMechanizationModel final : public TruthModel {
   TruthState advance() override;
 
   /// The last instant of the grid that the file reaches.
-  time::Nanoseconds end() const { return end_; }
+  time::Nanoseconds end() const override { return end_; }
 
  private:
   nav::ImuIncrements find_next();

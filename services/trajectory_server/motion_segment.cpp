@@ -13,12 +13,13 @@ constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 // Simpson's rule on a vector that turns by 0.02 rad errs by 0.02^4/2880 = 6e-11 of it.
 constexpr double kLargestTurnPerStep_rad = 0.02;
 
-/// The profile of one motion in rad/s or m/s^2; none for uniform.
+/// The profile of one motion in rad/s or m/s^2; none for uniform and ballistic.
 std::optional<MotionProfile> profile_of(const scenario::Motion& motion, double duration_s, double speed_m_per_s) {
   using scenario::MotionType;
   using Phase = SinusoidProfile::Phase;
   switch (motion.type) {
     case MotionType::Uniform:
+    case MotionType::Ballistic:
       return std::nullopt;
     case MotionType::DeltaSpeed:
       return TrapezoidProfile(motion.speed_change_m_per_s, duration_s, motion.ramp_fraction);
@@ -53,6 +54,10 @@ MotionSegment::MotionSegment(const scenario::Segment& segment, const Vector3& v_
   double rate_sum = 0.0;
   longest_step_s_ = kNoStepLimit_s;
   for (const scenario::Motion& motion : segment.motions) {
+    if (motion.type == scenario::MotionType::Ballistic) {
+      drag_per_m_ = motion.drag_per_m;
+      ends_at_start_height_ = motion.until_start_height;
+    }
     const auto axis = static_cast<Eigen::Index>(scenario::axis_of(motion));
     const std::optional<MotionProfile> profile = profile_of(motion, duration_s, v_v[axis]);
     if (!profile) continue;

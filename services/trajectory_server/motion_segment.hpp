@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "scenario/trajectory.hpp"
@@ -26,17 +27,26 @@ class MotionSegment {
   /// Rest or constant velocity without an end: what follows the last segment.
   static MotionSegment endless();
 
+  /// What an angular or linear motion asks; nothing of a ballistic segment, where gravity does.
   MotionInstant at(double t_s) const;
 
   /// Where integration has to be split, in increasing order: the corners inside, then the end.
   const std::vector<time::Nanoseconds>& joints() const { return joints_; }
   time::Nanoseconds duration() const { return joints_.back(); }
 
+  /// A ballistic segment that ends before its duration, after `duration` > 0.
+  void end_after(time::Nanoseconds duration) { joints_ = {duration}; }
+
   /// The longest step that resolves the motion; infinity for one without turns and sinusoids.
   double longest_step_s() const { return longest_step_s_; }
   bool turns() const { return turns_; }
   bool accelerates() const { return accelerates_; }
   bool keeps_velocity_on_nose() const { return keeps_velocity_on_nose_; }
+
+  /// Deceleration over speed squared of a ballistic segment, 1/m; of other segments nothing.
+  const std::optional<double>& drag_per_m() const { return drag_per_m_; }
+  bool is_ballistic() const { return drag_per_m_.has_value(); }
+  bool ends_at_start_height() const { return ends_at_start_height_; }
 
  private:
   struct AxisMotion {
@@ -53,6 +63,8 @@ class MotionSegment {
   bool turns_ = false;
   bool accelerates_ = false;
   bool keeps_velocity_on_nose_ = true;
+  std::optional<double> drag_per_m_;
+  bool ends_at_start_height_ = false;
 };
 
 }  // namespace inslab::trajectory

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "nav/attitude.hpp"
+#include "services/trajectory_server/ballistic_flight.hpp"
 
 namespace inslab::trajectory {
 
@@ -34,16 +35,39 @@ VehicleMotion vehicle_at_start(const scenario::Trajectory& trajectory) {
 
 }  // namespace
 
+/// Does `action`; a std::domain_error that leaves it says when and where.
+template <class Action>
+void MotionTableModel::located(Action action) {
+  try {
+    action();
+  } catch (const std::domain_error& error) {
+    const bool inside = segment_ < trajectory_.segments.size();
+    throw std::domain_error(
+        "at " + std::to_string(time::to_seconds(now_)) + " s, " +
+        (inside ? "segment " + std::to_string(segment_) + " '" + trajectory_.segments[segment_].name + "'"
+                : "after the last segment") +
+        ": " + error.what());
+  }
+}
+
 MotionTableModel::MotionTableModel(const scenario::Trajectory& trajectory, const time::Rate& truth_rate,
                                    const time::GpsTime& start)
     : trajectory_(checked(trajectory)), rate_(truth_rate), start_(start), vehicle_(vehicle_at_start(trajectory)) {
-  begin_segment();
+  located([this] { begin_segment(); });
 }
 
 TruthState MotionTableModel::advance() {
   rate_jump_ = false;
   ++sample_;
-  const time::Nanoseconds end = rate_.at(sample_);
+  located([this] {
+    advance_to(rate_.at(sample_));
+    nav::check_domain(vehicle_.position());
+  });
+  increments_ = vehicle_.take_increments();
+  return current();
+}
+
+void MotionTableModel::advance_to(time::Nanoseconds end) {
   while (now_ < end) {
     const time::Nanoseconds joint = segment_ < trajectory_.segments.size()
                                         ? segment_start_ + vehicle_.segment().joints()[joint_]
@@ -56,9 +80,6 @@ TruthState MotionTableModel::advance() {
     const bool jumps = begin_segment();
     rate_jump_ = jumps && now_ == end;
   }
-  increments_ = vehicle_.take_increments();
-  require_domain();
-  return current();
 }
 
 /// In equal steps within one smooth piece of the segment.
@@ -79,23 +100,15 @@ void MotionTableModel::integrate_to(time::Nanoseconds end) {
 
 bool MotionTableModel::begin_segment() {
   joint_ = 0;
-  return vehicle_.begin(segment_ < trajectory_.segments.size()
-                            ? MotionSegment(trajectory_.segments[segment_], vehicle_.v_v())
-                            : MotionSegment::endless());
-}
-
-void MotionTableModel::require_domain() const {
-  if (nav::in_domain(vehicle_.position())) return;
-  try {
-    nav::check_domain(vehicle_.position());
-  } catch (const std::domain_error& error) {
-    const bool inside = segment_ < trajectory_.segments.size();
-    throw std::domain_error(
-        "at " + std::to_string(time::to_seconds(now_)) + " s, " +
-        (inside ? "segment " + std::to_string(segment_) + " '" + trajectory_.segments[segment_].name + "'"
-                : "after the last segment") +
-        ": " + error.what());
+  if (segment_ >= trajectory_.segments.size()) return vehicle_.begin(MotionSegment::endless());
+  MotionSegment segment(trajectory_.segments[segment_], vehicle_.v_v());
+  if (segment.ends_at_start_height()) {
+    VehicleMotion trial = vehicle_;
+    trial.begin(segment);
+    segment.end_after(time_back_at_start_height(std::move(trial), segment.duration()));
+    if (segment_ + 1 == trajectory_.segments.size()) end_ = segment_start_ + segment.duration();
   }
+  return vehicle_.begin(std::move(segment));
 }
 
 TruthState MotionTableModel::current() const {

@@ -14,7 +14,8 @@ namespace inslab::trajectory {
 class MotionTableModel final : public TruthModel {
  public:
   /// Throws std::invalid_argument, naming the JSON path, when the trajectory breaks a rule of scenario::violation(),
-  /// and std::domain_error when the start lies outside the valid domain (nav::check_domain).
+  /// and std::domain_error when the start lies outside the valid domain (nav::check_domain) or begins a ballistic
+  /// segment too slowly (VehicleMotion::begin).
   MotionTableModel(const scenario::Trajectory& trajectory, const time::Rate& truth_rate, const time::GpsTime& start);
 
   /// `segment_index` is that of the segment that begins at or contains the instant, and the number of segments after
@@ -23,10 +24,15 @@ class MotionTableModel final : public TruthModel {
 
   TruthState advance() override;
 
+  /// That of a last segment which ends the run, once it has begun.
+  time::Nanoseconds end() const override { return end_; }
+
  private:
   void integrate_to(time::Nanoseconds end);
   bool begin_segment();
-  void require_domain() const;
+  void advance_to(time::Nanoseconds end);
+  template <class Action>
+  void located(Action action);
 
   scenario::Trajectory trajectory_;
   time::Rate rate_;
@@ -37,6 +43,7 @@ class MotionTableModel final : public TruthModel {
   time::Nanoseconds segment_start_{0};
   std::size_t segment_ = 0;
   std::size_t joint_ = 0;  ///< next joint of the segment
+  time::Nanoseconds end_ = time::Nanoseconds::max();
   Increments increments_;
   bool rate_jump_ = false;
 };

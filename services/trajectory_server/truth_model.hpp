@@ -24,6 +24,10 @@ class TruthModel {
   /// Goes to the next instant of the grid and returns it. Throws std::domain_error, naming time, place in the
   /// trajectory, quantity and limits, when the vehicle leaves the valid domain; the model is then of no more use.
   virtual TruthState advance() = 0;
+
+  /// The instant after which the motion asks for no more samples, once the model has come far enough to know it: the
+  /// run ends there, or with the scenario's duration when that is earlier.
+  virtual time::Nanoseconds end() const { return time::Nanoseconds::max(); }
 };
 
 /// The model that the scenario's trajectory.source asks for. Throws as its constructor does.

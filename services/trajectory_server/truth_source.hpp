@@ -17,8 +17,8 @@ class TruthSource {
   /// Judges a request; see swap::Journal::submit.
   std::variant<AnyProfile, ProfileAck> submit(const AnyProfile& request);
 
-  /// Whether a sample is left.
-  bool has_next() const { return taken_ < samples_; }
+  /// Whether a sample is left: the scenario's duration is not over, nor has the motion ended itself.
+  bool has_next() const { return taken_ < samples_ && next_time() <= model_->end(); }
   /// Sim time of the sample that take() gives next.
   time::Nanoseconds next_time() const { return rate_.at(taken_); }
   /// The next sample; requests submitted before this call can be in effect for it. Throws std::domain_error when the

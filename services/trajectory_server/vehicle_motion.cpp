@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "nav/attitude.hpp"
@@ -19,6 +21,10 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kRoundingOfPi = 1.2246467991473532e-16;  // pi - kPi
 // Below this a difference of rates is rounding (a sine after whole periods), not a jump.
 constexpr double kJump_rad_per_s = 1e-12;
+// Gravity turns a vehicle of this speed by up to 10 rad/s; at rest the direction of its velocity means nothing.
+constexpr double kSlowestFall_m_per_s = 1.0;
+// A fourth-order step over which the attitude turns, or drag slows the vehicle, by this errs by 0.005^5/120 = 3e-14.
+constexpr double kLargestChangePerFallStep = 0.005;
 
 Vector3 simpson(const Vector3& start, const Vector3& middle, const Vector3& end, double dt_s) {
   return dt_s / 6.0 * (start + 4.0 * middle + end);
@@ -62,29 +68,39 @@ VehicleMotion::VehicleMotion(const nav::Geodetic& position, const Vector3& v_v, 
 }
 
 bool VehicleMotion::begin(MotionSegment segment) {
-  if (segment_.keeps_velocity_on_nose()) {
-    v_v_at_start_ += now_.motion.speed_gained_v;
-  } else {
-    v_v_at_start_ = v_v();
-  }
+  v_v_at_start_ = segment_.keeps_velocity_on_nose() ? now_.nose_v : v_v();
   segment_ = std::move(segment);
   if (!segment_.keeps_velocity_on_nose()) {
     std::transform(now_.v_n.data(), now_.v_n.data() + 3, v_n_, [](double c) { return nav::CompensatedSum(c); });
   }
   const Vector3 omega_before = now_.motion.omega_nv_v;
-  now_.motion = segment_.at(0.0);
-  now_.nose_v = segment_.keeps_velocity_on_nose() ? v_v_at_start_ : Vector3::Zero();
-  evaluate(now_, latitude_rad_.value(), height_m_.value());
+  if (segment_.is_ballistic()) {
+    speed_m_per_s_ = nav::CompensatedSum(v_v_at_start_.norm());
+    along_v_ = v_v_at_start_.normalized();
+    now_ = falling(q_nv(), speed_m_per_s_.value(), latitude_rad_.value(), height_m_.value());
+  } else {
+    now_.motion = segment_.at(0.0);
+    now_.nose_v = segment_.keeps_velocity_on_nose() ? v_v_at_start_ : Vector3::Zero();
+    evaluate(now_, latitude_rad_.value(), height_m_.value());
+  }
   return (now_.motion.omega_nv_v - omega_before).cwiseAbs().maxCoeff() > kJump_rad_per_s;
 }
 
 double VehicleMotion::longest_step_s() const {
   const double speed = now_.v_n.norm();
-  const double step_s = std::min(kLongestStep_s, segment_.longest_step_s());
+  double step_s = std::min(kLongestStep_s, segment_.longest_step_s());
+  if (segment_.is_ballistic()) {
+    const double rate = std::max(now_.motion.omega_nv_v.norm(), *segment_.drag_per_m() * speed);
+    step_s = std::min(step_s, kLargestChangePerFallStep / rate);
+  }
   return speed * step_s > kLongestStep_m ? kLongestStep_m / speed : step_s;
 }
 
 void VehicleMotion::step(double t0_s, double t1_s, double dt_s) {
+  if (segment_.is_ballistic()) {
+    fall(dt_s);
+    return;
+  }
   Instant middle, end;
   middle.motion = segment_.at(t0_s + 0.5 * dt_s);
   end.motion = segment_.at(t1_s);
@@ -146,6 +162,57 @@ void VehicleMotion::find_velocities(Instant& middle, Instant& end, double dt_s) 
   const Vector3 change = end.C_nv * gained_1 - simpson(Vector3::Zero(), rest_m, rest_1, dt_s);
   for (int i = 0; i < 3; ++i) v_n_[i].add(change[i]);
   end.v_n = {v_n_[0].value(), v_n_[1].value(), v_n_[2].value()};
+}
+
+Vector3 VehicleMotion::drag_v(const Instant& instant) const {
+  return -*segment_.drag_per_m() * instant.nose_v.norm() * instant.nose_v;
+}
+
+/// A ballistic vehicle at one time. Specific force is drag alone, which gives the acceleration; its part across the
+/// velocity turns the vehicle.
+VehicleMotion::Instant VehicleMotion::falling(const Quaternion& q_nv, double speed_m_per_s, double latitude_rad,
+                                              double height_m) const {
+  if (!(speed_m_per_s >= kSlowestFall_m_per_s)) {
+    throw std::domain_error("speed is " + std::to_string(speed_m_per_s) + " m/s; a ballistic vehicle needs at least " +
+                            std::to_string(kSlowestFall_m_per_s) + " m/s for its attitude to follow the velocity");
+  }
+  Instant instant;
+  instant.C_nv = q_nv.toRotationMatrix();
+  instant.nose_v = speed_m_per_s * along_v_;
+  instant.v_n = instant.C_nv * instant.nose_v;
+  evaluate(instant, latitude_rad, height_m);
+  const Vector3 a_v = drag_v(instant) - instant.f_earth_v;
+  instant.motion.omega_nv_v = along_v_.cross(a_v) / speed_m_per_s;
+  instant.motion.a_lin_v = along_v_.dot(a_v) * along_v_;
+  return instant;
+}
+
+/// The rotation vector's derivative is the Bortz equation to second order in the angle; the third vanishes.
+VehicleMotion::FallChange VehicleMotion::fall_rate(const FallChange& change) const {
+  const Vector3 phi = change.segment<3>(4);
+  const Instant instant =
+      falling(q_nv() * nav::quaternion_from_rotation_vector(phi), speed_m_per_s_.value() + change[3],
+              latitude_rad_.value() + change[0], height_m_.value() + change[2]);
+  const Vector3& omega_nv_v = instant.motion.omega_nv_v;
+  FallChange rate;
+  rate << instant.position_rate, along_v_.dot(instant.motion.a_lin_v),
+      omega_nv_v + 0.5 * phi.cross(omega_nv_v) + phi.cross(phi.cross(omega_nv_v)) / 12.0,
+      omega_nv_v + instant.omega_in_v, drag_v(instant);
+  return rate;
+}
+
+void VehicleMotion::fall(double dt_s) {
+  const FallChange k1 = fall_rate(FallChange::Zero());
+  const FallChange k2 = fall_rate(0.5 * dt_s * k1);
+  const FallChange k3 = fall_rate(0.5 * dt_s * k2);
+  const FallChange k4 = fall_rate(dt_s * k3);
+  const FallChange change = dt_s / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
+  add_to_position(change.head<3>());
+  speed_m_per_s_.add(change[3]);
+  turn(change.segment<3>(4));
+  increments_.dtheta_v += change.segment<3>(7);
+  increments_.dv_v += change.tail<3>();
+  now_ = falling(q_nv(), speed_m_per_s_.value(), latitude_rad_.value(), height_m_.value());
 }
 
 void VehicleMotion::evaluate(Instant& instant, double latitude_rad, double height_m) const {

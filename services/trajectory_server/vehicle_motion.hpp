@@ -22,13 +22,18 @@ struct Increments {
 /// closed-form integral of the segment's motions; angles about one axis are closed-form too, and those about several
 /// differ by the coning integral of a step. What is left, position and the Earth's share of dtheta and dv, is slow:
 /// Simpson's rule on each step. Sums are compensated.
-/// Source: docs/models.md section 2; thesis (3-23)..(3-32).
+///
+/// In a ballistic segment a_lin_v and omega_nv_v are not given but follow from gravity and drag: the velocity keeps its
+/// direction in v axes (the nose), and the vehicle does not spin about it. Speed, attitude, position and increments
+/// are integrated together by the classical Runge-Kutta method of fourth order.
+/// Source: docs/models.md; thesis (3-23)..(3-32).
 class VehicleMotion {
  public:
   /// `v_v` in m/s. The vehicle is at rest relative to v (endless uniform motion) until begin().
   VehicleMotion(const nav::Geodetic& position, const Vector3& v_v, const Quaternion& q_nv, const nav::Gravity& gravity);
 
-  /// The next segment starts here. True when omega_nv_v jumps.
+  /// The next segment starts here. True when omega_nv_v jumps. A ballistic segment throws std::domain_error, here and
+  /// in step(), while the vehicle is slower than 1 m/s: the attitude has no velocity to follow.
   bool begin(MotionSegment segment);
 
   /// Integrates from `t0_s` to `t1_s` of the segment; no corner lies between, and `t0_s` is where the last step ended.
@@ -47,7 +52,9 @@ class VehicleMotion {
   const Vector3& v_n() const { return now_.v_n; }
   Vector3 v_v() const { return now_.C_nv.transpose() * now_.v_n; }
   Vector3 omega_iv_v() const { return now_.motion.omega_nv_v + now_.omega_in_v; }
-  Vector3 f_v() const { return now_.motion.a_lin_v + now_.turning_v() + now_.f_earth_v; }
+  Vector3 f_v() const {
+    return segment_.is_ballistic() ? drag_v(now_) : now_.motion.a_lin_v + now_.turning_v() + now_.f_earth_v;
+  }
 
  private:
   /// All quantities of one time.
@@ -64,6 +71,13 @@ class VehicleMotion {
     Vector3 turning_v() const { return motion.omega_nv_v.cross(nose_v); }
   };
 
+  /// Since the start of a ballistic step: latitude, longitude, height; speed; rotation vector of v; dtheta_v; dv_v.
+  using FallChange = Eigen::Matrix<double, 13, 1>;
+
+  void fall(double dt_s);
+  FallChange fall_rate(const FallChange& change) const;
+  Instant falling(const Quaternion& q_nv, double speed_m_per_s, double latitude_rad, double height_m) const;
+  Vector3 drag_v(const Instant& instant) const;
   void evaluate(Instant& instant, double latitude_rad, double height_m) const;
   void turn(const Vector3& rotation_vector_rad);
   void find_velocities(Instant& middle, Instant& end, double dt_s);
@@ -75,9 +89,11 @@ class VehicleMotion {
   nav::CompensatedSum latitude_rad_;
   nav::CompensatedSum longitude_rad_;
   nav::CompensatedSum height_m_;
-  nav::CompensatedSum q_nv_[4];  ///< w, x, y, z
-  nav::CompensatedSum v_n_[3];   ///< carried only while the velocity is not kept on the nose
-  Vector3 v_v_at_start_;         ///< of the segment
+  nav::CompensatedSum q_nv_[4];        ///< w, x, y, z
+  nav::CompensatedSum v_n_[3];         ///< carried only while the velocity is not kept on the nose
+  Vector3 v_v_at_start_;               ///< of the segment
+  nav::CompensatedSum speed_m_per_s_;  ///< of a ballistic segment, with its direction
+  Vector3 along_v_ = Vector3::UnitX();
   Instant now_;
   Increments increments_;
 };

@@ -1,4 +1,5 @@
-// The cost of one truth sample: the promise is a million steps per second at 200 Hz, whatever the table's length.
+// The cost of one truth sample: the promise is a million steps per second at 200 Hz, whatever the table's length and
+// its number of segments.
 
 #include <benchmark/benchmark.h>
 
@@ -23,11 +24,14 @@ void Aircraft(benchmark::State& state) { drive(state, tables::aircraft(), 200.0)
 void Ship(benchmark::State& state) { drive(state, tables::ship(), 200.0); }
 void VehicleAt1kHz(benchmark::State& state) { drive(state, tables::vehicle(), 1000.0); }
 
-void ManySegments(benchmark::State& state) {
+void Rocket(benchmark::State& state) { drive(state, tables::rocket(), 200.0); }
+
+/// A table of that many segments from its start to its end: 100 steps a segment, so that its length grows with it.
+void Segments(benchmark::State& state) {
   scenario::Trajectory table = tables::at_wuhan();
-  for (int i = 0; i < state.range(0); ++i) {
-    table.segments.push_back(tables::segment(1.0, {tables::target_speed(i % 2 == 0 ? 10.0 : 5.0)}));
-    table.segments.push_back(tables::segment(1.0, {tables::turn(i % 2 == 0 ? 20.0 : -20.0)}));
+  for (int i = 0; i < state.range(0); i += 2) {
+    table.segments.push_back(tables::segment(0.5, {tables::target_speed(i % 4 == 0 ? 10.0 : 5.0)}));
+    table.segments.push_back(tables::segment(0.5, {tables::turn(i % 4 == 0 ? 20.0 : -20.0)}));
   }
   drive(state, table, 200.0);
 }
@@ -49,7 +53,11 @@ BENCHMARK(Aircraft)->Iterations(240000);
 BENCHMARK(Ship)->Iterations(240000);
 BENCHMARK(VehicleAt1kHz)->Iterations(1200000);
 BENCHMARK(InverseMechanization)->Arg(200)->Arg(10)->Iterations(240000);
-BENCHMARK(ManySegments)->Arg(600)->Arg(50000)->Iterations(240000);
+BENCHMARK(Rocket)->Iterations(13000);
+BENCHMARK(Segments)->Arg(100)->Iterations(10000);
+BENCHMARK(Segments)->Arg(1000)->Iterations(100000);
+BENCHMARK(Segments)->Arg(10000)->Iterations(1000000);
+BENCHMARK(Segments)->Arg(100000)->Iterations(10000000);
 
 }  // namespace
 }  // namespace inslab::trajectory

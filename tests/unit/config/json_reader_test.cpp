@@ -44,6 +44,33 @@ TEST(JsonReader, AKeyOfAStructWithoutItsTypeIsBlamedOnTheType) {
             "f: tpye: unknown key; did you mean 'type'?");
 }
 
+TEST(JsonReader, TakesAMotionByItsNumberInTheThesis) {
+  const auto type = [](int number) {
+    const Json json = parse_json("{\"duration_s\": 1, \"motions\": [{\"type\": " + std::to_string(number) + "}]}", "f");
+    try {
+      return std::string(enum_name(from_json<scenario::Segment>(json, "f").motions.at(0).type));
+    } catch (const Error& error) {
+      return error.path();
+    }
+  };
+  EXPECT_EQ(type(1), "uniform");
+  EXPECT_EQ(type(2), "motions[0].speed_change_m_per_s");
+  EXPECT_EQ(type(0), "motions[0].type");
+  EXPECT_EQ(type(11), "motions[0].type");
+  EXPECT_EQ(type(-1), "motions[0].type");
+}
+
+TEST(JsonReader, GivesEveryNumberTheMotionOfItsName) {
+  const std::vector<std::pair<int, std::string>> table{{1, "uniform"},        {2, "delta_speed"},   {3, "target_speed"},
+                                                       {4, "constant_accel"}, {5, "sine_accel"},    {6, "ramp_accel"},
+                                                       {7, "turn"},           {8, "constant_rate"}, {9, "sine_rate"},
+                                                       {91, "cosine_rate"},   {10, "ramp_rate"}};
+  for (const auto& [number, name] : table) {
+    ASSERT_TRUE(enum_of_number<scenario::MotionType>(number)) << number;
+    EXPECT_EQ(enum_name(*enum_of_number<scenario::MotionType>(number)), name);
+  }
+}
+
 TEST(JsonReader, TakesOneNumberForAllAxes) {
   const auto profile = from_json<InstallationProfile>(parse_json(R"({"lever_arm_v_m": 2})", "f"), "f");
   EXPECT_EQ(profile.lever_arm_v_m, Vector3(2.0, 2.0, 2.0));

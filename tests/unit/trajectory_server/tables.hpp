@@ -149,4 +149,19 @@ inline Trajectory ship() {
   return t;
 }
 
+inline Motion ballistic(double drag_per_m = 0.0) {
+  Motion m = motion(MotionType::Ballistic);
+  m.drag_per_m = drag_per_m;
+  return m;
+}
+
+/// A rocket's boost, its flight of minutes through the top of its arc, and a parachute's drag on the way down.
+inline Trajectory rocket() {
+  Trajectory t = at_wuhan(60.0);
+  t.initial.speed_m_per_s = 300.0;
+  t.initial.pitch_deg = 70.0;
+  t.segments = {segment(5.0, {delta_speed(100.0)}), segment(40.0, {ballistic()}), segment(20.0, {ballistic(2e-4)})};
+  return t;
+}
+
 }  // namespace inslab::trajectory::tables

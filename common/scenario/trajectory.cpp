@@ -1,0 +1,86 @@
+#include "scenario/trajectory.hpp"
+
+namespace inslab::scenario {
+
+namespace {
+
+std::string path_of_motion(std::size_t segment, std::size_t motion) {
+  return "segments[" + std::to_string(segment) + "].motions[" + std::to_string(motion) + "]";
+}
+
+/// A speed can be promised only when nothing else accelerates along the same axis.
+std::optional<Violation> target_speed_violation(const Segment& segment, std::size_t segment_index) {
+  for (std::size_t i = 0; i < segment.motions.size(); ++i) {
+    if (segment.motions[i].type != MotionType::TargetSpeed) continue;
+    for (std::size_t j = 0; j < segment.motions.size(); ++j) {
+      const Motion& other = segment.motions[j];
+      if (j == i || is_angular(other.type) || other.type == MotionType::Uniform) continue;
+      if (axis_of(other) == axis_of(segment.motions[i])) {
+        return Violation{Rule::TargetSpeedAlone, path_of_motion(segment_index, j) + ".axis",
+                         "another motion of this segment holds a target speed along the same axis"};
+      }
+    }
+    if (segment.keep_velocity_on_nose) continue;
+    for (std::size_t j = 0; j < segment.motions.size(); ++j) {
+      if (is_angular(segment.motions[j].type)) {
+        return Violation{Rule::TargetSpeedOnNose, path_of_motion(segment_index, j) + ".type",
+                         "turns the axis of a target speed while keep_velocity_on_nose is false"};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// Attitude and velocity of a ballistic segment are gravity's alone.
+std::optional<Violation> ballistic_violation(const Segment& segment, std::size_t segment_index) {
+  for (std::size_t i = 0; i < segment.motions.size(); ++i) {
+    if (segment.motions[i].type != MotionType::Ballistic) continue;
+    if (segment.motions.size() > 1) {
+      return Violation{Rule::BallisticAlone, path_of_motion(segment_index, i) + ".type",
+                       "is ballistic beside another motion; expected it alone in its segment"};
+    }
+    if (!segment.keep_velocity_on_nose) {
+      return Violation{Rule::BallisticAlone, "segments[" + std::to_string(segment_index) + "].keep_velocity_on_nose",
+                       "is false; the attitude of a ballistic segment follows the velocity"};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool is_angular(MotionType type) {
+  switch (type) {
+    case MotionType::Turn:
+    case MotionType::ConstantRate:
+    case MotionType::SineRate:
+    case MotionType::CosineRate:
+    case MotionType::RampRate:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Axis axis_of(const Motion& motion) { return motion.axis.value_or(is_angular(motion.type) ? Axis::Z : Axis::X); }
+
+std::optional<Violation> violation(const Trajectory& trajectory) {
+  if (!trajectory.segments.empty() && !trajectory.segments_file.empty()) {
+    return Violation{Rule::SegmentsOnce, "segments_file", "is given beside segments; expected one of the two"};
+  }
+  for (std::size_t i = 0; i < trajectory.segments.size(); ++i) {
+    if (auto broken = ballistic_violation(trajectory.segments[i], i)) return broken;
+    if (auto broken = target_speed_violation(trajectory.segments[i], i)) return broken;
+  }
+  double total_s = 0.0;
+  for (std::size_t i = 0; i < trajectory.segments.size(); ++i) {
+    total_s += trajectory.segments[i].duration_s;
+    if (!(total_s <= kMaxTrajectoryLength_s)) {
+      return Violation{Rule::TrajectoryLength, "segments[" + std::to_string(i) + "].duration_s",
+                       "brings the segments' total above 1e9 s"};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace inslab::scenario
