@@ -34,6 +34,7 @@ enum class Rule : std::uint32_t {
   TargetSpeedAlone,   ///< nothing else accelerates along the axis of a target speed
   TargetSpeedOnNose,  ///< the axis of a target speed does not turn away from the velocity
   TrajectoryLength,   ///< at most 1e9 s
+  VehicleLatency,     ///< the latency of a live vehicle holds a period of its states
   MethodNeeds,        ///< the file has the columns that the method works on
   FileCoversRun,      ///< the file's rows reach to the end of the run
   // The rows of a trajectory file.
@@ -66,7 +67,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 46> values{"readable",
+  static constexpr std::array<std::string_view, 47> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -89,6 +90,7 @@ struct EnumNames<Rule> {
                                                            "target_speed_alone",
                                                            "target_speed_on_nose",
                                                            "trajectory_length",
+                                                           "vehicle_latency",
                                                            "method_needs",
                                                            "file_covers_run",
                                                            "file_columns",

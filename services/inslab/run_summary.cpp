@@ -69,6 +69,16 @@ void print_services(const LogSummary& summary, Verdict& verdict) {
   }
 }
 
+void print_vehicle(const LogSummary& summary) {
+  if (!summary.vehicle_link) return;
+  const VehicleLink& link = *summary.vehicle_link;
+  fmt::print("\nvehicle: {} states received, {} used; {} missing, {} late, {} not newer, {} refused{}\n", link.received,
+             link.used, link.missing, link.late, link.not_newer, link.refused,
+             link.last_refusal.empty() ? "" : " (" + link.last_refusal + ")");
+  fmt::print("         {} truth samples extrapolated, at most {:.3f} s; led back {} times\n",
+             link.truth_samples_extrapolated, link.longest_extrapolation_s, link.returns);
+}
+
 std::string shown(const Measured& measured) {
   return fmt::format("{:>11.5g} / {:<11.5g}{}", measured.value, measured.promised, measured.holds ? "  " : " !");
 }
@@ -122,6 +132,7 @@ bool print_run_summary(const std::string& log_path, const std::optional<std::str
   print_head(summary);
   print_streams(summary, verdict);
   print_services(summary, verdict);
+  print_vehicle(summary);
   print_swaps(log, summary, verdict);
   verdict.print();
   fmt::print("log {}\n", log_path);

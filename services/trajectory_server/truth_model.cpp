@@ -1,6 +1,7 @@
 #include "services/trajectory_server/truth_model.hpp"
 
 #include "config/error.hpp"
+#include "services/trajectory_server/live_vehicle_model.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
 
 namespace inslab::trajectory {
@@ -8,6 +9,8 @@ namespace inslab::trajectory {
 std::unique_ptr<TruthModel> make_truth_model(const scenario::LoadedScenario& scenario, const time::GpsTime& start) {
   const scenario::Trajectory& trajectory = scenario.scenario.trajectory;
   switch (trajectory.source) {
+    case scenario::TrajectorySource::VehicleState:
+      return std::make_unique<LiveVehicleModel>(trajectory, scenario.truth_rate, start);
     case scenario::TrajectorySource::MotionTable:
       break;
     case scenario::TrajectorySource::File:
