@@ -14,7 +14,7 @@ class RunSink {
  public:
   virtual ~RunSink() = default;
   virtual void journal(const AnyProfile& entry) = 0;
-  virtual void vehicle_state(const UsedVehicleState& used) = 0;
+  virtual void vehicle_state(const UsedVehicleState&) {}  ///< of a live vehicle only
   virtual void truth(const TruthState& truth) = 0;
   virtual void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) = 0;
   virtual void gnss(std::size_t index, const GnssFix& fix) = 0;

@@ -42,11 +42,11 @@ void print_head(const LogSummary& summary) {
 }
 
 void print_streams(const LogSummary& summary, Verdict& verdict) {
-  fmt::print("\n{:<22}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", "topic", "sent", "received", "lost", "out of order",
+  fmt::print("\n{:<26}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", "topic", "sent", "received", "lost", "out of order",
              "p50 ms", "p99 ms", "max ms");
   for (const auto& [topic, stream] : summary.streams) {
     const StreamStatus& logged = stream.logged;
-    fmt::print("{:<22}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", topic,
+    fmt::print("{:<26}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", topic,
                stream.sent ? std::to_string(*stream.sent) : "unknown", logged.samples, logged.lost, logged.out_of_order,
                milliseconds_of(logged.latency_p50_s), milliseconds_of(logged.latency_p99_s),
                milliseconds_of(logged.latency_max_s));

@@ -29,7 +29,6 @@ struct SimulateOptions {
 class CountingSink : public RunSink {
  public:
   void journal(const AnyProfile&) override {}
-  void vehicle_state(const UsedVehicleState&) override {}
   void truth(const TruthState&) override {}
   void imu(std::size_t, const ImuSample&, const ImuTruth&) override {}
   void gnss(std::size_t, const GnssFix&) override {}

@@ -18,7 +18,6 @@ namespace {
 class NoSink : public RunSink {
  public:
   void journal(const AnyProfile&) override {}
-  void vehicle_state(const UsedVehicleState&) override {}
   void truth(const TruthState&) override {}
   void imu(std::size_t, const ImuSample& sample, const ImuTruth&) override { benchmark::DoNotOptimize(sample.dv_b); }
   void gnss(std::size_t, const GnssFix&) override {}
