@@ -35,6 +35,10 @@ inline Topic<ImuTruth>      imu_truth(std::uint32_t number, double rate_hz = 200
 inline Topic<GnssFix>       gnss(std::uint32_t number, double rate_hz = 10.0)       { return {names::gnss(number), Delivery::Stream, rate_hz}; }
 inline Topic<NavSolution>   nav()            { return {names::kNav, Delivery::Request, 1000.0}; }
 
+inline Topic<VehicleState>     vehicle_state(double rate_hz = 1000.0)      { return {names::kVehicleState, Delivery::Request, rate_hz}; }
+inline Topic<UsedVehicleState> vehicle_state_used(double rate_hz = 1000.0) { return {names::kVehicleStateUsed, Delivery::Stream, rate_hz}; }
+inline Topic<VehicleLink>      vehicle_link()                              { return {names::kVehicleLink, Delivery::Latched, 1.0}; }
+
 inline Topic<Installation>  installation()   { return {names::kInstallation, Delivery::Latched, 1.0}; }
 inline Topic<SimStatus>     sim_status()     { return {names::kSimStatus, Delivery::Latched, 10.0}; }
 inline Topic<SimCommand>    sim_command()    { return {names::kSimCommand, Delivery::Request, 10.0}; }

@@ -6,6 +6,7 @@
 #include "navPubSubTypes.h"
 #include "profilePubSubTypes.h"
 #include "truthPubSubTypes.h"
+#include "vehiclePubSubTypes.h"
 // clang-format on
 
 #include "dds/type_adapter.hpp"
@@ -51,6 +52,9 @@ INSLAB_GENERATED_TYPE(SimCommand)
 INSLAB_GENERATED_TYPE(SimStatus)
 INSLAB_GENERATED_TYPE(TimeMark)
 INSLAB_GENERATED_TYPE(ServiceStatus)
+INSLAB_GENERATED_TYPE(VehicleState)
+INSLAB_GENERATED_TYPE(UsedVehicleState)
+INSLAB_GENERATED_TYPE(VehicleLink)
 
 #undef INSLAB_GENERATED_TYPE
 

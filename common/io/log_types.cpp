@@ -58,7 +58,7 @@ const std::vector<LogType>& log_types() {
   static const std::vector<LogType> types =
       table<TruthState, ImuSample, ImuTruth, GnssFix, NavSolution, ImuErrorProfile, VibrationProfile,
             InstallationProfile, GnssErrorProfile, FaultProfile, ProfileAck, Installation, SimCommand, SimStatus,
-            TimeMark, ServiceStatus>();
+            TimeMark, ServiceStatus, VehicleState, UsedVehicleState, VehicleLink>();
   return types;
 }
 

@@ -63,7 +63,12 @@ RollPitchYaw rpy_from_matrix(const Matrix3& C_nb) {
     // With roll 0 the second column is (-sin(yaw), cos(yaw), 0).
     return {0.0, pitch, wrapped_to_two_pi(std::atan2(-C_nb(0, 1), C_nb(1, 1)))};
   }
-  return {std::atan2(C_nb(2, 1), C_nb(2, 2)), pitch, wrapped_to_two_pi(std::atan2(C_nb(1, 0), C_nb(0, 0)))};
+  // Near the vertical the entries that hold yaw alone vanish, as those of roll do; with the roll taken out, whatever it
+  // came out as, the second column is (-sin(yaw), cos(yaw), 0): so both together keep the rotation.
+  const double roll = std::atan2(C_nb(2, 1), C_nb(2, 2));
+  const double sr = std::sin(roll), cr = std::cos(roll);
+  const double yaw = std::atan2(sr * C_nb(0, 2) - cr * C_nb(0, 1), cr * C_nb(1, 1) - sr * C_nb(1, 2));
+  return {roll, pitch, wrapped_to_two_pi(yaw)};
 }
 
 RollPitchYaw rpy_from_quaternion(const Quaternion& q_nb) { return rpy_from_matrix(matrix_from_quaternion(q_nb)); }

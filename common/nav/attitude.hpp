@@ -12,7 +12,7 @@ struct RollPitchYaw {
 };
 
 /// Closer to the vertical than this (cos(pitch) below it) roll and yaw are one angle: roll is then 0 and yaw takes it.
-inline constexpr double kGimbalLockCosine = 1e-10;
+inline constexpr double kGimbalLockCosine = 1e-14;
 
 /// The cross product matrix: skew(a) b = a x b.
 Matrix3 skew(const Vector3& a);
@@ -25,7 +25,8 @@ Quaternion canonical(const Quaternion& q);
 Quaternion quaternion_from_rpy(const RollPitchYaw& rpy);
 Matrix3 matrix_from_rpy(const RollPitchYaw& rpy);
 
-/// The angles of C_nb, rad, in the ranges of RollPitchYaw.
+/// The angles of C_nb, rad, in the ranges of RollPitchYaw. Together they give the rotation back to rounding, however
+/// close to the vertical, where each of roll and yaw alone is uncertain by rounding over cos(pitch).
 RollPitchYaw rpy_from_matrix(const Matrix3& C_nb);
 RollPitchYaw rpy_from_quaternion(const Quaternion& q_nb);
 

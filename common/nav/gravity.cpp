@@ -29,6 +29,47 @@ double series(double sin2_latitude, double height_m) {
   return on_ellipsoid + height_m * (-3.0876910891e-6 + 4.3977311e-9 * sin2_latitude + 7.211e-13 * height_m);
 }
 
+/// The exact normal field at geodetic latitude and height, m/s^2: (north, down). Closed form in the ellipsoidal
+/// coordinates u (semi-minor axis of the confocal ellipsoid through the point) and beta (reduced latitude).
+/// Source: NIMA TR8350.2 (4-5)..(4-20); W. Heiskanen, H. Moritz, Physical Geodesy, 2-8 and 6-1.
+struct NormalField {
+  double north_m_per_s2;
+  double down_m_per_s2;
+};
+
+NormalField normal_field(double sin_latitude, double height_m) {
+  using namespace wgs84;
+  const double s = sin_latitude, c = std::sqrt(1.0 - s * s);
+  const double N = transverse_radius_from_sine_m(s);
+  const double p = (N + height_m) * c, z = (N * (1.0 - e2) + height_m) * s;
+
+  const double E2 = a_m * a_m - b_m * b_m, E = std::sqrt(E2);
+  const double excess = p * p + z * z - E2;
+  const double u2 = 0.5 * excess * (1.0 + std::sqrt(1.0 + 4.0 * E2 * z * z / (excess * excess)));
+  const double u = std::sqrt(u2), v = std::sqrt(u2 + E2);
+  const double beta = std::atan2(z * v, u * p);
+  const double sb = std::sin(beta), cb = std::cos(beta);
+  const double w = std::sqrt((u2 + E2 * sb * sb) / (u2 + E2));
+
+  const auto q = [E](double radius) {
+    const double ratio = radius / E;
+    return 0.5 * ((1.0 + 3.0 * ratio * ratio) * std::atan2(E, radius) - 3.0 * ratio);
+  };
+  const double q0 = q(b_m);
+  const double dq = 3.0 * (1.0 + u2 / E2) * (1.0 - u / E * std::atan2(E, u)) - 1.0;
+  const double omega2 = omega_e_rad_per_s * omega_e_rad_per_s;
+  const double gamma_u =
+      -(gm_m3_per_s2 / (v * v) + omega2 * a_m * a_m * E / (v * v) * dq / q0 * (0.5 * sb * sb - 1.0 / 6.0) -
+        omega2 * u * cb * cb) /
+      w;
+  const double gamma_beta = omega2 * (a_m * a_m / v * q(u) / q0 - v) * sb * cb / w;
+
+  // Unit vectors along u and beta in the meridian plane: (away from the axis, along it).
+  const double away = (gamma_u * u / v * cb - gamma_beta * sb) / w;
+  const double along = (gamma_u * sb + gamma_beta * u / v * cb) / w;
+  return {-s * away + c * along, -c * away - s * along};
+}
+
 }  // namespace
 
 Gravity::Gravity(GravityModel model, const Disturbance& disturbance)
@@ -39,12 +80,28 @@ Gravity::Gravity(GravityModel model, const Disturbance& disturbance)
 
 double Gravity::normal_m_per_s2(double sin_latitude, double height_m) const {
   const double sin2 = sin_latitude * sin_latitude;
-  return model_ == GravityModel::Somigliana ? somigliana(sin2, height_m) : series(sin2, height_m);
+  switch (model_) {
+    case GravityModel::Normal:
+      return normal_field(sin_latitude, height_m).down_m_per_s2;
+    case GravityModel::Series:
+      return series(sin2, height_m);
+    case GravityModel::Somigliana:
+      break;
+  }
+  return somigliana(sin2, height_m);
 }
 
 Vector3 Gravity::g_n(double sin_latitude, double height_m) const {
-  const double g = normal_m_per_s2(sin_latitude, height_m) + disturbance_m_per_s2_;
-  return {-g * deflection_north_rad_, -g * deflection_east_rad_, g};
+  double north = 0.0, down = 0.0;
+  if (model_ == GravityModel::Normal) {
+    const NormalField field = normal_field(sin_latitude, height_m);
+    north = field.north_m_per_s2;
+    down = field.down_m_per_s2;
+  } else {
+    down = normal_m_per_s2(sin_latitude, height_m);
+  }
+  const double g = down + disturbance_m_per_s2_;
+  return {north - g * deflection_north_rad_, -g * deflection_east_rad_, g};
 }
 
 Vector3 Gravity::g_n(const Geodetic& position) const { return g_n(std::sin(position.latitude_rad), position.height_m); }

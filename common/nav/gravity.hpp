@@ -8,6 +8,7 @@ namespace inslab::nav {
 
 enum class GravityModel : std::uint32_t {
   Somigliana,  ///< WGS-84 closed form on the ellipsoid, second order in height
+  Normal,      ///< the exact normal field of the WGS-84 ellipsoid
   Series,      ///< GRS80 series to the fourth power of sin(latitude), linear and quadratic in height
 };
 
@@ -25,14 +26,15 @@ class Gravity {
   explicit Gravity(GravityModel model = GravityModel::Somigliana) : Gravity(model, Disturbance{}) {}
   Gravity(GravityModel model, const Disturbance& disturbance);
 
-  /// Normal gravity in m/s^2, without the disturbance.
+  /// Normal gravity along the ellipsoid's normal, down, in m/s^2, without the disturbance.
   ///
   /// Somigliana: NIMA TR8350.2 (4-1) with (4-3) for height; 1e-6 m/s^2 (0.1 mGal) from the exact normal field at
-  /// 10 km, 2e-4 at 100 km. Series: H. Moritz, Geodetic Reference System
+  /// 10 km, 2e-4 at 100 km. Normal: the exact field itself. Series: H. Moritz, Geodetic Reference System
   /// 1980, with the linear and quadratic height terms in numbers.
   double normal_m_per_s2(double sin_latitude, double height_m) const;
 
   /// Gravity in n, m/s^2: (-g xi, -g eta, g) with g the normal gravity plus the disturbance; first order in the angles.
+  /// Only the model `normal` knows that the plumb line bends with height: it adds a north component.
   Vector3 g_n(double sin_latitude, double height_m) const;
   Vector3 g_n(const Geodetic& position) const;
 

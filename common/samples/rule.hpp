@@ -39,6 +39,7 @@ enum class Rule : std::uint32_t {
   SegmentsOnce,       ///< the segments are in the scenario or in a file, not in both
   MotionMatrix,       ///< a file of segments has the rows of the thesis's matrix
   TrajectoryLength,   ///< at most 1e9 s
+  VehicleLatency,     ///< the latency of a live vehicle holds a period of its states
   MethodNeeds,        ///< the file has the columns that the method works on
   FileCoversRun,      ///< the file's rows reach to the end of the run
   // The rows of a trajectory file.
@@ -72,7 +73,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 49> values{"readable",
+  static constexpr std::array<std::string_view, 50> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -100,6 +101,7 @@ struct EnumNames<Rule> {
                                                            "segments_once",
                                                            "motion_matrix",
                                                            "trajectory_length",
+                                                           "vehicle_latency",
                                                            "method_needs",
                                                            "file_covers_run",
                                                            "file_columns",

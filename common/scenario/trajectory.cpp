@@ -68,6 +68,11 @@ std::optional<Violation> violation(const Trajectory& trajectory) {
   if (!trajectory.segments.empty() && !trajectory.segments_file.empty()) {
     return Violation{Rule::SegmentsOnce, "segments_file", "is given beside segments; expected one of the two"};
   }
+  if (trajectory.source == TrajectorySource::VehicleState) {
+    if (auto broken = violation(trajectory.vehicle)) {
+      return Violation{broken->rule, "vehicle." + broken->path, broken->reason};
+    }
+  }
   for (std::size_t i = 0; i < trajectory.segments.size(); ++i) {
     if (auto broken = ballistic_violation(trajectory.segments[i], i)) return broken;
     if (auto broken = target_speed_violation(trajectory.segments[i], i)) return broken;

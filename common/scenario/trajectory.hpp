@@ -8,6 +8,7 @@
 #include "samples/field.hpp"
 #include "samples/violation.hpp"
 #include "scenario/file_motion.hpp"
+#include "scenario/live_vehicle.hpp"
 
 /// The motion part of a scenario: where the vehicle starts and what it does, segment after segment.
 ///
@@ -113,7 +114,12 @@ struct GravityOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
-    visit(Field("model", "somigliana: WGS-84 closed form; series: GRS80 series, as many filters have it"), self.model);
+    visit(
+        Field(
+            "model",
+            "somigliana: WGS-84 closed form, second order in height; normal: the exact field of the ellipsoid; series: "
+            "GRS80 series, as many filters have it"),
+        self.model);
     visit(Field("disturbance_mgal", "added to the magnitude").in(-1000.0, 1000.0), self.disturbance_mgal);
     visit(Field("deflection_north_arcsec", "xi: the plumb line's zenith lies north of the normal").in(-200.0, 200.0),
           self.deflection_north_arcsec);
@@ -124,8 +130,9 @@ struct GravityOptions {
 
 /// What the motion is made from.
 enum class TrajectorySource : std::uint32_t {
-  MotionTable,  ///< segments, one after the other; after the last the vehicle goes on as it is
-  File,         ///< the rows of a file; LoadedScenario has them
+  MotionTable,   ///< segments, one after the other; after the last the vehicle goes on as it is
+  File,          ///< the rows of a file; LoadedScenario has them
+  VehicleState,  ///< a simulator outside sends inslab/vehicle_state
 };
 
 /// The motion of the vehicle. Which parameters it has depends on `source`.
@@ -134,10 +141,11 @@ struct Trajectory {
 
   TrajectorySource source = TrajectorySource::MotionTable;
   GravityOptions gravity;
-  InitialState initial;           ///< motion_table
+  InitialState initial;           ///< motion_table, vehicle_state
   std::vector<Segment> segments;  ///< motion_table
   std::string segments_file;      ///< motion_table; load() puts what it says into `segments`
   FileMotion file;                ///< file
+  LiveVehicle vehicle;            ///< vehicle_state
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -153,6 +161,10 @@ struct Trajectory {
         break;
       case TrajectorySource::File:
         visit(Field("file", "the rows and how the motion is made from them").required(), self.file);
+        break;
+      case TrajectorySource::VehicleState:
+        visit(Field("initial", "state at the scenario's start").required(), self.initial);
+        visit(Field("vehicle", "how the truth follows what a simulator outside sends").required(), self.vehicle);
         break;
     }
   }
@@ -235,7 +247,7 @@ template <>
 struct EnumNames<nav::GravityModel> {
   static constexpr std::string_view type = "GravityModel";
   static constexpr std::string_view prefix = "GRAVITY_";
-  static constexpr std::array<std::string_view, 2> values{"somigliana", "series"};
+  static constexpr std::array<std::string_view, 3> values{"somigliana", "normal", "series"};
 };
 template <>
 struct EnumNames<scenario::MotionType> {
@@ -250,7 +262,7 @@ template <>
 struct EnumNames<scenario::TrajectorySource> {
   static constexpr std::string_view type = "TrajectorySource";
   static constexpr std::string_view prefix = "TRAJECTORY_";
-  static constexpr std::array<std::string_view, 2> values{"motion_table", "file"};
+  static constexpr std::array<std::string_view, 3> values{"motion_table", "file", "vehicle_state"};
 };
 template <>
 struct EnumNames<scenario::Axis> {

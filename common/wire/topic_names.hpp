@@ -9,6 +9,9 @@ namespace inslab::wire::topic_names {
 
 inline constexpr const char* kTruth = "inslab/truth";
 inline constexpr const char* kNav = "inslab/nav";
+inline constexpr const char* kVehicleState = "inslab/vehicle_state";
+inline constexpr const char* kVehicleStateUsed = "inslab/vehicle_state_used";
+inline constexpr const char* kVehicleLink = "inslab/vehicle_link";
 inline constexpr const char* kInstallation = "inslab/installation";
 inline constexpr const char* kSimStatus = "inslab/sim/status";
 inline constexpr const char* kSimCommand = "inslab/sim/command";

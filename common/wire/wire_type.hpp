@@ -14,6 +14,7 @@
 #include "samples/run_control.hpp"
 #include "samples/service_status.hpp"
 #include "samples/truth_state.hpp"
+#include "samples/vehicle_state.hpp"
 #include "samples/vibration_profile.hpp"
 
 namespace inslab::wire {
@@ -45,6 +46,9 @@ INSLAB_WIRE_TYPE(SimCommand, "control.idl");
 INSLAB_WIRE_TYPE(SimStatus, "control.idl");
 INSLAB_WIRE_TYPE(TimeMark, "control.idl");
 INSLAB_WIRE_TYPE(ServiceStatus, "control.idl");
+INSLAB_WIRE_TYPE(VehicleState, "vehicle.idl");
+INSLAB_WIRE_TYPE(UsedVehicleState, "vehicle.idl");
+INSLAB_WIRE_TYPE(VehicleLink, "vehicle.idl");
 
 #undef INSLAB_WIRE_TYPE
 

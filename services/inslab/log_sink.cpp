@@ -42,6 +42,11 @@ void LogSink::journal(const AnyProfile& entry) {
       entry);
 }
 
+void LogSink::vehicle_state(const UsedVehicleState& used) {
+  if (!vehicle_states_) vehicle_states_.emplace(log_.file(), wire::topic_names::kVehicleStateUsed);
+  write(*vehicle_states_, used, used.header);
+}
+
 void LogSink::truth(const TruthState& truth) { write(truth_, truth, truth.header); }
 
 void LogSink::imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) {

@@ -15,6 +15,7 @@ class LogSink : public RunSink {
   LogSink(const std::string& path, const scenario::LoadedScenario& scenario, const time::GpsTime& start);
 
   void journal(const AnyProfile& entry) override;
+  void vehicle_state(const UsedVehicleState& used) override;
   void truth(const TruthState& truth) override;
   void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override;
   void gnss(std::size_t index, const GnssFix& fix) override;
@@ -33,6 +34,7 @@ class LogSink : public RunSink {
   std::uint64_t utc_of_sim_time_zero_ns_;
   std::uint64_t latest_utc_ns_;
   io::LogChannel<TruthState> truth_;
+  std::optional<io::LogChannel<UsedVehicleState>> vehicle_states_;
   std::deque<io::LogChannel<ImuSample>> imu_;
   std::deque<io::LogChannel<ImuTruth>> imu_truth_;
   std::deque<io::LogChannel<GnssFix>> gnss_;

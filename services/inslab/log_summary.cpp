@@ -28,10 +28,13 @@ class Gatherer {
     if (type == wire::WireType<ImuSample>::name) return stream<ImuSample>(topic, message);
     if (type == wire::WireType<ImuTruth>::name) return stream<ImuTruth>(topic, message);
     if (type == wire::WireType<GnssFix>::name) return stream<GnssFix>(topic, message);
+    if (type == wire::WireType<UsedVehicleState>::name) return stream<UsedVehicleState>(topic, message);
     if (type == wire::WireType<ProfileAck>::name) {
       if (auto ack = decoded<ProfileAck>(message)) summary_.acks.push_back(*ack);
     } else if (type == wire::WireType<SimStatus>::name) {
       if (auto status = decoded<SimStatus>(message)) summary_.last_status = *status;
+    } else if (type == wire::WireType<VehicleLink>::name) {
+      if (auto link = decoded<VehicleLink>(message)) summary_.vehicle_link = *link;
     } else if (type == wire::WireType<ServiceStatus>::name) {
       if (auto status = decoded<ServiceStatus>(message)) services_[{status->service, status->sensor_number}] = *status;
     } else if (topic.rfind("inslab/journal/", 0) == 0) {

@@ -9,6 +9,7 @@
 #include "samples/any_profile.hpp"
 #include "samples/run_control.hpp"
 #include "samples/service_status.hpp"
+#include "samples/vehicle_state.hpp"
 #include "scenario/scenario.hpp"
 
 namespace inslab::cli {
@@ -31,6 +32,7 @@ struct LogSummary {
   std::optional<SimStatus> last_status;
   std::map<std::string, StreamSummary> streams;  ///< by topic
   std::vector<ServiceStatus> services;           ///< the last report of each
+  std::optional<VehicleLink> vehicle_link;       ///< the last report; of a live vehicle only
   std::vector<ProfileAck> acks;
   std::vector<ProfileInUse> profiles;  ///< what the scenario began with, and the journal in its order
 

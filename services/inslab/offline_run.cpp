@@ -1,10 +1,12 @@
 #include "services/inslab/offline_run.hpp"
 
+#include <stdexcept>
+
 namespace inslab::cli {
 
 OfflineRun::OfflineRun(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id,
-                       RunSink& sink)
-    : sink_(sink), source_(scenario, start, run_id) {
+                       RunSink& sink, std::vector<UsedVehicleState> vehicle_states)
+    : sink_(sink), source_(scenario, start, run_id), vehicle_states_(std::move(vehicle_states)) {
   for (const auto& imu : scenario.imus) injectors_.emplace_back(scenario, imu);
   for (const auto& gnss : scenario.gnss) emulators_.emplace_back(scenario, gnss);
   for (const AnyProfile& request : scenario.swaps) {
@@ -20,8 +22,25 @@ OfflineRun::OfflineRun(const scenario::LoadedScenario& scenario, const time::Gps
   }
 }
 
+/// Before a truth sample, what the live run knew before it.
+void OfflineRun::use_vehicle_states() {
+  while (next_vehicle_state_ < vehicle_states_.size()) {
+    const UsedVehicleState& logged = vehicle_states_[next_vehicle_state_];
+    if (logged.header.sim_time_ns > source_.next_time().count()) return;
+    const auto used = source_.receive(logged.state);
+    if (!used) {
+      throw std::runtime_error(
+          "state " + std::to_string(logged.header.sequence_number) +
+          " of the vehicle does not belong to this scenario: " + source_.vehicle_link()->last_refusal);
+    }
+    sink_.vehicle_state(*used);
+    ++next_vehicle_state_;
+  }
+}
+
 bool OfflineRun::step() {
   if (!source_.has_next()) return false;
+  use_vehicle_states();
   const TruthState truth = source_.take();
   sim_time_ = time::Nanoseconds(truth.header.sim_time_ns);
   sink_.truth(truth);

@@ -14,6 +14,7 @@ class RunSink {
  public:
   virtual ~RunSink() = default;
   virtual void journal(const AnyProfile& entry) = 0;
+  virtual void vehicle_state(const UsedVehicleState&) {}  ///< of a live vehicle only
   virtual void truth(const TruthState& truth) = 0;
   virtual void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) = 0;
   virtual void gnss(std::size_t index, const GnssFix& fix) = 0;
@@ -25,19 +26,26 @@ class RunSink {
 class OfflineRun {
  public:
   /// Journals the scenario's schedule of swaps at once; an entry that the journal rejects goes to `sink` as an ack.
-  OfflineRun(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id, RunSink& sink);
+  /// A live vehicle's motion is what `vehicle_states` says, those that a live run used, in their order.
+  OfflineRun(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id, RunSink& sink,
+             std::vector<UsedVehicleState> vehicle_states = {});
 
   /// One truth sample and what follows from it; false when none is left. Throws std::domain_error when the vehicle
-  /// leaves the valid domain.
+  /// leaves the valid domain, std::runtime_error when the states of a live vehicle do not belong to the scenario or end
+  /// before it.
   bool step();
 
   time::Nanoseconds sim_time() const { return sim_time_; }
 
  private:
+  void use_vehicle_states();
+
   RunSink& sink_;
   trajectory::TruthSource source_;
   std::vector<imu::Injector> injectors_;
   std::vector<gnss::Emulator> emulators_;
+  std::vector<UsedVehicleState> vehicle_states_;
+  std::size_t next_vehicle_state_ = 0;
   time::Nanoseconds sim_time_{0};
 };
 

@@ -42,11 +42,11 @@ void print_head(const LogSummary& summary) {
 }
 
 void print_streams(const LogSummary& summary, Verdict& verdict) {
-  fmt::print("\n{:<22}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", "topic", "sent", "received", "lost", "out of order",
+  fmt::print("\n{:<26}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", "topic", "sent", "received", "lost", "out of order",
              "p50 ms", "p99 ms", "max ms");
   for (const auto& [topic, stream] : summary.streams) {
     const StreamStatus& logged = stream.logged;
-    fmt::print("{:<22}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", topic,
+    fmt::print("{:<26}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", topic,
                stream.sent ? std::to_string(*stream.sent) : "unknown", logged.samples, logged.lost, logged.out_of_order,
                milliseconds_of(logged.latency_p50_s), milliseconds_of(logged.latency_p99_s),
                milliseconds_of(logged.latency_max_s));
@@ -67,6 +67,16 @@ void print_services(const LogSummary& summary, Verdict& verdict) {
     verdict.require(status.state == ServiceState::Finished,
                     fmt::format("{} {}: {}", status.service, enum_name(status.state), status.message));
   }
+}
+
+void print_vehicle(const LogSummary& summary) {
+  if (!summary.vehicle_link) return;
+  const VehicleLink& link = *summary.vehicle_link;
+  fmt::print("\nvehicle: {} states received, {} used; {} missing, {} late, {} not newer, {} refused{}\n", link.received,
+             link.used, link.missing, link.late, link.not_newer, link.refused,
+             link.last_refusal.empty() ? "" : " (" + link.last_refusal + ")");
+  fmt::print("         {} truth samples extrapolated, at most {:.3f} s; led back {} times\n",
+             link.truth_samples_extrapolated, link.longest_extrapolation_s, link.returns);
 }
 
 std::string shown(const Measured& measured) {
@@ -122,6 +132,7 @@ bool print_run_summary(const std::string& log_path, const std::optional<std::str
   print_head(summary);
   print_streams(summary, verdict);
   print_services(summary, verdict);
+  print_vehicle(summary);
   print_swaps(log, summary, verdict);
   verdict.print();
   fmt::print("log {}\n", log_path);

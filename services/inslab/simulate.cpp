@@ -8,8 +8,10 @@
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/shutdown.hpp"
+#include "io/error.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/log_sink.hpp"
+#include "services/inslab/logged_vehicle.hpp"
 #include "services/inslab/progress.hpp"
 
 namespace inslab::cli {
@@ -20,6 +22,7 @@ struct SimulateOptions {
   std::string scenario;
   std::string unit;
   std::string directory = "runs";
+  std::string vehicle_log;
   bool without_log = false;
 };
 
@@ -32,6 +35,19 @@ class CountingSink : public RunSink {
   void gnss(std::size_t, const GnssFix&) override {}
   void ack(const ProfileAck&) override {}
 };
+
+/// What stands for the simulator that a live vehicle's scenario needs. Throws io::ReadError when it is not given, or
+/// given and not needed.
+std::vector<UsedVehicleState> vehicle_states(const scenario::LoadedScenario& loaded, const std::string& vehicle_log) {
+  const bool is_live = loaded.scenario.trajectory.source == scenario::TrajectorySource::VehicleState;
+  if (is_live == !vehicle_log.empty()) {
+    return is_live ? logged_vehicle_states(vehicle_log) : std::vector<UsedVehicleState>{};
+  }
+  throw io::ReadError(
+      loaded.file.string() + ": trajectory.source " +
+      (is_live ? "is vehicle_state: to repeat a live run give its log, --vehicle LOG; otherwise it needs inslab run"
+               : "is not vehicle_state; --vehicle is for scenarios that follow a live vehicle"));
+}
 
 /// Runs to the end, or to a signal; returns the sim time reached.
 time::Nanoseconds run_to_end(OfflineRun& run, const scenario::LoadedScenario& loaded) {
@@ -48,6 +64,7 @@ time::Nanoseconds run_to_end(OfflineRun& run, const scenario::LoadedScenario& lo
 
 int simulate(const SimulateOptions& options) {
   const scenario::LoadedScenario loaded = scenario::load(options.scenario, options.unit);
+  std::vector<UsedVehicleState> states = vehicle_states(loaded, options.vehicle_log);
   const time::GpsTime start = loaded.start(app::realtime_now());
   const RunId run_id = app::random_run_id();
   const time::Nanoseconds begun = app::monotonic_now();
@@ -60,7 +77,7 @@ int simulate(const SimulateOptions& options) {
     path = (std::filesystem::path(options.directory) / (loaded.scenario.name + ".mcap")).string();
     log = std::make_unique<LogSink>(path, loaded, start);
   }
-  OfflineRun run(loaded, start, run_id, log ? static_cast<RunSink&>(*log) : nothing);
+  OfflineRun run(loaded, start, run_id, log ? static_cast<RunSink&>(*log) : nothing, std::move(states));
   const time::Nanoseconds reached = run_to_end(run, loaded);
   if (log) log->close();
 
@@ -80,6 +97,7 @@ void add_simulate(CLI::App& app, std::function<int()>& action) {
   command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
   command->add_option("--unit", options->unit, "the vehicle's name: it chooses the random streams, as in a live run");
   command->add_option("-o,--output", options->directory, "directory for the log NAME.mcap")->capture_default_str();
+  command->add_option("--vehicle", options->vehicle_log, "log of a live run whose vehicle states are used again");
   command->add_flag("--no-log", options->without_log, "write no log");
   command->callback([options, &action] { action = [options] { return simulate(*options); }; });
 }

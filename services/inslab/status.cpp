@@ -39,7 +39,12 @@ class Listener {
                        [this](const SimStatus& status, const dds::SampleOrigin&) {
                          const std::lock_guard<std::mutex> lock(mutex_);
                          run_ = status;
-                       }) {}
+                       }),
+        vehicle_reader_(participant_, dds::topics::vehicle_link(),
+                        [this](const VehicleLink& link, const dds::SampleOrigin&) {
+                          const std::lock_guard<std::mutex> lock(mutex_);
+                          vehicle_ = link;
+                        }) {}
 
   struct Heard {
     ServiceStatus status;
@@ -48,6 +53,10 @@ class Listener {
   std::map<ServiceKey, Heard> services() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return services_;
+  }
+  std::optional<VehicleLink> vehicle() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return vehicle_;
   }
   std::optional<SimStatus> run() const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -59,8 +68,10 @@ class Listener {
   mutable std::mutex mutex_;
   std::map<ServiceKey, Heard> services_;
   std::optional<SimStatus> run_;
+  std::optional<VehicleLink> vehicle_;
   dds::Reader<ServiceStatus> services_reader_;
   dds::Reader<SimStatus> status_reader_;
+  dds::Reader<VehicleLink> vehicle_reader_;
 };
 
 void print_service(const ServiceStatus& status) {
@@ -94,6 +105,10 @@ int status(const StatusOptions& options) {
                run->journal_entries, run->overruns, run->lag_max_s * 1e3, run->message);
   } else {
     fmt::print("run: no trajectory server was heard\n");
+  }
+  if (const auto link = listener.vehicle()) {
+    fmt::print("vehicle: {} states received, {} used; {} missing, {} late, {} refused; {} truth samples extrapolated\n",
+               link->received, link->used, link->missing, link->late, link->refused, link->truth_samples_extrapolated);
   }
   fmt::print("{:<28}{:>7}  {:<10}{:>10}{:>9}{:>8}  {}\n", "service", "sensor", "state", "sim s", "pid", "RSS MB",
              "message");

@@ -22,6 +22,7 @@ ServerOnBus::ServerOnBus(app::Context& context)
       board_(context.participant(), context.service(), 0,
              [this](ServiceStatus& status) {
                status.streams.push_back(truth_sent_.status());
+               if (vehicle_ && source_) vehicle_->fill(status, *source_->vehicle_link());
                status.overruns = status_.overruns;
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
              }),
@@ -39,6 +40,10 @@ ServerOnBus::ServerOnBus(app::Context& context)
   open_profile_topics<InstallationProfile>(context.participant());
   open_profile_topics<GnssErrorProfile>(context.participant());
   open_profile_topics<FaultProfile>(context.participant());
+  if (scenario_.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) {
+    vehicle_ = std::make_unique<VehicleOnBus>(context.participant(), scenario_.scenario.trajectory.vehicle,
+                                              [this](const VehicleState& state) { mailbox_.put(state); });
+  }
   status_.run_id = run_id_;
   status_.scenario = scenario_.scenario.name;
   board_.set_run(run_id_);
@@ -81,6 +86,9 @@ void ServerOnBus::handle_messages(time::Nanoseconds patience) {
       judge(*request);
     } else if (std::holds_alternative<SimCommand>(*message)) {
       stop_requested_ = true;
+    } else if (const auto* state = std::get_if<VehicleState>(&*message)) {
+      // Before the run there is no time that a state could be of.
+      if (status_.state == RunState::Running) vehicle_->take(*state, *source_);
     } else {
       const auto& status = std::get<ServiceStatus>(*message);
       services_[{status.service, status.sensor_number}] = status.state;
@@ -99,19 +107,25 @@ std::vector<std::string> ServerOnBus::missing_services() const {
   return missing;
 }
 
+/// Names who else is not there yet; empty when everybody is.
+std::string ServerOnBus::missing_peers() const {
+  std::string names;
+  for (const std::string& name : missing_services()) names += (names.empty() ? "" : ", ") + name;
+  if (!names.empty()) return names;
+  const auto needed_readers = static_cast<int>(app::required_services(scenario_).size());
+  if (truth_.matched_readers() < needed_readers) return "a reader of inslab/truth";
+  return vehicle_ && !vehicle_->connected() ? "a writer of inslab/vehicle_state" : "";
+}
+
 /// The barrier before the first sample. False when it timed out or a signal came.
 bool ServerOnBus::wait_until_ready() {
-  const auto needed_readers = static_cast<int>(app::required_services(scenario_).size());
   const auto timeout = time::from_seconds(scenario_.scenario.real_time.ready_timeout_s);
   const auto deadline = monotonic_now() + timeout;
   board_.enter(ServiceState::Ready);
-  while (!missing_services().empty() || truth_.matched_readers() < needed_readers) {
+  for (std::string names = missing_peers(); !names.empty(); names = missing_peers()) {
     if (app::shutdown_requested() || stop_requested_) return false;
     if (monotonic_now() > deadline) {
-      std::string names;
-      for (const std::string& name : missing_services()) names += (names.empty() ? "" : ", ") + name;
-      spdlog::error("not ready after {} s: {}", scenario_.scenario.real_time.ready_timeout_s,
-                    names.empty() ? "a reader of inslab/truth" : names);
+      spdlog::error("not ready after {} s: {}", scenario_.scenario.real_time.ready_timeout_s, names);
       status_.message = ("not ready: " + names).substr(0, 256);
       return false;
     }
@@ -177,12 +191,17 @@ void ServerOnBus::report_status() {
   if (monotonic_now() < next_report_) return;
   next_report_ = monotonic_now() + milliseconds(100);
   sim_status_.write(status_);
+  if (vehicle_ && status_.state == RunState::Running) vehicle_->report(*source_, run_id_, status_.sim_time_ns);
 }
 
 int ServerOnBus::end(RunState state, const std::string& message) {
   status_.state = state;
   status_.message = message.substr(0, 256);
   truth_.wait_for_acknowledgments(seconds(5));
+  if (vehicle_) {
+    vehicle_->report(*source_, run_id_, status_.sim_time_ns);
+    vehicle_->flush(seconds(5));
+  }
   sim_status_.write(status_);
   sim_status_.wait_for_acknowledgments(seconds(5));
   const bool good = state == RunState::Finished || (state == RunState::Stopped && source_->taken() > 0);
@@ -216,7 +235,7 @@ int ServerOnBus::run() {
                                                 status_.lag_max_s * 1e3, max_lag_s * 1e3));
       }
     }
-  } catch (const std::domain_error& error) {
+  } catch (const std::exception& error) {  // the vehicle left the domain, or its states stayed out
     return end(RunState::Fault, error.what());
   }
   return source_->has_next() ? end(RunState::Stopped, "stopped before its end") : end(RunState::Finished, "");

@@ -10,6 +10,7 @@
 #include "app/stream_monitor.hpp"
 #include "dds/reader.hpp"
 #include "services/trajectory_server/truth_source.hpp"
+#include "services/trajectory_server/vehicle_on_bus.hpp"
 
 namespace inslab::trajectory {
 
@@ -24,13 +25,14 @@ class ServerOnBus {
   int run();
 
  private:
-  using Message = std::variant<AnyProfile, SimCommand, ServiceStatus>;
+  using Message = std::variant<AnyProfile, SimCommand, ServiceStatus, VehicleState>;
 
   template <class Profile>
   void open_profile_topics(dds::Participant& participant);
   void handle_messages(time::Nanoseconds patience);
   void judge(const AnyProfile& request);
   std::vector<std::string> missing_services() const;
+  std::string missing_peers() const;
   bool wait_until_ready();
   void begin();
   void send_next();
@@ -50,6 +52,7 @@ class ServerOnBus {
   std::map<std::pair<std::string, std::uint32_t>, ServiceState> services_;
 
   app::Mailbox<Message> mailbox_;
+  std::unique_ptr<VehicleOnBus> vehicle_;  ///< null when the scenario has no live vehicle
   app::StreamMonitor truth_sent_;
   app::StatusBoard board_;
   dds::Writer<TruthState> truth_;

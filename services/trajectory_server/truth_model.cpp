@@ -2,6 +2,7 @@
 
 #include "config/error.hpp"
 #include "services/trajectory_server/inverse_mechanization_model.hpp"
+#include "services/trajectory_server/live_vehicle_model.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
 
 namespace inslab::trajectory {
@@ -26,6 +27,8 @@ std::unique_ptr<TruthModel> make_file_model(const scenario::LoadedScenario& scen
 std::unique_ptr<TruthModel> make_truth_model(const scenario::LoadedScenario& scenario, const time::GpsTime& start) {
   const scenario::Trajectory& trajectory = scenario.scenario.trajectory;
   switch (trajectory.source) {
+    case scenario::TrajectorySource::VehicleState:
+      return std::make_unique<LiveVehicleModel>(trajectory, scenario.truth_rate, start);
     case scenario::TrajectorySource::MotionTable:
       break;
     case scenario::TrajectorySource::File:

@@ -22,7 +22,8 @@ class TruthModel {
   virtual TruthState current() const = 0;
 
   /// Goes to the next instant of the grid and returns it. Throws std::domain_error, naming time, place in the
-  /// trajectory, quantity and limits, when the vehicle leaves the valid domain; the model is then of no more use.
+  /// trajectory, quantity and limits, when the vehicle leaves the valid domain, and std::runtime_error when what the
+  /// motion is made from has ended too soon; the model is then of no more use.
   virtual TruthState advance() = 0;
 
   /// The instant after which the motion asks for no more samples, once the model has come far enough to know it: the

@@ -1,5 +1,7 @@
 #include "services/trajectory_server/truth_source.hpp"
 
+#include <stdexcept>
+
 namespace inslab::trajectory {
 
 namespace {
@@ -17,7 +19,9 @@ TruthSource::TruthSource(const scenario::LoadedScenario& scenario, const time::G
     : run_id_(run_id),
       rate_(scenario.truth_rate),
       samples_(scenario.truth_samples),
+      start_(start),
       model_(make_truth_model(scenario, start)),
+      live_vehicle_(dynamic_cast<LiveVehicleModel*>(model_.get())),
       journal_(sensors_of(scenario), scenario.truth_rate),
       next_(model_->current()) {}
 
@@ -26,14 +30,33 @@ std::variant<AnyProfile, ProfileAck> TruthSource::submit(const AnyProfile& reque
   return journal_.submit(request, last_sent);
 }
 
+std::optional<UsedVehicleState> TruthSource::receive(const VehicleState& state) {
+  if (live_vehicle_ == nullptr) throw std::logic_error("the scenario's trajectory takes no states of a vehicle");
+  const std::uint64_t number = live_vehicle_->link().used;
+  if (!live_vehicle_->receive(state)) return std::nullopt;
+  UsedVehicleState used;
+  used.header.run_id = run_id_;
+  used.header.sequence_number = number;
+  used.header.sim_time_ns = next_time().count();
+  const time::GpsTime gps = start_ + next_time();
+  used.header.gps_week = gps.week;
+  used.header.gps_time_of_week_ns = gps.time_of_week_ns;
+  used.state = state;
+  return used;
+}
+
 void TruthSource::prepare() {
+  if (live_vehicle_ == nullptr) compute_next();
+}
+
+void TruthSource::compute_next() {
   if (prepared_ || !has_next()) return;
   next_ = model_->advance();
   prepared_ = true;
 }
 
 TruthState TruthSource::take() {
-  prepare();
+  compute_next();
   TruthState sample = next_;
   sample.header.run_id = run_id_;
   sample.journal_in_effect = journal_.in_effect(time::Nanoseconds(sample.header.sim_time_ns));

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "scenario/load.hpp"
+#include "services/trajectory_server/live_vehicle_model.hpp"
 #include "services/trajectory_server/truth_model.hpp"
 #include "swap/journal.hpp"
 
@@ -17,6 +18,12 @@ class TruthSource {
   /// Judges a request; see swap::Journal::submit.
   std::variant<AnyProfile, ProfileAck> submit(const AnyProfile& request);
 
+  /// Takes a state of a live vehicle into account from the next sample on. Nothing when it is of no use: see
+  /// LiveVehicleModel::receive(). Throws std::logic_error when the scenario has no live vehicle.
+  std::optional<UsedVehicleState> receive(const VehicleState& state);
+  /// How well the states came; null when the scenario has no live vehicle.
+  const VehicleLink* vehicle_link() const { return live_vehicle_ == nullptr ? nullptr : &live_vehicle_->link(); }
+
   /// Whether a sample is left: the scenario's duration is not over, nor has the motion ended itself.
   bool has_next() const { return taken_ < samples_ && next_time() <= model_->end(); }
   /// Sim time of the sample that take() gives next.
@@ -25,17 +32,21 @@ class TruthSource {
   /// vehicle leaves the valid domain.
   TruthState take();
   /// Computes the sample after the one taken last, so that take() costs nothing at its deadline. take() does it when
-  /// it was not called.
+  /// it was not called. Does nothing for a live vehicle, whose states may come until the deadline.
   void prepare();
 
   std::uint64_t taken() const { return taken_; }
   std::uint32_t journal_size() const { return journal_.size(); }
 
  private:
+  void compute_next();
+
   RunId run_id_;
   time::Rate rate_;
   std::uint64_t samples_;
+  time::GpsTime start_;
   std::unique_ptr<TruthModel> model_;
+  LiveVehicleModel* live_vehicle_;  ///< model_, when it is one
   swap::Journal journal_;
   TruthState next_;
   bool prepared_ = true;

@@ -34,6 +34,7 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
   }
   for (const auto& gnss : scenario.gnss) add_stream(context, dds::topics::gnss(gnss.number, rate_hz(gnss.rate)));
   add_channel(context, dds::topics::nav(), Writers::Anybody);
+  if (scenario.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) add_vehicle_channels(context);
   add_profile_channels<ImuErrorProfile>(context);
   add_profile_channels<VibrationProfile>(context);
   add_profile_channels<InstallationProfile>(context);
@@ -86,6 +87,13 @@ void LoggerOnBus::add_profile_channels(app::Context& context) {
     Profile entry;
     if (wire::decode(message.bytes.data(), message.bytes.size(), entry)) log_.add_profile(entry);
   };
+}
+
+void LoggerOnBus::add_vehicle_channels(app::Context& context) {
+  const double nominal_hz = context.scenario().scenario.trajectory.vehicle.nominal_rate_hz;
+  add_channel(context, dds::topics::vehicle_state(nominal_hz), Writers::Anybody);
+  add_stream(context, dds::topics::vehicle_state_used(nominal_hz));
+  add_channel(context, dds::topics::vehicle_link());
 }
 
 void LoggerOnBus::add_control_channels(app::Context& context) {

@@ -52,6 +52,7 @@ class LoggerOnBus {
   void add_stream(app::Context& context, const dds::Topic<T>& topic);
   template <class Profile>
   void add_profile_channels(app::Context& context);
+  void add_vehicle_channels(app::Context& context);
   void add_control_channels(app::Context& context);
 
   void handle(const Message& message);

@@ -6,6 +6,7 @@
 #include "navPubSubTypes.h"
 #include "profilePubSubTypes.h"
 #include "truthPubSubTypes.h"
+#include "vehiclePubSubTypes.h"
 // clang-format on
 
 #include "dds/type_adapter.hpp"
@@ -76,7 +77,10 @@ using AllTypes = testing::Types<
     Pair<samples::Installation, ::inslab::InstallationPubSubType>,
     Pair<samples::SimCommand, ::inslab::SimCommandPubSubType>, Pair<samples::SimStatus, ::inslab::SimStatusPubSubType>,
     Pair<samples::TimeMark, ::inslab::TimeMarkPubSubType>,
-    Pair<samples::ServiceStatus, ::inslab::ServiceStatusPubSubType>>;
+    Pair<samples::ServiceStatus, ::inslab::ServiceStatusPubSubType>,
+    Pair<samples::VehicleState, ::inslab::VehicleStatePubSubType>,
+    Pair<samples::UsedVehicleState, ::inslab::UsedVehicleStatePubSubType>,
+    Pair<samples::VehicleLink, ::inslab::VehicleLinkPubSubType>>;
 TYPED_TEST_SUITE(Codec, AllTypes);
 
 template <class Plain>

@@ -10,6 +10,7 @@ namespace inslab::test {
 class RunRecorder : public cli::RunSink {
  public:
   void journal(const AnyProfile& entry) override { entries.push_back(entry); }
+  void vehicle_state(const UsedVehicleState& used) override { vehicle_states.push_back(used); }
   void truth(const TruthState& truth) override { truths.push_back(truth); }
   void imu(std::size_t, const ImuSample& sample, const ImuTruth& truth) override {
     samples.push_back(sample);
@@ -19,6 +20,7 @@ class RunRecorder : public cli::RunSink {
   void ack(const ProfileAck& ack) override { acks.push_back(ack); }
 
   std::vector<AnyProfile> entries;
+  std::vector<UsedVehicleState> vehicle_states;
   std::vector<TruthState> truths;
   std::vector<ImuSample> samples;
   std::vector<ImuTruth> imu_truths;

@@ -88,6 +88,66 @@ TEST(Attitude, InGimbalLockRollIsZeroAndTheRotationIsKept) {
   }
 }
 
+TEST(Attitude, AnglesKeepTheRotationThroughGimbalLock) {
+  std::mt19937_64 generator(11);
+  std::uniform_real_distribution<double> angle(-kPi, kPi);
+  for (const double vertical : {kPi / 2, -kPi / 2}) {
+    for (int exponent = 0; exponent >= -18; --exponent) {
+      for (int i = 0; i < 50; ++i) {
+        const double pitch = vertical + (i % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, exponent);
+        const Quaternion q = quaternion_from_rpy({angle(generator), pitch, angle(generator)});
+        const RollPitchYaw rpy = rpy_from_quaternion(q);
+        EXPECT_LE(std::abs(rpy.roll_rad), kPi);
+        EXPECT_LE(std::abs(rpy.pitch_rad), kPi / 2);
+        EXPECT_GE(rpy.yaw_rad, 0.0);
+        EXPECT_LT(rpy.yaw_rad, 2.0 * kPi);
+        // In the lock itself the roll is given up: up to half a turn of the little that is left of cos(pitch).
+        EXPECT_LT(angle_between(quaternion_from_rpy(rpy), q), kRounding + 2.0 * kGimbalLockCosine) << pitch;
+        EXPECT_LT(angle_between(quaternion_from_matrix(matrix_from_rpy(rpy)), q), kRounding + 2.0 * kGimbalLockCosine);
+      }
+    }
+  }
+}
+
+TEST(Attitude, BothSignsOfAQuaternionAreOneRotation) {
+  std::mt19937_64 generator(12);
+  for (int i = 0; i < 1000; ++i) {
+    Quaternion q = random_quaternion(generator);
+    // Every third is a half turn, w = 0, where the sign has nothing to go by but the first component that is not 0.
+    if (i % 3 == 0) q = canonical(Quaternion(0.0, i % 2 == 0 ? 0.0 : q.x(), q.y(), q.z()));
+    const Quaternion negative(-q.w(), -q.x(), -q.y(), -q.z());
+    EXPECT_EQ(canonical(negative).coeffs(), canonical(q).coeffs());
+    EXPECT_EQ(matrix_from_quaternion(negative), matrix_from_quaternion(q));
+    EXPECT_EQ(rotation_vector_from_quaternion(negative), rotation_vector_from_quaternion(q));
+    EXPECT_LT(angle_between(negative, q), kRounding);
+  }
+}
+
+TEST(Attitude, QuaternionOfAMatrixIsTheSameWhicheverComponentIsLargest) {
+  std::mt19937_64 generator(13);
+  for (int i = 0; i < 4000; ++i) {
+    const Quaternion random = random_quaternion(generator);
+    Eigen::Vector4d components(random.w(), random.x(), random.y(), random.z());
+    components[i % 4] *= 1e3;  // the branch by the largest
+    components[(i / 4) % 4] *= 1e-9;
+    const Quaternion q = canonical(Quaternion(components[0], components[1], components[2], components[3]));
+    EXPECT_LT(angle_between(quaternion_from_matrix(matrix_from_quaternion(q)), q), kRounding);
+  }
+}
+
+TEST(RotationVector, TurnsOverAtAHalfTurnWithoutLosingTheRotation) {
+  const Vector3 axis = Vector3(2.0, -1.0, 2.0) / 3.0;
+  for (const double beyond : {-1e-3, -1e-9, -1e-15, 0.0, 1e-15, 1e-9, 1e-3}) {
+    const Quaternion q = quaternion_from_rotation_vector((kPi + beyond) * axis);
+    const Vector3 vector = rotation_vector_from_quaternion(q);
+    EXPECT_LE(vector.norm(), kPi + kRounding);
+    EXPECT_LT(angle_between(quaternion_from_rotation_vector(vector), q), kRounding) << beyond;
+    if (std::abs(beyond) > 1e-12) {
+      EXPECT_EQ(vector.dot(axis) > 0.0, beyond < 0.0);
+    }
+  }
+}
+
 TEST(RotationVector, ComesBackAtEverySize) {
   const Vector3 axis = Vector3(1.0, -2.0, 2.0) / 3.0;
   for (const double size : {0.0, 1e-300, 1e-20, 1e-9, 1.9e-4, 2.1e-4, 9.9e-3, 1.01e-2, 0.5, 3.0, 3.1415926}) {

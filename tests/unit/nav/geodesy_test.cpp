@@ -36,25 +36,69 @@ TEST(Ecef, EqualsThePublishedPointOfErfa) {
   EXPECT_NEAR(r_e.z(), -3040909.4706983363, kEcefTolerance_m);
 }
 
-TEST(Ecef, EqualsGeographicLib) {
-  // Made with GeographicLib 2.1.2, nine decimals. Its input is degrees: ours is rounded to radians first, by up to half
-  // a unit in the last place of the angle (2.2e-16 for a longitude above 2 rad) times the radius, 1.4e-9 m, and the
-  // nine decimals are rounded too.
+TEST(Ecef, EqualsGeographicLibToANanometre) {
+  // Made with GeographicLib 2.1.2, nine decimals. Its input is degrees; ours is rounded to radians first, which moves
+  // the point by up to 1.4e-9 m: the expected point is moved by what the rounding took away.
   struct Row {
-    double latitude_deg, longitude_deg, height_m, x_m, y_m, z_m;
+    long double latitude_deg, longitude_deg;
+    double height_m, x_m, y_m, z_m;
   };
   const Row rows[] = {
-      {45, 45, 1000, 3194919.145060575, 3194919.145060574, 4488055.515647106},
-      {-45, -45, -100, 3194369.145060574, -3194369.145060574, -4487277.698187801},
-      {89.9, 10, 0, 10999.704006046, 1939.544596073, 6356742.567109314},
-      {-79.9, 170, 10, -1105113.100182042, 194861.256296471, -6257604.262304600},
-      {51.1166, -114.0383, 1063.6093, -1634525.186006844, -3664609.057281158, 4942525.639349404},
-      {37.4, -122.1, 20000, -2704309.563165776, -4311038.834990196, 3864900.605074601},
-      {0.0001, 179.9999, 0, -6378136.999980636, 11.131949080, 11.057427582},
+      {0.0L, 0.0L, 0, 6378137.0, 0.0, 0.0},
+      {0.0L, 180.0L, 0, -6378137.0, 0.0, 0.0},
+      {0.0L, -180.0L, 0, -6378137.0, 0.0, 0.0},
+      {0.0L, 90.0L, 100, 0.0, 6378237.0, 0.0},
+      {45.0L, 45.0L, 1000, 3194919.145060575, 3194919.145060574, 4488055.515647106},
+      {-45.0L, -45.0L, -100, 3194369.145060574, -3194369.145060574, -4487277.698187801},
+      // Its own sum is 1.03e-9 m short here: with forty digits it is ...047030.
+      {89.9L, 10.0L, 0, 10999.704006047030, 1939.544596073, 6356742.567109314},
+      {-79.9L, 170.0L, 10, -1105113.100182042, 194861.256296471, -6257604.262304600},
+      {51.1166L, -114.0383L, 1063.6093, -1634525.186006844, -3664609.057281158, 4942525.639349404},
+      {60.0L, 5.0L, 0, 3184938.638738436, 278646.024915301, 5500477.133938639},
+      {78.0L, 15.0L, 0, 1285025.758478599, 344321.614237531, 6216936.500363830},
+      {1e-9L, 1e-9L, 0, 6378137.0, 0.000111319, 0.000110574},
+      {-33.8L, 151.2L, 30, -4649382.093501540, 2556019.435724233, -3528050.173052720},
+      {48.8583701L, 2.2944813L, 340, 4201161.889744731, 168330.787019489, 4780466.903744249},
+      {37.4L, -122.1L, 20000, -2704309.563165776, -4311038.834990196, 3864900.605074601},
+      {0.0001L, 179.9999L, 0, -6378136.999980636, 11.131949080, 11.057427582},
+      {0.0001L, -179.9999L, 0, -6378136.999980636, -11.131949080, 11.057427582},
+      {83.99L, 33.0L, 0, 561930.873953805, 364922.176397714, 6321579.772563082},
   };
+  constexpr long double kRadPerDegree = 3.14159265358979323846264L / 180.0L;
   for (const Row& row : rows) {
-    const Vector3 r_e = ecef_from_geodetic(degrees(row.latitude_deg, row.longitude_deg, row.height_m));
-    EXPECT_LT((r_e - Vector3(row.x_m, row.y_m, row.z_m)).norm(), 1.4e-9 + kEcefTolerance_m) << row.latitude_deg;
+    const long double latitude = row.latitude_deg * kRadPerDegree, longitude = row.longitude_deg * kRadPerDegree;
+    const Geodetic position{static_cast<double>(latitude), static_cast<double>(longitude), row.height_m};
+    const double s = std::sin(position.latitude_rad), c = std::cos(position.latitude_rad);
+    const double north_m = static_cast<double>(latitude - static_cast<long double>(position.latitude_rad)) *
+                           (wgs84::meridian_radius_from_sine_m(s) + row.height_m);
+    const double east_m = static_cast<double>(longitude - static_cast<long double>(position.longitude_rad)) *
+                          (wgs84::transverse_radius_from_sine_m(s) + row.height_m) * c;
+    const Vector3 moved = C_en(position.latitude_rad, position.longitude_rad) * Vector3(north_m, east_m, 0.0);
+    const Vector3 r_e = ecef_from_geodetic(position) + moved;
+    // Half a unit in the last place of GeographicLib's own double, 4.7e-10 m, and its nine decimals are in this too.
+    EXPECT_NEAR(r_e.x(), row.x_m, kEcefTolerance_m) << static_cast<double>(row.latitude_deg);
+    EXPECT_NEAR(r_e.y(), row.y_m, kEcefTolerance_m) << static_cast<double>(row.latitude_deg);
+    EXPECT_NEAR(r_e.z(), row.z_m, kEcefTolerance_m) << static_cast<double>(row.latitude_deg);
+  }
+}
+
+TEST(NedFrom, EqualsGeographicLibsLocalCartesian) {
+  // GeographicLib 2.1.2, LocalCartesian about 30.46 deg N, 114.47 deg E, 22 m; east, north, up to nine decimals. The
+  // angles of both points are rounded to radians (2.2e-16 rad of longitude, 1.4e-9 m, twice; latitude 0.4e-9 m, twice).
+  struct Row {
+    double latitude_deg, longitude_deg, height_m, east_m, north_m, up_m;
+  };
+  const Row rows[] = {{30.41, 114.37, 2, -9608.717282454, -5538.740577868, -29.646476695},
+                      {30.41, 114.37, 522, -9609.499994463, -5539.194017155, 490.352736530},
+                      {30.46, 114.47, 522, 0.0, 0.0, 499.999999999},
+                      {30.461, 114.472, 22, 192.075070360, 110.862322921, -0.003857104},
+                      {30.66, 114.87, 2, 38336.271938962, 22240.186742697, -174.048352054}};
+  const Geodetic origin = degrees(30.46, 114.47, 22.0);
+  for (const Row& row : rows) {
+    const Vector3 ned = ned_from(origin, degrees(row.latitude_deg, row.longitude_deg, row.height_m));
+    EXPECT_NEAR(ned.y(), row.east_m, 2.0 * 1.4e-9 + 1e-9);
+    EXPECT_NEAR(ned.x(), row.north_m, 2.0 * 0.4e-9 + 1e-9);
+    EXPECT_NEAR(-ned.z(), row.up_m, 1e-9);
   }
 }
 

@@ -66,9 +66,10 @@ class BigEndianWriter {
 template <class T>
 class Cdr : public testing::Test {};
 
-using AllTypes = testing::Types<TruthState, ImuSample, ImuTruth, GnssFix, NavSolution, ImuErrorProfile,
-                                VibrationProfile, InstallationProfile, GnssErrorProfile, FaultProfile, ProfileAck,
-                                Installation, SimCommand, SimStatus, TimeMark, ServiceStatus>;
+using AllTypes =
+    testing::Types<TruthState, ImuSample, ImuTruth, GnssFix, NavSolution, ImuErrorProfile, VibrationProfile,
+                   InstallationProfile, GnssErrorProfile, FaultProfile, ProfileAck, Installation, SimCommand, SimStatus,
+                   TimeMark, ServiceStatus, VehicleState, UsedVehicleState, VehicleLink>;
 TYPED_TEST_SUITE(Cdr, AllTypes, );
 
 TYPED_TEST(Cdr, GivesBackEveryBitOfRandomValuesInEitherByteOrder) {

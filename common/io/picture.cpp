@@ -1,0 +1,174 @@
+#include "io/picture.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+extern char** environ;
+
+namespace inslab::io {
+
+namespace {
+
+/// A text as gnuplot's own, without its markup.
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\'') out += '\'';
+    if (c != '\n') out += c;
+  }
+  return out + "'";
+}
+
+void write_data(std::ostringstream& script, const Curve& curve, std::size_t number) {
+  script << "$curve" << number << " << end_of_data\n";
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) {
+      script << curve.x[i] << ' ' << curve.y[i] << '\n';
+    } else {
+      script << '\n';
+    }
+  }
+  script << "end_of_data\n";
+}
+
+void write_panel(std::ostringstream& script, const Panel& panel, std::size_t first_curve) {
+  script << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.x_label) << "\nset ylabel "
+         << quoted(panel.y_label) << '\n';
+  script << (panel.equal_scales ? "set size ratio -1\n" : "set size noratio\n");
+  script << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
+         << (panel.log_y ? "set logscale y\n" : "unset logscale y\n");
+  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+    const Curve& curve = panel.curves[i];
+    script << (i == 0 ? "plot " : ", ") << "$curve" << first_curve + i << " with " << curve.style
+           << (curve.title.empty() ? " notitle" : " title " + quoted(curve.title));
+  }
+  script << '\n';
+}
+
+/// A file for gnuplot to read or write, gone afterwards.
+class TemporaryFile {
+ public:
+  TemporaryFile() : path_((std::filesystem::temp_directory_path() / "inslab-plot-XXXXXX").string()) {
+    const int descriptor = mkstemp(path_.data());
+    if (descriptor < 0) throw PictureError("no temporary file for gnuplot: " + std::string(std::strerror(errno)));
+    close(descriptor);
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  void write(const std::string& text) const { std::ofstream(path_, std::ios::binary) << text; }
+  std::string read() const {
+    std::ostringstream text;
+    text << std::ifstream(path_, std::ios::binary).rdbuf();
+    return text.str();
+  }
+
+ private:
+  std::string path_;
+};
+
+/// Runs `program file` with its outputs in files; returns its wait status.
+int run(const std::string& program, const std::string& file, const std::string& output, const std::string& messages) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_TRUNC, 0);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), O_WRONLY | O_TRUNC, 0);
+  std::string name = program, argument = file;
+  char* argv[] = {name.data(), argument.data(), nullptr};
+  pid_t pid = 0;
+  const int error = posix_spawnp(&pid, program.c_str(), &actions, nullptr, argv, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) {
+    throw PictureError(program + " cannot be run: " + std::strerror(error) +
+                       "; pictures need gnuplot (Debian: the package gnuplot-nox)");
+  }
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0) {
+    if (errno != EINTR) throw PictureError("waiting for " + program + ": " + std::strerror(errno));
+  }
+  return status;
+}
+
+}  // namespace
+
+std::string gnuplot_script(const Picture& picture, PictureFormat format) {
+  const std::size_t rows = (picture.panels.size() + picture.columns - 1) / picture.columns;
+  std::ostringstream script;
+  script.precision(7);
+  script
+      << "set terminal " << (format == PictureFormat::Svg ? "svg" : "pngcairo") << " noenhanced size "
+      << picture.panel_width_px * static_cast<int>(picture.columns) << ','
+      << picture.panel_height_px * static_cast<int>(rows) + 30 << " font 'sans,11' background rgb 'white'\n"
+      << "set grid linecolor rgb '#dddddd'\nset key top right\nset tics nomirror\nset border 3\nset samples 2\n"
+      << "set linetype 1 linecolor rgb '#0060ad' linewidth 1.2\nset linetype 2 linecolor rgb '#c03020' linewidth 1.2\n"
+      << "set linetype 3 linecolor rgb '#208040' linewidth 1.2\n";
+  std::size_t number = 0;
+  for (const Panel& panel : picture.panels) {
+    for (const Curve& curve : panel.curves) write_data(script, curve, number++);
+  }
+  script << "set multiplot layout " << rows << ',' << picture.columns << " title " << quoted(picture.title) << '\n';
+  number = 0;
+  for (const Panel& panel : picture.panels) {
+    write_panel(script, panel, number);
+    number += panel.curves.size();
+  }
+  script << "unset multiplot\n";
+  return script.str();
+}
+
+std::string drawn(const Picture& picture, PictureFormat format, const std::string& program) {
+  const TemporaryFile script, output, messages;
+  script.write(gnuplot_script(picture, format));
+  const int status = run(program, script.path(), output.path(), messages.path());
+  std::string bytes = output.read();
+  if (status == 0 && !bytes.empty()) return bytes;
+  throw PictureError(program + " drew nothing (wait status " + std::to_string(status) + "): " + messages.read());
+}
+
+Curve thinned(const Curve& curve, std::size_t bins) {
+  if (curve.x.size() <= 2 * bins) return curve;
+  Curve kept{curve.title, {}, {}, curve.style};
+  const std::size_t count = curve.x.size();
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    const std::size_t begin = bin * count / bins, end = (bin + 1) * count / bins;
+    const auto first = curve.y.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = curve.y.begin() + static_cast<std::ptrdiff_t>(end);
+    const auto [low, high] = std::minmax_element(first, last);
+    for (const auto& place : {std::min(low, high), std::max(low, high)}) {
+      const auto i = static_cast<std::size_t>(place - curve.y.begin());
+      if (!kept.x.empty() && curve.x[i] <= kept.x.back()) continue;
+      kept.x.push_back(curve.x[i]);
+      kept.y.push_back(curve.y[i]);
+    }
+  }
+  return kept;
+}
+
+Curve thinned_by_distance(const Curve& track, double distance) {
+  Curve kept{track.title, {}, {}, track.style};
+  for (std::size_t i = 0; i < track.x.size(); ++i) {
+    const bool is_near =
+        !kept.x.empty() && std::hypot(track.x[i] - kept.x.back(), track.y[i] - kept.y.back()) <= distance;
+    if (is_near && i + 1 < track.x.size()) continue;
+    kept.x.push_back(track.x[i]);
+    kept.y.push_back(track.y[i]);
+  }
+  return kept;
+}
+
+}  // namespace inslab::io

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// Pictures of curves, drawn by gnuplot (the program of that name, a package of every distribution).
+namespace inslab::io {
+
+/// gnuplot is not there, or did not like what it was given.
+class PictureError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One curve. `x` and `y` are equally long; a NaN interrupts the curve.
+struct Curve {
+  std::string title;  ///< in the panel's key; empty: none
+  std::vector<double> x;
+  std::vector<double> y;
+  std::string style = "lines";  ///< gnuplot's words for it, such as "lines dashtype 2" or "points"
+};
+
+/// One diagram. Texts are plain: nothing in them is markup.
+struct Panel {
+  std::string title;
+  std::string x_label;
+  std::string y_label;
+  std::vector<Curve> curves;
+  bool equal_scales = false;  ///< a unit of x is as long as a unit of y
+  bool log_x = false;
+  bool log_y = false;
+};
+
+/// Panels in rows of `columns`.
+struct Picture {
+  std::string title;
+  std::vector<Panel> panels;
+  std::size_t columns = 1;
+  int panel_width_px = 420;
+  int panel_height_px = 300;
+};
+
+enum class PictureFormat { Svg, Png };
+
+/// What gnuplot is told to draw the picture, its data included.
+std::string gnuplot_script(const Picture& picture, PictureFormat format);
+
+/// The picture as the bytes of a file. Throws PictureError, saying what is missing or what gnuplot said.
+std::string drawn(const Picture& picture, PictureFormat format, const std::string& program = "gnuplot");
+
+/// At most about 2 `bins` points of a curve over time that show it as all of them would: the first, the smallest and
+/// the largest of each bin. `x` increases.
+Curve thinned(const Curve& curve, std::size_t bins);
+
+/// The points of a track further than `distance` from the last one kept, and the last.
+Curve thinned_by_distance(const Curve& track, double distance);
+
+}  // namespace inslab::io

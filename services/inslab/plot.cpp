@@ -1,0 +1,52 @@
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "app/exit_code.hpp"
+#include "io/error.hpp"
+#include "services/inslab/commands.hpp"
+#include "services/inslab/track_picture.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+struct PlotOptions {
+  std::string input;
+  std::string directory = ".";
+  std::string format = "svg";
+};
+
+int plot(const PlotOptions& options) {
+  const std::filesystem::path input = options.input;
+  const std::string name = input.stem().string();
+  const Track track =
+      input.extension() == ".mcap" ? track_of_log(options.input) : track_of_scenario(scenario::load(input));
+  const io::PictureFormat format = options.format == "svg" ? io::PictureFormat::Svg : io::PictureFormat::Png;
+  const std::string bytes = io::drawn(track.picture(name), format);
+  std::filesystem::create_directories(options.directory);
+  const std::string path = (std::filesystem::path(options.directory) / (name + "." + options.format)).string();
+  std::ofstream file(path, std::ios::binary);
+  file << bytes;
+  file.close();
+  if (!file) throw io::WriteError(path, "writing the picture", errno);
+  std::cout << path << " (" << bytes.size() / 1024 << " KiB)\n";
+  return app::kOk;
+}
+
+}  // namespace
+
+void add_plot(CLI::App& app, std::function<int()>& action) {
+  CLI::App* command =
+      app.add_subcommand("plot", "A picture of a scenario's or a log's track, height, speed and attitude");
+  const auto options = std::make_shared<PlotOptions>();
+  command->add_option("input", options->input, "scenario file (JSON) or log (MCAP)")->required();
+  command->add_option("-o,--output", options->directory, "directory for the picture NAME.svg")->capture_default_str();
+  command->add_option("--format", options->format, "svg or png")->check(CLI::IsMember({"svg", "png"}));
+  command->callback([&action, options] { action = [options] { return plot(*options); }; });
+}
+
+}  // namespace inslab::cli

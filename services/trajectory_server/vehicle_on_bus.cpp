@@ -1,0 +1,53 @@
+#include "services/trajectory_server/vehicle_on_bus.hpp"
+
+#include "app/host.hpp"
+#include "app/stamp.hpp"
+
+namespace inslab::trajectory {
+
+VehicleOnBus::VehicleOnBus(dds::Participant& participant, const scenario::LiveVehicle& options,
+                           std::function<void(const VehicleState&)> put)
+    : used_(participant, dds::topics::vehicle_state_used(options.nominal_rate_hz)),
+      link_(participant, dds::topics::vehicle_link()),
+      states_(participant, dds::topics::vehicle_state(options.nominal_rate_hz),
+              [put = std::move(put)](const VehicleState& state, const dds::SampleOrigin&) { put(state); }) {}
+
+void VehicleOnBus::take(const VehicleState& state, TruthSource& source) {
+  const std::uint64_t refused = source.vehicle_link()->refused;
+  if (auto used = source.receive(state)) {
+    used_.write(app::stamped(*used));
+    return;
+  }
+  if (source.vehicle_link()->refused == refused) return;
+  if (app::monotonic_now() - last_warning_ < std::chrono::seconds(1)) return;
+  last_warning_ = app::monotonic_now();
+  spdlog::warn("state {} of the vehicle refused: {}", state.sequence_number, source.vehicle_link()->last_refusal);
+}
+
+void VehicleOnBus::report(const TruthSource& source, const RunId& run_id, std::int64_t sim_time_ns) {
+  VehicleLink link = *source.vehicle_link();
+  link.run_id = run_id;
+  link.sim_time_ns = sim_time_ns;
+  link_.write(link);
+}
+
+void VehicleOnBus::fill(ServiceStatus& status, const VehicleLink& link) const {
+  StreamStatus in;
+  in.topic = dds::topics::vehicle_state().name;
+  in.direction = StreamDirection::In;
+  in.samples = link.received;
+  in.lost = link.missing;
+  in.out_of_order = link.not_newer;
+  status.streams.push_back(in);
+  StreamStatus out;
+  out.topic = dds::topics::vehicle_state_used().name;
+  out.direction = StreamDirection::Out;
+  out.samples = link.used;
+  status.streams.push_back(out);
+}
+
+bool VehicleOnBus::flush(std::chrono::nanoseconds timeout) {
+  return used_.wait_for_acknowledgments(timeout) && link_.wait_for_acknowledgments(timeout);
+}
+
+}  // namespace inslab::trajectory

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+
+#include "dds/reader.hpp"
+#include "dds/writer.hpp"
+#include "services/trajectory_server/truth_source.hpp"
+
+namespace inslab::trajectory {
+
+/// The topics of a live vehicle: its states come in, those that the truth was made from and how well they came go out.
+class VehicleOnBus {
+ public:
+  /// `put` hands a state to the worker; it is called by a thread of DDS.
+  VehicleOnBus(dds::Participant& participant, const scenario::LiveVehicle& options,
+               std::function<void(const VehicleState&)> put);
+
+  /// Whether anybody is there who writes states.
+  bool connected() const { return states_.matched_writers() > 0; }
+
+  /// Gives a state to the truth, and says so when it is used. A reason to refuse is logged when it is the first of its
+  /// kind within a second.
+  void take(const VehicleState& state, TruthSource& source);
+
+  /// Latched, and at the end of the run once more.
+  void report(const TruthSource& source, const RunId& run_id, std::int64_t sim_time_ns);
+
+  /// The streams in the heartbeat.
+  void fill(ServiceStatus& status, const VehicleLink& link) const;
+
+  /// Waits until every reader has what was sent; false after the timeout.
+  bool flush(std::chrono::nanoseconds timeout);
+
+ private:
+  dds::Writer<UsedVehicleState> used_;
+  dds::Writer<VehicleLink> link_;
+  time::Nanoseconds last_warning_{0};
+  dds::OpenReader<VehicleState> states_;
+};
+
+}  // namespace inslab::trajectory

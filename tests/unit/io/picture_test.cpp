@@ -1,0 +1,92 @@
+#include "io/picture.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace inslab::io {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+Picture two_panels() {
+  Picture picture;
+  picture.title = "it's a test";
+  picture.panels = {{"line", "x (m)", "y (m)", {{"rising", {0.0, 1.0, 2.0}, {0.0, 1.0, 4.0}}}, true},
+                    {"gap", "t (s)", "deg", {{"", {0.0, 1.0, 2.0}, {1.0, std::nan(""), 3.0}}}}};
+  return picture;
+}
+
+TEST(GnuplotScript, HasDataAndAPlotForEveryPanelWithTextsThatAreNoMarkup) {
+  const std::string script = gnuplot_script(two_panels(), PictureFormat::Svg);
+  EXPECT_THAT(script, HasSubstr("title 'it''s a test'"));
+  EXPECT_THAT(script, HasSubstr("plot $curve0 with lines title 'rising'"));
+  EXPECT_THAT(script, HasSubstr("plot $curve1 with lines notitle"));
+  EXPECT_THAT(script, HasSubstr("0 1\n\n2 3\n"));  // the NaN is an empty line, which interrupts
+  EXPECT_THAT(script, HasSubstr("noenhanced"));
+}
+
+TEST(Picture, IsDrawnByGnuplot) {
+  try {
+    EXPECT_THAT(drawn(two_panels(), PictureFormat::Png), StartsWith("\x89PNG"));
+    const std::string svg = drawn(two_panels(), PictureFormat::Svg);
+    EXPECT_THAT(svg, HasSubstr("<svg"));
+    EXPECT_THAT(svg, HasSubstr("rising"));
+    EXPECT_EQ(svg, drawn(two_panels(), PictureFormat::Svg));
+  } catch (const PictureError& error) {
+    if (std::string(error.what()).find("cannot be run") == std::string::npos) throw;
+    GTEST_SKIP() << error.what();
+  }
+}
+
+TEST(Picture, WithoutGnuplotSaysWhatIsMissing) {
+  try {
+    drawn(two_panels(), PictureFormat::Svg, "no-such-gnuplot");
+    FAIL() << "was drawn";
+  } catch (const PictureError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no-such-gnuplot cannot be run: No such file or directory"));
+    EXPECT_THAT(error.what(), HasSubstr("gnuplot-nox"));
+  }
+}
+
+TEST(Picture, SaysWhatTheProgramSaidWhenItFails) {
+  // A program that takes the script as its own and fails on it.
+  try {
+    drawn(two_panels(), PictureFormat::Svg, "false");
+    FAIL() << "was drawn";
+  } catch (const PictureError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("false drew nothing"));
+  }
+}
+
+TEST(ThinnedCurve, KeepsTheExtremesOfEveryBinInOrder) {
+  Curve curve;
+  for (int i = 0; i < 10000; ++i) {
+    curve.x.push_back(i);
+    curve.y.push_back(i == 4321 ? 7.0 : std::sin(0.3 * i));
+  }
+  const Curve kept = thinned(curve, 100);
+  EXPECT_LE(kept.x.size(), 200u);
+  EXPECT_GE(kept.x.size(), 190u);
+  EXPECT_TRUE(std::is_sorted(kept.x.begin(), kept.x.end()));
+  EXPECT_NE(std::find(kept.y.begin(), kept.y.end(), 7.0), kept.y.end());
+  EXPECT_EQ(thinned(two_panels().panels[0].curves[0], 100).x.size(), 3u);
+}
+
+TEST(ThinnedTrack, KeepsPointsThatAreApartAndTheLast) {
+  Curve track;
+  for (int i = 0; i <= 1005; ++i) {
+    track.x.push_back(0.01 * i);
+    track.y.push_back(0.0);
+  }
+  const Curve kept = thinned_by_distance(track, 0.095);
+  // Every tenth, 0.1 apart, and the last one.
+  EXPECT_EQ(kept.x.size(), 102u);
+  EXPECT_EQ(kept.x.back(), track.x.back());
+}
+
+}  // namespace
+}  // namespace inslab::io
