@@ -61,14 +61,15 @@ class Regular {
     const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
     std::nth_element(intervals.begin(), middle, intervals.end());
     if (!(*middle > 0.0)) throw ReadError(path_ + ": its times do not increase");
-    // A time as printed has its own rounding; the mean of those intervals near the median has less of it.
+    // A time as printed has its own rounding; the mean of those intervals near the median has less of it, and
+    // what is left below a nanosecond is not the sensor's.
     double sum = 0.0, count = 0.0;
     for (const double interval : intervals) {
       if (std::abs(interval - *middle) > 0.5 * *middle) continue;
       sum += interval;
       count += 1.0;
     }
-    info_.dt_s = sum / count;
+    info_.dt_s = std::round(1e9 * sum / count) * 1e-9;
     begun_ = true;
     begin_(info_);
     for (const RawSample& raw : waiting_) pass(raw);

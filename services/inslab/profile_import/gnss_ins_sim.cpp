@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -189,6 +190,9 @@ class DictionaryReader {
   std::size_t at_ = 0;
 };
 
+constexpr std::string_view kKeys[] = {"gyro_b",  "gyro_arw",  "gyro_b_stability",  "gyro_b_corr",
+                                      "accel_b", "accel_vrw", "accel_b_stability", "accel_b_corr"};
+
 class Conversion {
  public:
   Conversion(const std::string& file, const ImportOptions& options) : file_(file), options_(options) {
@@ -196,6 +200,11 @@ class Conversion {
     std::string text(input.size(), '\0');
     input.read(0, reinterpret_cast<std::uint8_t*>(text.data()), text.size());
     values_ = DictionaryReader(file, std::move(text)).read();
+    for (const auto& [key, value] : values_) {
+      if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys)) {
+        throw io::ReadError(file + ": '" + key + "' is not a key of gnss-ins-sim");
+      }
+    }
   }
 
   ImportedProfile run() {
@@ -210,9 +219,6 @@ class Conversion {
     take("accel_vrw", "m/s/sqrt(h)", 1.0, "accel.vrw_m_per_s_per_sqrt_h", accel.vrw_m_per_s_per_sqrt_h, "the same");
     take_bias("accel", "m/s^2", 1e5, 1.0 / 60.0, "accel.bias_gm_sigma_mgal", accel.bias_gm_sigma_mgal,
               accel.bias_gm_correlation_time_s, accel.vrw_m_per_s_per_sqrt_h);
-    for (const auto& [key, value] : values_) {
-      if (used_.count(key) == 0) throw io::ReadError(file_ + ": '" + key + "' is not a key of gnss-ins-sim");
-    }
     check_imported(file_, imported_.profile);
     return imported_;
   }
@@ -221,7 +227,6 @@ class Conversion {
   Vector3 value(const std::string& key) {
     const auto found = values_.find(key);
     if (found == values_.end()) throw io::ReadError(file_ + ": has no '" + key + "'; gnss-ins-sim demands it");
-    used_[key] = true;
     return found->second;
   }
 
@@ -269,7 +274,6 @@ class Conversion {
   std::string file_;
   ImportOptions options_;
   std::map<std::string, Vector3> values_;
-  std::map<std::string, bool> used_;
   ImportedProfile imported_;
 };
 
