@@ -19,6 +19,8 @@ void add_info(CLI::App& app, std::function<int()>& action);
 void add_export(CLI::App& app, std::function<int()>& action);
 void add_plot(CLI::App& app, std::function<int()>& action);
 void add_reference(CLI::App& app, std::function<int()>& action);
+void add_allan(CLI::App& app, std::function<int()>& action);
+void add_profile(CLI::App& app, std::function<int()>& action);
 void add_verify(CLI::App& app, std::function<int()>& action);
 
 }  // namespace inslab::cli

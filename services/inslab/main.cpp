@@ -24,6 +24,8 @@ int main(int argc, char** argv) {
   cli::add_export(app, action);
   cli::add_plot(app, action);
   cli::add_reference(app, action);
+  cli::add_allan(app, action);
+  cli::add_profile(app, action);
   cli::add_verify(app, action);
   try {
     app.parse(argc, argv);
