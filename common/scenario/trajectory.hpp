@@ -8,6 +8,8 @@
 #include "samples/field.hpp"
 #include "samples/violation.hpp"
 #include "scenario/file_motion.hpp"
+#include "scenario/path_attitude.hpp"
+#include "scenario/waypoint.hpp"
 
 /// The motion part of a scenario: where the vehicle starts and what it does, segment after segment.
 ///
@@ -120,6 +122,7 @@ struct GravityOptions {
 enum class TrajectorySource : std::uint32_t {
   MotionTable,  ///< segments, one after the other; after the last the vehicle goes on as it is
   File,         ///< the rows of a file; LoadedScenario has them
+  Waypoints,    ///< places passed at given speeds, the attitude from the path
 };
 
 /// The motion of the vehicle. Which parameters it has depends on `source`.
@@ -128,9 +131,12 @@ struct Trajectory {
 
   TrajectorySource source = TrajectorySource::MotionTable;
   GravityOptions gravity;
-  InitialState initial;           ///< motion_table
-  std::vector<Segment> segments;  ///< motion_table
-  FileMotion file;                ///< file
+  InitialState initial;                     ///< motion_table
+  std::vector<Segment> segments;            ///< motion_table
+  FileMotion file;                          ///< file
+  std::vector<Waypoint> waypoints;          ///< waypoints
+  double max_acceleration_m_per_s2 = 30.0;  ///< waypoints
+  PathAttitude attitude_from_path;          ///< waypoints
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -143,6 +149,14 @@ struct Trajectory {
         break;
       case TrajectorySource::File:
         visit(Field("file", "the rows and how the motion is made from them").required(), self.file);
+        break;
+      case TrajectorySource::Waypoints:
+        visit(Field("waypoints", "passed in this order; sim time 0 is the first").at_most(10000).required(),
+              self.waypoints);
+        visit(Field("max_acceleration_m_per_s2", "a path that needs more, in a bend or between speeds, is refused")
+                  .in(1e-3, 1e4),
+              self.max_acceleration_m_per_s2);
+        visit(Field("attitude_from_path"), self.attitude_from_path);
         break;
     }
   }
@@ -255,6 +269,9 @@ inline bool is_angular(MotionType type) {
 inline Axis axis_of(const Motion& motion) { return motion.axis.value_or(is_angular(motion.type) ? Axis::Z : Axis::X); }
 
 inline std::optional<Violation> violation(const Trajectory& trajectory) {
+  if (trajectory.source == TrajectorySource::Waypoints) {
+    return violation(trajectory.waypoints, trajectory.max_acceleration_m_per_s2);
+  }
   for (std::size_t i = 0; i < trajectory.segments.size(); ++i) {
     if (auto broken = detail::target_speed_violation(trajectory.segments[i], i)) return broken;
   }
@@ -291,7 +308,7 @@ template <>
 struct EnumNames<scenario::TrajectorySource> {
   static constexpr std::string_view type = "TrajectorySource";
   static constexpr std::string_view prefix = "TRAJECTORY_";
-  static constexpr std::array<std::string_view, 2> values{"motion_table", "file"};
+  static constexpr std::array<std::string_view, 3> values{"motion_table", "file", "waypoints"};
 };
 template <>
 struct EnumNames<scenario::Axis> {
