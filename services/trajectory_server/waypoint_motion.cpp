@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "scenario/waypoint_route.hpp"
 #include "services/trajectory_server/path_attitude.hpp"
 
 namespace inslab::trajectory {
