@@ -21,27 +21,34 @@ enum class Rule : std::uint32_t {
   BoundedSize,  ///< lists and texts are no longer than declared
   KnownName,    ///< words out of a fixed set
   // Several fields of a scenario.
-  RunName,            ///< a run's name makes a file's name
-  TruthPeriod,        ///< a whole number of nanoseconds
-  RunLength,          ///< at least one period of the truth
-  StartInWeek,        ///< the seconds of week are less than a week
-  SensorNumberOnce,   ///< no two sensors of a kind share a number
-  SensorPeriod,       ///< a multiple of the truth's
-  OutagePeriod,       ///< an outage ends before it comes again
-  OutagePath,         ///< an outage area has points, and legs of at most 10 km
-  NamedFile,          ///< files that a scenario names are there
-  SensorExists,       ///< swaps and services name sensors of the scenario
-  SwapBeforeEnd,      ///< a swap lies inside the run
-  SwapsInOrder,       ///< swaps are in order of time
-  TargetSpeedAlone,   ///< nothing else accelerates along the axis of a target speed
-  TargetSpeedOnNose,  ///< the axis of a target speed does not turn away from the velocity
-  BallisticAlone,     ///< nothing else moves or turns a ballistic vehicle
-  SegmentsOnce,       ///< the segments are in the scenario or in a file, not in both
-  MotionMatrix,       ///< a file of segments has the rows of the thesis's matrix
-  TrajectoryLength,   ///< at most 1e9 s
-  VehicleLatency,     ///< the latency of a live vehicle holds a period of its states
-  MethodNeeds,        ///< the file has the columns that the method works on
-  FileCoversRun,      ///< the file's rows reach to the end of the run
+  RunName,               ///< a run's name makes a file's name
+  TruthPeriod,           ///< a whole number of nanoseconds
+  RunLength,             ///< at least one period of the truth
+  StartInWeek,           ///< the seconds of week are less than a week
+  SensorNumberOnce,      ///< no two sensors of a kind share a number
+  SensorPeriod,          ///< a multiple of the truth's
+  OutagePeriod,          ///< an outage ends before it comes again
+  OutagePath,            ///< an outage area has points, and legs of at most 10 km
+  NamedFile,             ///< files that a scenario names are there
+  SensorExists,          ///< swaps and services name sensors of the scenario
+  SwapBeforeEnd,         ///< a swap lies inside the run
+  SwapsInOrder,          ///< swaps are in order of time
+  TargetSpeedAlone,      ///< nothing else accelerates along the axis of a target speed
+  TargetSpeedOnNose,     ///< the axis of a target speed does not turn away from the velocity
+  BallisticAlone,        ///< nothing else moves or turns a ballistic vehicle
+  SegmentsOnce,          ///< the segments are in the scenario or in a file, not in both
+  MotionMatrix,          ///< a file of segments has the rows of the thesis's matrix
+  TrajectoryLength,      ///< at most 1e9 s
+  VehicleLatency,        ///< the latency of a live vehicle holds a period of its states
+  WaypointCount,         ///< at least two
+  WaypointsApart,        ///< neighbours are neither one place nor too far apart
+  WaypointSpeeds,        ///< no leg begins and ends at rest
+  WaypointWait,          ///< waits are at rest
+  WaypointTurn,          ///< the path does not turn back on itself
+  WaypointAcceleration,  ///< within the scenario's limit
+  RouteCoversRun,        ///< a path that ends in motion reaches to the end of the run
+  MethodNeeds,           ///< the file has the columns that the method works on
+  FileCoversRun,         ///< the file's rows reach to the end of the run
   // The rows of a trajectory file.
   FileColumns,   ///< known columns, each once, enough of them, and the same number in every row
   FileTime,      ///< time increases
@@ -73,7 +80,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 50> values{"readable",
+  static constexpr std::array<std::string_view, 57> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -102,6 +109,13 @@ struct EnumNames<Rule> {
                                                            "motion_matrix",
                                                            "trajectory_length",
                                                            "vehicle_latency",
+                                                           "waypoint_count",
+                                                           "waypoints_apart",
+                                                           "waypoint_speeds",
+                                                           "waypoint_wait",
+                                                           "waypoint_turn",
+                                                           "waypoint_acceleration",
+                                                           "route_covers_run",
                                                            "method_needs",
                                                            "file_covers_run",
                                                            "file_columns",

@@ -4,6 +4,7 @@
 
 #include "io/trajectory_limits.hpp"
 #include "samples/field.hpp"
+#include "scenario/path_attitude.hpp"
 
 namespace inslab::scenario {
 
@@ -24,6 +25,7 @@ struct FileMotion {
   io::TrajectoryLimits limits;
   double position_feedback_per_s = 0.01;  ///< inverse_mechanization
   bool full_rotation_term = false;        ///< inverse_mechanization
+  PathAttitude attitude_from_path;        ///< spline
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -42,6 +44,8 @@ struct FileMotion {
             self.position_feedback_per_s);
       visit(Field("full_rotation_term", "of the algorithm inverted: 1/6 dtheta x (dtheta x dv), as your app has it"),
             self.full_rotation_term);
+    } else {
+      visit(Field("attitude_from_path", "for rows without attitude"), self.attitude_from_path);
     }
   }
 };

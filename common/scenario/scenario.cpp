@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "scenario/waypoint_route.hpp"
 #include "time/rate.hpp"
 
 namespace inslab::scenario {
@@ -93,6 +94,19 @@ std::optional<Violation> name_violation(const std::string& name) {
                        "the log"};
 }
 
+/// Where the vehicle is after the last waypoint can be said only when it stands there.
+std::optional<Violation> route_violation(const Scenario& scenario) {
+  const std::vector<Waypoint>& waypoints = scenario.trajectory.waypoints;
+  if (scenario.trajectory.source != TrajectorySource::Waypoints || waypoints.back().speed_m_per_s == 0.0) {
+    return std::nullopt;
+  }
+  const double end_s = time::to_seconds(WaypointRoute(waypoints).duration());
+  if (scenario.duration_s <= end_s) return std::nullopt;
+  return Violation{Rule::RouteCoversRun, "duration_s",
+                   "lies after the last waypoint, which the vehicle passes in motion at " + std::to_string(end_s) +
+                       " s; expected an earlier end, or a last speed of 0"};
+}
+
 std::optional<Violation> swaps_violation(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.swaps.size(); ++i) {
     const ScheduledSwap& swap = scenario.swaps[i];
@@ -139,6 +153,7 @@ std::optional<Violation> violation(const Scenario& scenario) {
   if (auto broken = violation(scenario.trajectory)) {
     return Violation{broken->rule, "trajectory." + broken->path, broken->reason};
   }
+  if (auto broken = route_violation(scenario)) return broken;
   if (auto broken = sensors_violation("imu", scenario.imu, *truth)) return broken;
   if (auto broken = sensors_violation("gnss", scenario.gnss, *truth)) return broken;
   for (std::size_t i = 0; i < scenario.gnss.size(); ++i) {

@@ -68,6 +68,9 @@ std::optional<Violation> violation(const Trajectory& trajectory) {
   if (!trajectory.segments.empty() && !trajectory.segments_file.empty()) {
     return Violation{Rule::SegmentsOnce, "segments_file", "is given beside segments; expected one of the two"};
   }
+  if (trajectory.source == TrajectorySource::Waypoints) {
+    return violation(trajectory.waypoints, trajectory.max_acceleration_m_per_s2);
+  }
   if (trajectory.source == TrajectorySource::VehicleState) {
     if (auto broken = violation(trajectory.vehicle)) {
       return Violation{broken->rule, "vehicle." + broken->path, broken->reason};

@@ -9,6 +9,8 @@
 #include "samples/violation.hpp"
 #include "scenario/file_motion.hpp"
 #include "scenario/live_vehicle.hpp"
+#include "scenario/path_attitude.hpp"
+#include "scenario/waypoint.hpp"
 
 /// The motion part of a scenario: where the vehicle starts and what it does, segment after segment.
 ///
@@ -132,6 +134,7 @@ struct GravityOptions {
 enum class TrajectorySource : std::uint32_t {
   MotionTable,   ///< segments, one after the other; after the last the vehicle goes on as it is
   File,          ///< the rows of a file; LoadedScenario has them
+  Waypoints,     ///< places passed at given speeds, the attitude from the path
   VehicleState,  ///< a simulator outside sends inslab/vehicle_state
 };
 
@@ -141,11 +144,14 @@ struct Trajectory {
 
   TrajectorySource source = TrajectorySource::MotionTable;
   GravityOptions gravity;
-  InitialState initial;           ///< motion_table, vehicle_state
-  std::vector<Segment> segments;  ///< motion_table
-  std::string segments_file;      ///< motion_table; load() puts what it says into `segments`
-  FileMotion file;                ///< file
-  LiveVehicle vehicle;            ///< vehicle_state
+  InitialState initial;                     ///< motion_table, vehicle_state
+  std::vector<Segment> segments;            ///< motion_table
+  std::string segments_file;                ///< motion_table; load() puts what it says into `segments`
+  FileMotion file;                          ///< file
+  std::vector<Waypoint> waypoints;          ///< waypoints
+  double max_acceleration_m_per_s2 = 30.0;  ///< waypoints
+  PathAttitude attitude_from_path;          ///< waypoints
+  LiveVehicle vehicle;                      ///< vehicle_state
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -161,6 +167,14 @@ struct Trajectory {
         break;
       case TrajectorySource::File:
         visit(Field("file", "the rows and how the motion is made from them").required(), self.file);
+        break;
+      case TrajectorySource::Waypoints:
+        visit(Field("waypoints", "passed in this order; sim time 0 is the first").at_most(10000).required(),
+              self.waypoints);
+        visit(Field("max_acceleration_m_per_s2", "a path that needs more, in a bend or between speeds, is refused")
+                  .in(1e-3, 1e4),
+              self.max_acceleration_m_per_s2);
+        visit(Field("attitude_from_path"), self.attitude_from_path);
         break;
       case TrajectorySource::VehicleState:
         visit(Field("initial", "state at the scenario's start").required(), self.initial);
@@ -262,7 +276,7 @@ template <>
 struct EnumNames<scenario::TrajectorySource> {
   static constexpr std::string_view type = "TrajectorySource";
   static constexpr std::string_view prefix = "TRAJECTORY_";
-  static constexpr std::array<std::string_view, 3> values{"motion_table", "file", "vehicle_state"};
+  static constexpr std::array<std::string_view, 4> values{"motion_table", "file", "waypoints", "vehicle_state"};
 };
 template <>
 struct EnumNames<scenario::Axis> {

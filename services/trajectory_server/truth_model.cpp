@@ -1,9 +1,14 @@
 #include "services/trajectory_server/truth_model.hpp"
 
+#include <stdexcept>
+
 #include "config/error.hpp"
 #include "services/trajectory_server/inverse_mechanization_model.hpp"
 #include "services/trajectory_server/live_vehicle_model.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
+#include "services/trajectory_server/row_motion.hpp"
+#include "services/trajectory_server/smooth_model.hpp"
+#include "services/trajectory_server/waypoint_motion.hpp"
 
 namespace inslab::trajectory {
 
@@ -17,9 +22,12 @@ std::unique_ptr<TruthModel> make_file_model(const scenario::LoadedScenario& scen
         InverseMechanizationModel::Options{motion.position_feedback_per_s, {motion.full_rotation_term}},
         scenario.truth_rate, start);
   }
-  throw config::Error(scenario.file.string(),
-                      {Rule::MethodNeeds, "trajectory.file.method",
-                       "is " + std::string(enum_name(motion.method)) + ", which is not built in"});
+  try {
+    return std::make_unique<SmoothModel>(motion_through(*scenario.trajectory_file, motion.attitude_from_path), "row",
+                                         scenario.gravity(), scenario.truth_rate, start);
+  } catch (const std::domain_error& error) {
+    throw config::Error(scenario.file.string(), {Rule::MethodNeeds, "trajectory.file.method", error.what()});
+  }
 }
 
 }  // namespace
@@ -33,6 +41,10 @@ std::unique_ptr<TruthModel> make_truth_model(const scenario::LoadedScenario& sce
       break;
     case scenario::TrajectorySource::File:
       return make_file_model(scenario, start);
+    case scenario::TrajectorySource::Waypoints:
+      return std::make_unique<SmoothModel>(
+          motion_along_waypoints(trajectory, scenario.truth_rate.at(scenario.truth_samples)), "waypoint",
+          scenario.gravity(), scenario.truth_rate, start);
   }
   return std::make_unique<MotionTableModel>(trajectory, scenario.truth_rate, start);
 }

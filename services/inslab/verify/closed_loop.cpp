@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "services/inslab/verify/loop.hpp"
+#include "services/inslab/verify/spline_loop.hpp"
 #include "services/trajectory_server/file_states.hpp"
 #include "services/trajectory_server/inverse_mechanization_model.hpp"
 
@@ -146,7 +147,9 @@ std::vector<Table> closed_loop(const std::filesystem::path& scenarios) {
       std::find_if(cases.begin(), cases.end(), [](const LoopCase& one) { return one.name == "vehicle"; });
   return {inverse_mechanization_table("Files at 200 Hz, inverse_mechanization (thesis table 4-2)", cases),
           inverse_mechanization_table("The same for an hour, segments repeated", for_an_hour(cases)),
-          contradiction_table({contradictory_rows(*vehicle, vehicle->duration)})};
+          contradiction_table({contradictory_rows(*vehicle, vehicle->duration)}),
+          spline_table("Files at 10 Hz, spline, mechanized at 200 Hz", cases, time::Rate(10.0)),
+          spline_table("Files at 1 Hz, spline, mechanized at 200 Hz", cases, time::Rate(1.0))};
 }
 
 }  // namespace inslab::verify

@@ -36,7 +36,7 @@ std::shared_ptr<const io::TrajectoryFile> contradictory_rows(const LoopCase& one
 /// the file's positions, beside the bound that file and feedback set.
 Table contradiction_table(const std::vector<std::shared_ptr<const io::TrajectoryFile>>& files);
 
-/// All of the command: the catalogue as it is and for an hour, and a made contradictory file.
+/// All of the command: the catalogue as it is and for an hour, a made contradictory file, and sparse files by `spline`.
 std::vector<Table> closed_loop(const std::filesystem::path& scenarios);
 
 }  // namespace inslab::verify

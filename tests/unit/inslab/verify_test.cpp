@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "services/inslab/verify/deviation.hpp"
 #include "services/inslab/verify/increments.hpp"
+#include "services/inslab/verify/spline_loop.hpp"
 #include "tests/unit/inslab/rows_held.hpp"
+#include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::verify {
 namespace {
@@ -15,6 +18,40 @@ namespace {
 TEST(VerifyIncrements, ErrorsFallAsTheOrderOfTheAlgorithmSays) {
   // Half a minute: the errors at 1000 Hz are then beyond the 2 nm to which latitude and longitude are published.
   for (const Table& table : increments(30.0)) EXPECT_TRUE(every_row_held(table));
+}
+
+LoopCase two_minutes_of(const char* name, const scenario::Trajectory& trajectory) {
+  return {name, trajectory, 0.0, time::from_seconds(120.0)};
+}
+
+TEST(VerifyClosedLoop, SparseRowsBySplineAreMetAndMechanizeWithinAMillimetre) {
+  namespace tables = trajectory::tables;
+  const std::vector<LoopCase> cases{two_minutes_of("ship", tables::ship()),
+                                    two_minutes_of("aircraft", tables::aircraft())};
+  EXPECT_TRUE(every_row_held(spline_table("10 Hz", cases, time::Rate(10.0))));
+  EXPECT_TRUE(every_row_held(spline_table("1 Hz", cases, time::Rate(1.0))));
+}
+
+/// A car's rows at 10 Hz as a receiver would give them: 1 cm and 0.05 deg from the truth at random, velocities biased.
+std::shared_ptr<const io::TrajectoryFile> noisy_rows() {
+  auto file = std::make_shared<io::TrajectoryFile>(
+      *contradictory_rows(two_minutes_of("noisy", trajectory::tables::basic()), time::from_seconds(120.0)));
+  std::mt19937 engine(3);
+  std::normal_distribution<double> place_m(0.0, 0.01), angle_rad(0.0, 9e-4);
+  std::vector<io::TrajectoryRow> every_20th;
+  for (std::size_t i = 0; i < file->rows.size(); i += 20) {
+    io::TrajectoryRow row = file->rows[i];
+    row.position = nav::displaced(row.position, {place_m(engine), place_m(engine), place_m(engine)});
+    row.rpy->yaw_rad += angle_rad(engine);
+    row.rpy->roll_rad += angle_rad(engine);
+    every_20th.push_back(row);
+  }
+  file->rows = every_20th;
+  return file;
+}
+
+TEST(VerifyClosedLoop, NoisyRowsBySplineStayWithinTheBoundOfTheirAccelerations) {
+  EXPECT_TRUE(every_row_held(spline_file_table({noisy_rows()})));
 }
 
 nav::NavState at_height(double height_m) { return {{0.5, 2.0, height_m}, nav::Vector3::Zero(), {1.0, 0.0, 0.0, 0.0}}; }
