@@ -80,7 +80,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 57> values{"readable",
+  static constexpr std::array<std::string_view, 60> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
