@@ -114,7 +114,7 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
 }
 
 TEST(LogTypes, KnowEveryTopicTypeAndNoOther) {
-  EXPECT_EQ(log_types().size(), 16u);
+  EXPECT_EQ(log_types().size(), 19u);
   EXPECT_NE(find_log_type("inslab::ServiceStatus"), nullptr);
   EXPECT_EQ(find_log_type("inslab::Nothing"), nullptr);
 }
