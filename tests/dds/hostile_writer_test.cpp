@@ -82,7 +82,13 @@ class HostileWriter : public testing::Test {
     auto* weapon = attacker.publisher().create_datawriter(&dds_topic, writer_qos(Delivery::Request, 100.0));
     Writer<T> honest(friend_participant, topic);
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (victim.matched_writers() < 2 || honest.matched_readers() < 2) {
+    // The weapon, too, must know both readers: what it sends before is for nobody.
+    const auto targets = [weapon] {
+      eprosima::fastdds::dds::PublicationMatchedStatus status;
+      weapon->get_publication_matched_status(status);
+      return status.current_count;
+    };
+    while (victim.matched_writers() < 2 || honest.matched_readers() < 2 || targets() < 2) {
       if (std::chrono::steady_clock::now() > deadline) return false;
       std::this_thread::yield();
     }

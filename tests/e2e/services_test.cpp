@@ -116,7 +116,7 @@ TEST_F(Services, KilledLoggerLeavesALogUpToTheLastSecond) {
 
 TEST_F(Services, FullDiskIsSaidAndStopsNoStream) {
   Process::Limits limits;
-  limits.file_size_bytes = 300'000;
+  limits.file_size_bytes = 600'000;
   const auto log = logger(limits);
   const auto imu0 = injector("0");
   const auto imu3 = injector("3");

@@ -60,6 +60,7 @@ const AXES = {
   3: ["x", "y", "z"],
   4: ["w", "x", "y", "z"],
   6: ["xy", "xz", "yx", "yz", "zx", "zy"],
+  9: ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"],
 };
 
 /** What the column `path` of a CSV row stands for in a decoded message, with the enum it belongs to. */
