@@ -12,9 +12,11 @@
 /// No two axes, terms, sensors or units share random numbers: read off the output of the models, one term on at a time,
 /// which is fair since another term changes no draw (tested below).
 ///
-/// Bound: for independent series the correlation r = sum(a b)/sqrt(sum(a^2) sum(b^2)) of n samples has the standard
-/// error 1/sqrt(n). With m correlations tested, |r| <= z/sqrt(n) for all of them with probability 0.999 when
-/// erfc(z/sqrt(2)) = 0.001/m. Two series that share numbers, at the same index or at neighbours', have r = 1.
+/// Bound: for independent series the correlation r = sum(a b)/sqrt(sum(a^2) sum(b^2)) of n samples has the variance
+/// (1 + 2 sum_i rho_a(i) rho_b(i))/n. White series have no autocorrelation rho; of what wanders the first differences
+/// are taken, where rho(1) of both is -1/2 at the most and the variance 1.5/n. With m correlations tested,
+/// |r| <= z sqrt(1.5/n) for all of them with probability 0.999 when erfc(z/sqrt(2)) = 0.001/m. Two series that share
+/// numbers, at the same index or at neighbours', have |r| of 1/2 or more.
 namespace inslab {
 namespace {
 
@@ -23,7 +25,7 @@ struct Series {
   std::vector<double> values;
 };
 
-constexpr std::int64_t kSamples = 4096;
+constexpr std::int64_t kSamples = 2048;
 constexpr double kPeriod_s = 1.0;
 
 /// Correlation time so short that a Gauss-Markov process is its drive alone: exp(-dt/T) = 4e-22.
@@ -36,9 +38,11 @@ std::uint64_t seed_of_unit(const std::string& unit) {
   return loaded.stream_seed();
 }
 
-/// A perfect vehicle that does not even feel the Earth: all output of an IMU is error.
-TruthState nothing(std::int64_t k) {
+/// A vehicle whose increments never change, so that scale factors show; where it is does not follow them, nor matter.
+TruthState steady(std::int64_t k) {
   TruthState truth;
+  truth.dtheta_v.setConstant(k == 0 ? 0.0 : 0.1);
+  truth.dv_v.setConstant(k == 0 ? 0.0 : 1.0);
   truth.header.sim_time_ns = k * 1'000'000'000;
   truth.interval_ns = k == 0 ? 0 : 1'000'000'000;
   return truth;
@@ -47,6 +51,7 @@ TruthState nothing(std::int64_t k) {
 struct ImuTerm {
   const char* name;
   void (*set)(ImuErrorProfile&);
+  bool wanders = false;  ///< its first differences are taken
 };
 
 const ImuTerm kImuTerms[] = {{"white",
@@ -54,20 +59,44 @@ const ImuTerm kImuTerms[] = {{"white",
                                 p.gyro.arw_deg_per_sqrt_h.setConstant(1.0);
                                 p.accel.vrw_m_per_s_per_sqrt_h.setConstant(1.0);
                               }},
-                             {"bias_gm", [](ImuErrorProfile& p) {
+                             {"bias_gm",
+                              [](ImuErrorProfile& p) {
                                 p.gyro.bias_gm_sigma_deg_per_h.setConstant(1.0);
                                 p.gyro.bias_gm_correlation_time_s.setConstant(kShort_s);
                                 p.accel.bias_gm_sigma_mgal.setConstant(1.0);
                                 p.accel.bias_gm_correlation_time_s.setConstant(kShort_s);
+                              }},
+                             {"bias_random_walk",
+                              [](ImuErrorProfile& p) {
+                                p.gyro.bias_random_walk_deg_per_h_per_sqrt_h.setConstant(1.0);
+                                p.accel.bias_random_walk_mgal_per_sqrt_h.setConstant(1.0);
+                              },
+                              true},
+                             {"bias_instability",
+                              [](ImuErrorProfile& p) {
+                                p.gyro.bias_instability_deg_per_h.setConstant(1.0);
+                                p.accel.bias_instability_mgal.setConstant(1.0);
+                              },
+                              true},
+                             {"scale_factor_gm", [](ImuErrorProfile& p) {
+                                p.gyro.scale_factor_gm_sigma_ppm.setConstant(1.0);
+                                p.gyro.scale_factor_gm_correlation_time_s.setConstant(kShort_s);
+                                p.accel.scale_factor_gm_sigma_ppm.setConstant(1.0);
+                                p.accel.scale_factor_gm_correlation_time_s.setConstant(kShort_s);
                               }}};
 
-const ImuTerm kTurnOn = {"bias_turn_on", [](ImuErrorProfile& p) {
-                           p.gyro.bias_turn_on_sigma_deg_per_h.setConstant(1.0);
-                           p.accel.bias_turn_on_sigma_mgal.setConstant(1.0);
-                         }};
+const ImuTerm kConstants[] = {{"bias_turn_on",
+                               [](ImuErrorProfile& p) {
+                                 p.gyro.bias_turn_on_sigma_deg_per_h.setConstant(1.0);
+                                 p.accel.bias_turn_on_sigma_mgal.setConstant(1.0);
+                               }},
+                              {"scale_factor_turn_on", [](ImuErrorProfile& p) {
+                                 p.gyro.scale_factor_turn_on_sigma_ppm.setConstant(1.0);
+                                 p.accel.scale_factor_turn_on_sigma_ppm.setConstant(1.0);
+                               }}};
 
-/// Output of an IMU with the given terms: three gyros, three accelerometers.
-std::array<std::vector<double>, 6> imu_output(std::uint64_t seed, std::uint32_t number,
+/// Errors of an IMU with the given terms: three gyros, three accelerometers.
+std::array<std::vector<double>, 6> imu_errors(std::uint64_t seed, std::uint32_t number,
                                               const std::vector<ImuTerm>& terms, std::int64_t samples) {
   ImuErrorProfile errors;
   errors.target = {SensorKind::Imu, number};
@@ -75,11 +104,11 @@ std::array<std::vector<double>, 6> imu_output(std::uint64_t seed, std::uint32_t 
   imu::ImuModel model({seed, number, time::Rate(1.0), time::Rate(1.0), nav::Gravity(), errors, {}, {}});
   std::array<std::vector<double>, 6> output;
   for (std::int64_t k = 0; k <= samples; ++k) {
-    const auto measured = model.measure(nothing(k));
+    const auto measured = model.measure(steady(k));
     if (!measured) continue;
     for (int axis = 0; axis < 3; ++axis) {
-      output[axis].push_back(measured->sample.dtheta_b[axis]);
-      output[3 + axis].push_back(measured->sample.dv_b[axis]);
+      output[axis].push_back(measured->sample.dtheta_b[axis] - measured->truth.dtheta_b[axis]);
+      output[3 + axis].push_back(measured->sample.dv_b[axis] - measured->truth.dv_b[axis]);
     }
   }
   return output;
@@ -103,7 +132,7 @@ const GnssTerm kGnssTerms[] = {{"white",
                                 }}};
 
 /// Errors of a receiver with the given terms: position north, east, down, velocity likewise.
-std::array<std::vector<double>, 6> gnss_output(std::uint64_t seed, std::uint32_t number,
+std::array<std::vector<double>, 6> gnss_errors(std::uint64_t seed, std::uint32_t number,
                                                const std::vector<GnssTerm>& terms, std::int64_t epochs) {
   gnss::GnssModel::Setup setup{seed, number, time::Rate(1.0), time::Rate(1.0), {}, {}, {}, {}};
   setup.errors.target = setup.installation.target = {SensorKind::Gnss, number};
@@ -111,7 +140,7 @@ std::array<std::vector<double>, 6> gnss_output(std::uint64_t seed, std::uint32_t
   gnss::GnssModel model(setup);
   std::array<std::vector<double>, 6> output;
   for (std::int64_t k = 1; k <= epochs; ++k) {
-    const auto fix = model.observe(nothing(k));
+    const auto fix = model.observe(steady(k));
     const Vector3 position = nav::ned_from({}, {fix->latitude_rad, fix->longitude_rad, fix->height_m});
     for (int axis = 0; axis < 3; ++axis) {
       output[axis].push_back(position[axis]);
@@ -125,6 +154,14 @@ void append(std::vector<Series>& all, const std::string& name, std::array<std::v
   for (std::size_t axis = 0; axis < 6; ++axis) {
     all.push_back({name + " axis " + std::to_string(axis), std::move(six[axis])});
   }
+}
+
+std::array<std::vector<double>, 6> differences(const std::array<std::vector<double>, 6>& six) {
+  std::array<std::vector<double>, 6> changes;
+  for (std::size_t axis = 0; axis < 6; ++axis) {
+    for (std::size_t k = 1; k < six[axis].size(); ++k) changes[axis].push_back(six[axis][k] - six[axis][k - 1]);
+  }
+  return changes;
 }
 
 void normalise(std::vector<double>& values) {
@@ -148,7 +185,7 @@ void expect_all_uncorrelated(std::vector<Series>& all) {
   for (Series& series : all) normalise(series.values);
   const std::size_t n = all.front().values.size();
   const std::size_t pairs = all.size() * (all.size() - 1) / 2;
-  const double bound = bound_in_standard_errors(3 * pairs) / std::sqrt(static_cast<double>(n));
+  const double bound = bound_in_standard_errors(3 * pairs) * std::sqrt(1.5 / static_cast<double>(n));
   for (std::size_t a = 0; a < all.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       const std::vector<double>&x = all[a].values, &y = all[b].values;
@@ -172,10 +209,11 @@ TEST(StreamIndependence, NoTwoAxesTermsSensorsOrUnitsAreCorrelated) {
     for (const std::uint32_t number : {0U, 1U}) {
       const std::string sensor = unit + " sensor " + std::to_string(number) + " ";
       for (const ImuTerm& term : kImuTerms) {
-        append(all, sensor + "imu " + term.name, imu_output(seed, number, {term}, kSamples));
+        const auto errors = imu_errors(seed, number, {term}, term.wanders ? kSamples + 1 : kSamples);
+        append(all, sensor + "imu " + term.name, term.wanders ? differences(errors) : errors);
       }
       for (const GnssTerm& term : kGnssTerms) {
-        append(all, sensor + "gnss " + term.name, gnss_output(seed, number, {term}, kSamples));
+        append(all, sensor + "gnss " + term.name, gnss_errors(seed, number, {term}, kSamples));
       }
     }
   }
@@ -188,32 +226,40 @@ TEST(StreamIndependence, NoTwoTurnOnConstantsAreCorrelatedOverTheSeeds) {
   std::vector<Series> all;
   for (const std::string unit : {"", "alpha"}) {
     for (const std::uint32_t number : {0U, 1U}) {
-      std::array<std::vector<double>, 6> constants;
-      for (std::uint64_t scenario_seed = 1; scenario_seed <= 2000; ++scenario_seed) {
-        scenario::LoadedScenario loaded;
-        loaded.scenario.seed = scenario_seed;
-        loaded.unit = unit;
-        const auto output = imu_output(loaded.stream_seed(), number, {kTurnOn}, 1);
-        for (std::size_t axis = 0; axis < 6; ++axis) constants[axis].push_back(output[axis].front());
+      for (const ImuTerm& term : kConstants) {
+        std::array<std::vector<double>, 6> constants;
+        for (std::uint64_t scenario_seed = 1; scenario_seed <= 2000; ++scenario_seed) {
+          scenario::LoadedScenario loaded;
+          loaded.scenario.seed = scenario_seed;
+          loaded.unit = unit;
+          const auto errors = imu_errors(loaded.stream_seed(), number, {term}, 1);
+          for (std::size_t axis = 0; axis < 6; ++axis) constants[axis].push_back(errors[axis].front());
+        }
+        append(all, unit + " imu" + std::to_string(number) + " " + term.name, std::move(constants));
       }
-      append(all, unit + " imu" + std::to_string(number) + " turn-on", std::move(constants));
     }
   }
   expect_all_uncorrelated(all);
 }
 
 TEST(StreamIndependence, ATermMoreChangesNoDrawOfTheOthers) {
-  // With both terms the output is the sum of the outputs with each: to the rounding of one addition for an IMU, of the
-  // angles (1.4e-9 m) for a position of at most 10 m.
-  const auto imu_white = imu_output(7, 0, {kImuTerms[0]}, 200), imu_gm = imu_output(7, 0, {kImuTerms[1]}, 200);
-  const auto imu_both = imu_output(7, 0, {kImuTerms[0], kImuTerms[1]}, 200);
-  const auto gnss_white = gnss_output(7, 0, {kGnssTerms[0]}, 200), gnss_gm = gnss_output(7, 0, {kGnssTerms[1]}, 200);
-  const auto gnss_both = gnss_output(7, 0, {kGnssTerms[0], kGnssTerms[1]}, 200);
+  // With all terms the error is the sum of the errors with each. Rounding: an IMU's increments are of the size 1, so
+  // every error read off them is good to 1e-16 and its largest sums to a few of these; the angles of a position are
+  // good to 1.4e-9 m.
+  std::array<std::vector<double>, 6> imu_sum = imu_errors(7, 0, {}, 200), gnss_sum = gnss_errors(7, 0, {}, 200);
+  const auto add = [](std::array<std::vector<double>, 6>& sum, const std::array<std::vector<double>, 6>& more) {
+    for (std::size_t axis = 0; axis < 6; ++axis) {
+      for (std::size_t k = 0; k < sum[axis].size(); ++k) sum[axis][k] += more[axis][k];
+    }
+  };
+  for (const ImuTerm& term : kImuTerms) add(imu_sum, imu_errors(7, 0, {term}, 200));
+  for (const GnssTerm& term : kGnssTerms) add(gnss_sum, gnss_errors(7, 0, {term}, 200));
+  const auto imu_all = imu_errors(7, 0, {std::begin(kImuTerms), std::end(kImuTerms)}, 200);
+  const auto gnss_all = gnss_errors(7, 0, {std::begin(kGnssTerms), std::end(kGnssTerms)}, 200);
   for (std::size_t axis = 0; axis < 6; ++axis) {
     for (std::size_t k = 0; k < 200; ++k) {
-      const double imu_sum = imu_white[axis][k] + imu_gm[axis][k];
-      ASSERT_NEAR(imu_both[axis][k], imu_sum, 1e-15 * (1.0 + std::abs(imu_sum))) << axis << ' ' << k;
-      ASSERT_NEAR(gnss_both[axis][k], gnss_white[axis][k] + gnss_gm[axis][k], 1e-8) << axis << ' ' << k;
+      ASSERT_NEAR(imu_all[axis][k], imu_sum[axis][k], 2e-15) << axis << ' ' << k;
+      ASSERT_NEAR(gnss_all[axis][k], gnss_sum[axis][k], 1e-8) << axis << ' ' << k;
     }
   }
 }
