@@ -6,6 +6,7 @@
 #include "app/exit_code.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/verify/allan.hpp"
+#include "services/inslab/verify/closed_loop.hpp"
 #include "services/inslab/verify/gnss.hpp"
 #include "services/inslab/verify/increments.hpp"
 #include "services/inslab/verify/trajectory.hpp"
@@ -14,11 +15,17 @@ namespace inslab::cli {
 
 namespace {
 
-/// One block of the verification: its name on the command line, what it shows, and the work. `full` asks for all seeds.
+struct Request {
+  bool full = false;               ///< all seeds
+  std::vector<std::string> files;  ///< the user's own, to be shown too
+};
+
+/// One block of the verification: its name on the command line, what it shows, and the work.
 struct Verification {
   const char* name;
   const char* purpose;
-  std::vector<verify::Table> (*run)(bool full);
+  std::vector<verify::Table> (*run)(const Request& request);
+  bool takes_files = false;
 };
 
 void say(const std::string& what) { spdlog::info(what); }
@@ -26,19 +33,22 @@ void say(const std::string& what) { spdlog::info(what); }
 const std::vector<Verification>& verifications() {
   static const std::vector<Verification> list{
       {"trajectory", "Truth of motion tables against an independent solution (thesis table 4-1)",
-       verify::verify_trajectory},
+       [](const Request& request) { return verify::verify_trajectory(request.full); }},
+      {"closed-loop", "From a file through IMU and mechanization back to the file (thesis table 4-2)",
+       [](const Request& request) { return verify::closed_loop(request.files); }, true},
       {"allan", "Random errors of the IMU by Allan variance (thesis tables 4-4 to 4-7)",
-       [](bool full) { return verify::allan_tables(full, say); }},
+       [](const Request& request) { return verify::allan_tables(request.full, say); }},
       {"increments", "Order of the error of mechanized increments, and of rate times interval",
-       [](bool) { return verify::increments(60.0); }},
-      {"gnss", "Errors of the receivers and the lever arm of their antenna (thesis tables 4-8, 4-9)", verify::gnss},
+       [](const Request&) { return verify::increments(60.0); }},
+      {"gnss", "Errors of the receivers and the lever arm of their antenna (thesis tables 4-8, 4-9)",
+       [](const Request& request) { return verify::gnss(request.full); }},
   };
   return list;
 }
 
-int verify_one(const Verification& verification, bool full) {
+int verify_one(const Verification& verification, const Request& request) {
   bool held = true;
-  for (const verify::Table& table : verification.run(full)) {
+  for (const verify::Table& table : verification.run(request)) {
     fmt::print("{}\n", verify::to_text(table));
     held = held && table.held();
   }
@@ -53,10 +63,14 @@ void add_verify(CLI::App& app, std::function<int()>& action) {
   verify->require_subcommand(1);
   for (const Verification& verification : verifications()) {
     CLI::App* command = verify->add_subcommand(verification.name, verification.purpose);
-    auto full = std::make_shared<bool>(false);
-    command->add_flag("--full", *full, "all seeds instead of the preset one");
-    command->callback(
-        [&action, &verification, full] { action = [&verification, full] { return verify_one(verification, *full); }; });
+    auto request = std::make_shared<Request>();
+    command->add_flag("--full", request->full, "all seeds instead of the preset one");
+    if (verification.takes_files) {
+      command->add_option("--files", request->files, "trajectory files with velocity and attitude to show too");
+    }
+    command->callback([&action, &verification, request] {
+      action = [&verification, request] { return verify_one(verification, *request); };
+    });
   }
 }
 

@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
 
+#include "config/error.hpp"
+#include "io/trajectory_reader.hpp"
+#include "services/inslab/verify/catalogue.hpp"
 #include "services/inslab/verify/loop.hpp"
 #include "services/inslab/verify/spline_loop.hpp"
 #include "services/trajectory_server/file_states.hpp"
@@ -59,12 +64,12 @@ double position_limit_m(const LoopCase& one) {
   return std::max(0.1 * one.published_position_m, kSmallestPositionLimit_m);
 }
 
-std::vector<LoopCase> loop_cases(const std::filesystem::path& scenarios) {
+std::vector<LoopCase> loop_cases() {
   std::vector<LoopCase> cases;
   for (const Published& published : kTable42) {
-    const scenario::LoadedScenario loaded = scenario::load(scenarios / (published.name + std::string(".json")));
-    cases.push_back({published.name, loaded.scenario.trajectory, published.position_m,
-                     time::from_seconds(loaded.scenario.duration_s)});
+    const scenario::Scenario scenario = catalogue_scenario(published.name);
+    cases.push_back(
+        {published.name, scenario.trajectory, published.position_m, time::from_seconds(scenario.duration_s)});
   }
   return cases;
 }
@@ -141,15 +146,31 @@ Table contradiction_table(const std::vector<std::shared_ptr<const io::Trajectory
   return table;
 }
 
-std::vector<Table> closed_loop(const std::filesystem::path& scenarios) {
-  const std::vector<LoopCase> cases = loop_cases(scenarios);
+std::shared_ptr<const io::TrajectoryFile> real_rows(const std::string& path) {
+  io::TrajectoryReading reading = io::read_trajectory(path);
+  if (!reading.problems.empty()) throw config::Error(path, reading.problems.kept().front());
+  const io::TrajectoryRow& first = reading.file.rows.front();
+  if (!first.v_n || !first.rpy) {
+    throw config::Error(path, {Rule::MethodNeeds, "", "has rows without velocity or attitude; expected both"});
+  }
+  reading.file.name = std::filesystem::path(path).filename().string();
+  return std::make_shared<const io::TrajectoryFile>(std::move(reading.file));
+}
+
+std::vector<Table> closed_loop(const std::vector<std::string>& paths) {
+  const std::vector<LoopCase> cases = loop_cases();
   const auto vehicle =
       std::find_if(cases.begin(), cases.end(), [](const LoopCase& one) { return one.name == "vehicle"; });
+  std::vector<std::shared_ptr<const io::TrajectoryFile>> contradictory{contradictory_rows(*vehicle, vehicle->duration)};
+  std::transform(paths.begin(), paths.end(), std::back_inserter(contradictory), real_rows);
+  Table contradiction = contradiction_table(contradictory);
+  if (paths.empty()) contradiction.notes.push_back("No real files: name them after --files.");
   return {inverse_mechanization_table("Files at 200 Hz, inverse_mechanization (thesis table 4-2)", cases),
           inverse_mechanization_table("The same for an hour, segments repeated", for_an_hour(cases)),
-          contradiction_table({contradictory_rows(*vehicle, vehicle->duration)}),
           spline_table("Files at 10 Hz, spline, mechanized at 200 Hz", cases, time::Rate(10.0)),
-          spline_table("Files at 1 Hz, spline, mechanized at 200 Hz", cases, time::Rate(1.0))};
+          spline_table("Files at 1 Hz, spline, mechanized at 200 Hz", cases, time::Rate(1.0)),
+          contradiction,
+          spline_file_table(contradictory)};
 }
 
 }  // namespace inslab::verify

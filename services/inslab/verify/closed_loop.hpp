@@ -1,9 +1,10 @@
 #pragma once
 
-#include <filesystem>
+#include <memory>
+#include <string>
 
 #include "io/trajectory_file.hpp"
-#include "scenario/load.hpp"
+#include "scenario/trajectory.hpp"
 #include "services/inslab/verify/table.hpp"
 
 namespace inslab::verify {
@@ -19,8 +20,8 @@ struct LoopCase {
 /// A tenth of the published figure, where that is 0.0003 m or below 3e-5 m.
 double position_limit_m(const LoopCase& one);
 
-/// The trajectories of thesis table 4-2, from the catalogue in the folder `scenarios`. Throws config::Error.
-std::vector<LoopCase> loop_cases(const std::filesystem::path& scenarios);
+/// The trajectories of thesis table 4-2, from the catalogue.
+std::vector<LoopCase> loop_cases();
 
 /// The same for an hour, the table's segments repeated; what ends itself is left out.
 std::vector<LoopCase> for_an_hour(std::vector<LoopCase> cases);
@@ -36,7 +37,12 @@ std::shared_ptr<const io::TrajectoryFile> contradictory_rows(const LoopCase& one
 /// the file's positions, beside the bound that file and feedback set.
 Table contradiction_table(const std::vector<std::shared_ptr<const io::TrajectoryFile>>& files);
 
-/// All of the command: the catalogue as it is and for an hour, a made contradictory file, and sparse files by `spline`.
-std::vector<Table> closed_loop(const std::filesystem::path& scenarios);
+/// The file at `path`, named without its folder, for contradiction_table(). Throws io::ReadError when it cannot be read
+/// and config::Error, naming the place, when its rows are not a trajectory with velocity and attitude.
+std::shared_ptr<const io::TrajectoryFile> real_rows(const std::string& path);
+
+/// Block 2 of the verification: the catalogue as it is and for an hour by `inverse_mechanization`, sparse by `spline`,
+/// then in both modes files that contradict themselves: a made one and those at `paths`.
+std::vector<Table> closed_loop(const std::vector<std::string>& paths);
 
 }  // namespace inslab::verify

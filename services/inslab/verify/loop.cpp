@@ -1,5 +1,6 @@
 #include "services/inslab/verify/loop.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "services/imu_error_injector/model.hpp"
@@ -46,7 +47,8 @@ std::shared_ptr<const io::TrajectoryFile> rows_as_written(const scenario::Trajec
   file->start = kStart;
   trajectory::MotionTableModel model(trajectory, rate, kStart);
   file->rows.push_back(row_as_written(model.current()));
-  while (file->rows.back().time + rate.period() <= duration) file->rows.push_back(row_as_written(model.advance()));
+  while (file->rows.back().time + rate.period() <= std::min(duration, model.end()))
+    file->rows.push_back(row_as_written(model.advance()));
   return file;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "services/inslab/verify/closed_loop.hpp"
+#include "time/rate.hpp"
 
 namespace inslab::verify {
 

@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <random>
 
+#include "config/error.hpp"
+#include "services/inslab/verify/closed_loop.hpp"
 #include "services/inslab/verify/deviation.hpp"
 #include "services/inslab/verify/increments.hpp"
 #include "services/inslab/verify/spline_loop.hpp"
@@ -52,6 +56,48 @@ std::shared_ptr<const io::TrajectoryFile> noisy_rows() {
 
 TEST(VerifyClosedLoop, NoisyRowsBySplineStayWithinTheBoundOfTheirAccelerations) {
   EXPECT_TRUE(every_row_held(spline_file_table({noisy_rows()})));
+}
+
+/// The catalogue for its first two minutes; the projectile whole.
+std::vector<LoopCase> shortened(std::vector<LoopCase> cases) {
+  for (LoopCase& one : cases) one.duration = std::min<time::Nanoseconds>(one.duration, std::chrono::minutes(2));
+  return cases;
+}
+
+TEST(VerifyClosedLoop, ComesBackToTheFilesOfTheCatalogue) {
+  EXPECT_TRUE(every_row_held(inverse_mechanization_table("", shortened(loop_cases()))));
+}
+
+TEST(VerifyClosedLoop, LimitIsATenthOfThePublishedFigure) {
+  const std::vector<LoopCase> cases = loop_cases();
+  ASSERT_EQ(cases.size(), 6U);
+  EXPECT_DOUBLE_EQ(position_limit_m(cases.at(1)), 0.00015);
+  EXPECT_DOUBLE_EQ(position_limit_m(cases.at(5)), 3e-5);
+}
+
+TEST(VerifyClosedLoop, AnHourIsTheSegmentsThreeTimes) {
+  const std::vector<LoopCase> cases = loop_cases(), hours = for_an_hour(cases);
+  ASSERT_EQ(hours.size(), cases.size() - 1);
+  EXPECT_EQ(hours.at(2).trajectory.segments.size(), 3 * cases.at(2).trajectory.segments.size());
+  EXPECT_EQ(hours.at(2).duration, std::chrono::hours(1));
+}
+
+TEST(VerifyClosedLoop, StaysWithinTheBoundOfAFileThatContradictsItself) {
+  EXPECT_TRUE(every_row_held(contradiction_table({contradictory_rows(loop_cases().at(2), std::chrono::minutes(2))})));
+}
+
+TEST(VerifyClosedLoop, StaysWithinTheBoundsOfRealFilesInBothModes) {
+  const std::filesystem::path folder = std::string(INSLAB_SOURCE_DIR) + "/../shared/data/trajectories";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no real trajectories in " << folder;
+  const std::vector<std::shared_ptr<const io::TrajectoryFile>> files{
+      real_rows(folder / "whu_kfginsmatlab_dataset2_truth.nav"),
+      real_rows(folder / "novatel_propak6_20Hz_profile10.csv")};
+  EXPECT_TRUE(every_row_held(contradiction_table(files)));
+  EXPECT_TRUE(every_row_held(spline_file_table(files)));
+}
+
+TEST(VerifyClosedLoop, RefusesAFileWithoutAttitude) {
+  EXPECT_THROW(real_rows(std::string(INSLAB_SOURCE_DIR) + "/config/invalid/method_needs.csv"), config::Error);
 }
 
 nav::NavState at_height(double height_m) { return {{0.5, 2.0, height_m}, nav::Vector3::Zero(), {1.0, 0.0, 0.0, 0.0}}; }
