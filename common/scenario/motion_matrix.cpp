@@ -1,7 +1,9 @@
 #include "scenario/motion_matrix.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -142,8 +144,9 @@ std::vector<Segment> read_motion_matrix(const std::filesystem::path& file) {
     const Line line(file.string(), number);
     segments.push_back(line.segment(text));
     total_s += segments.back().duration_s;
-    if (segments.size() > kMaxSegments)
-      line.fail(Rule::BoundedSize, "is one segment too many; expected at most 100000");
+    if (segments.size() > kMaxSegments) {
+      line.fail(Rule::BoundedSize, "is one segment too many; expected at most " + std::to_string(kMaxSegments));
+    }
     if (!(total_s <= kMaxTrajectoryLength_s)) {
       line.fail(Rule::TrajectoryLength, "brings the segments' total above 1e9 s");
     }

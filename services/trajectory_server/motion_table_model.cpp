@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "nav/attitude.hpp"
 #include "services/trajectory_server/ballistic_flight.hpp"

@@ -96,6 +96,13 @@ TEST_F(MotionMatrix, HoldsTheLimitsOfTheScenarioFile) {
   EXPECT_EQ(refusal(long_table), "line 101: brings the segments' total above 1e9 s");
 }
 
+TEST_F(MotionMatrix, RefusesMoreSegmentsThanAScenarioHolds) {
+  std::string table;
+  for (int i = 0; i < 100000; ++i) table += "1,1,0,0\n";
+  EXPECT_EQ(read(table).size(), 100000U);
+  EXPECT_EQ(refusal(table + "1,1,0,0\n"), "line 100001: is one segment too many; expected at most 100000");
+}
+
 TEST_F(MotionMatrix, RefusesAFileWithoutASegment) { EXPECT_EQ(refusal("# nothing\n"), ": holds no segment"); }
 
 }  // namespace
