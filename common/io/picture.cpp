@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 extern char** environ;
 
@@ -45,6 +46,8 @@ void write_panel(std::ostringstream& script, const Panel& panel, std::size_t fir
   script << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.x_label) << "\nset ylabel "
          << quoted(panel.y_label) << '\n';
   script << (panel.equal_scales ? "set size ratio -1\n" : "set size noratio\n");
+  const std::string tics = panel.tic_step > 0.0 ? std::to_string(panel.tic_step) : "autofreq";
+  script << "set xtics " << tics << "\nset ytics " << tics << '\n';
   script << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
          << (panel.log_y ? "set logscale y\n" : "unset logscale y\n");
   for (std::size_t i = 0; i < panel.curves.size(); ++i) {
@@ -104,6 +107,42 @@ int run(const std::string& program, const std::string& file, const std::string& 
   return status;
 }
 
+/// Without the points that lie within a fraction of a pixel of the lines between those kept: D. Douglas, T. Peucker
+/// (Cartographica 10 (1973) 112), with distances along y.
+Curve without_straight_points(const Curve& curve) {
+  if (curve.x.size() < 3) return curve;
+  constexpr double kOfTheHeight = 1.0 / 2000.0;
+  const auto [low, high] = std::minmax_element(curve.y.begin(), curve.y.end());
+  const double tolerance = kOfTheHeight * (*high - *low);
+  std::vector<bool> is_kept(curve.x.size(), false);
+  is_kept.front() = is_kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, curve.x.size() - 1}};
+  while (!open.empty()) {
+    const auto [begin, end] = open.back();
+    open.pop_back();
+    const double slope = (curve.y[end] - curve.y[begin]) / (curve.x[end] - curve.x[begin]);
+    double largest = tolerance;
+    std::size_t furthest = begin;
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      const double off = std::abs(curve.y[begin] + slope * (curve.x[i] - curve.x[begin]) - curve.y[i]);
+      if (off <= largest) continue;
+      largest = off;
+      furthest = i;
+    }
+    if (furthest == begin) continue;
+    is_kept[furthest] = true;
+    open.emplace_back(begin, furthest);
+    open.emplace_back(furthest, end);
+  }
+  Curve kept{curve.title, {}, {}, curve.style};
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (!is_kept[i]) continue;
+    kept.x.push_back(curve.x[i]);
+    kept.y.push_back(curve.y[i]);
+  }
+  return kept;
+}
+
 }  // namespace
 
 std::string gnuplot_script(const Picture& picture, PictureFormat format) {
@@ -114,7 +153,7 @@ std::string gnuplot_script(const Picture& picture, PictureFormat format) {
       << "set terminal " << (format == PictureFormat::Svg ? "svg" : "pngcairo") << " noenhanced size "
       << picture.panel_width_px * static_cast<int>(picture.columns) << ','
       << picture.panel_height_px * static_cast<int>(rows) + 30 << " font 'sans,11' background rgb 'white'\n"
-      << "set grid linecolor rgb '#dddddd'\nset key top right\nset tics nomirror\nset border 3\nset samples 2\n"
+      << "set key outside bottom center horizontal\nset tics nomirror\nset border 3\n"
       << "set linetype 1 linecolor rgb '#0060ad' linewidth 1.2\nset linetype 2 linecolor rgb '#c03020' linewidth 1.2\n"
       << "set linetype 3 linecolor rgb '#208040' linewidth 1.2\n";
   std::size_t number = 0;
@@ -141,30 +180,34 @@ std::string drawn(const Picture& picture, PictureFormat format, const std::strin
 }
 
 Curve thinned(const Curve& curve, std::size_t bins) {
-  if (curve.x.size() <= 2 * bins) return curve;
   Curve kept{curve.title, {}, {}, curve.style};
+  const auto keep = [&](std::size_t i) {
+    if (!kept.x.empty() && curve.x[i] <= kept.x.back()) return;
+    kept.x.push_back(curve.x[i]);
+    kept.y.push_back(curve.y[i]);
+  };
   const std::size_t count = curve.x.size();
-  for (std::size_t bin = 0; bin < bins; ++bin) {
-    const std::size_t begin = bin * count / bins, end = (bin + 1) * count / bins;
+  if (count <= 2 * bins) return without_straight_points(curve);
+  keep(0);
+  for (std::size_t bin = 0; bin < bins - 1; ++bin) {
+    const std::size_t begin = bin * count / (bins - 1), end = (bin + 1) * count / (bins - 1);
     const auto first = curve.y.begin() + static_cast<std::ptrdiff_t>(begin);
     const auto last = curve.y.begin() + static_cast<std::ptrdiff_t>(end);
     const auto [low, high] = std::minmax_element(first, last);
-    for (const auto& place : {std::min(low, high), std::max(low, high)}) {
-      const auto i = static_cast<std::size_t>(place - curve.y.begin());
-      if (!kept.x.empty() && curve.x[i] <= kept.x.back()) continue;
-      kept.x.push_back(curve.x[i]);
-      kept.y.push_back(curve.y[i]);
-    }
+    keep(static_cast<std::size_t>(std::min(low, high) - curve.y.begin()));
+    keep(static_cast<std::size_t>(std::max(low, high) - curve.y.begin()));
   }
-  return kept;
+  keep(count - 1);
+  return without_straight_points(kept);
 }
 
-Curve thinned_by_distance(const Curve& track, double distance) {
+Curve thinned_by_distance(const Curve& track, double distance, std::size_t most) {
   Curve kept{track.title, {}, {}, track.style};
   for (std::size_t i = 0; i < track.x.size(); ++i) {
     const bool is_near =
         !kept.x.empty() && std::hypot(track.x[i] - kept.x.back(), track.y[i] - kept.y.back()) <= distance;
     if (is_near && i + 1 < track.x.size()) continue;
+    if (kept.x.size() >= most) return thinned_by_distance(track, 2.0 * distance, most);
     kept.x.push_back(track.x[i]);
     kept.y.push_back(track.y[i]);
   }

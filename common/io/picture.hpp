@@ -28,6 +28,7 @@ struct Panel {
   std::string y_label;
   std::vector<Curve> curves;
   bool equal_scales = false;  ///< a unit of x is as long as a unit of y
+  double tic_step = 0.0;      ///< of both axes; 0: as gnuplot likes
   bool log_x = false;
   bool log_y = false;
 };
@@ -49,11 +50,12 @@ std::string gnuplot_script(const Picture& picture, PictureFormat format);
 /// The picture as the bytes of a file. Throws PictureError, saying what is missing or what gnuplot said.
 std::string drawn(const Picture& picture, PictureFormat format, const std::string& program = "gnuplot");
 
-/// At most about 2 `bins` points of a curve over time that show it as all of them would: the first, the smallest and
-/// the largest of each bin. `x` increases.
+/// At most 2 `bins` points of a curve over time that show it as all of them would: the smallest and the largest of each
+/// bin and both ends, without those that a straight line shows as well. `x` increases; nothing is NaN.
 Curve thinned(const Curve& curve, std::size_t bins);
 
-/// The points of a track further than `distance` from the last one kept, and the last.
-Curve thinned_by_distance(const Curve& track, double distance);
+/// The points of a track further than `distance` from the last one kept, and the last; at most `most` in all, or else
+/// the distance is doubled until they are.
+Curve thinned_by_distance(const Curve& track, double distance, std::size_t most);
 
 }  // namespace inslab::io

@@ -17,21 +17,38 @@ namespace {
 
 constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr std::size_t kMostPoints = 40000;
-constexpr std::size_t kBins = 300;            // of a curve over time: a pixel or two each
+constexpr std::size_t kBins = 140;            // of a curve over time: a pixel or two each
 constexpr double kFinestTrack = 1.0 / 600.0;  // of the track's extent: a pixel
+constexpr std::size_t kMostTrackPoints = 800;
+constexpr double kStandsWithin_m = 1e-3;
 
-/// Where an angle turns over, the curve is interrupted.
-void interrupt_at_turnover(io::Curve& curve) {
-  io::Curve broken{curve.title, {}, {}, curve.style};
-  for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    if (i > 0 && std::abs(curve.y[i] - curve.y[i - 1]) > 180.0) {
-      broken.x.push_back(curve.x[i]);
-      broken.y.push_back(std::numeric_limits<double>::quiet_NaN());
+/// 1, 2 or 5 times a power of ten, some four to nine of which make the extent.
+double tic_step_for(double extent) {
+  const double decade = std::pow(10.0, std::floor(std::log10(extent / 4.0)));
+  const double leading = extent / 4.0 / decade;
+  return decade * (leading >= 5.0 ? 5.0 : leading >= 2.0 ? 2.0 : 1.0);
+}
+
+/// An angle over time, thinned; interrupted where it turns over.
+io::Curve thinned_angle(const io::Curve& curve) {
+  io::Curve joined{curve.title, {}, {}, curve.style};
+  const auto place = [](std::vector<double>::size_type i) { return static_cast<std::ptrdiff_t>(i); };
+  std::size_t begin = 0;
+  for (std::size_t end = 1; end <= curve.x.size(); ++end) {
+    if (end < curve.x.size() && std::abs(curve.y[end] - curve.y[end - 1]) <= 180.0) continue;
+    io::Curve stretch;
+    stretch.x.assign(curve.x.begin() + place(begin), curve.x.begin() + place(end));
+    stretch.y.assign(curve.y.begin() + place(begin), curve.y.begin() + place(end));
+    stretch = io::thinned(stretch, 2 + kBins * (end - begin) / curve.x.size());
+    if (begin > 0) {
+      joined.x.push_back(stretch.x.front());
+      joined.y.push_back(std::numeric_limits<double>::quiet_NaN());
     }
-    broken.x.push_back(curve.x[i]);
-    broken.y.push_back(curve.y[i]);
+    joined.x.insert(joined.x.end(), stretch.x.begin(), stretch.x.end());
+    joined.y.insert(joined.y.end(), stretch.y.begin(), stretch.y.end());
+    begin = end;
   }
-  curve = broken;
+  return joined;
 }
 
 }  // namespace
@@ -55,32 +72,47 @@ io::Curve Track::over_time(const std::string& title, double (*value)(const Point
     curve.x.push_back(point.t_s);
     curve.y.push_back(value(point));
   }
-  return io::thinned(curve, kBins);
+  return curve;
 }
 
 io::Panel Track::ground_panel() const {
-  io::Curve track;
-  double extent_m = 0.0;
+  std::vector<Vector3> ned_m;
+  Vector3 low_m = Vector3::Zero(), high_m = Vector3::Zero();
   for (const Point& point : points_) {
-    const Vector3 ned_m = nav::ned_from(points_.front().position, point.position);
-    track.x.push_back(ned_m.y());
-    track.y.push_back(ned_m.x());
-    extent_m = std::max({extent_m, std::abs(ned_m.x()), std::abs(ned_m.y())});
+    ned_m.push_back(nav::ned_from(points_.front().position, point.position));
+    low_m = low_m.cwiseMin(ned_m.back());
+    high_m = high_m.cwiseMax(ned_m.back());
   }
-  io::Panel panel{"track", "east (m)", "north (m)", {}, true};
-  const bool moves = extent_m > 1e-3;
-  panel.curves.push_back(moves ? io::thinned_by_distance(track, kFinestTrack * extent_m) : track);
-  if (!moves) panel.curves.back() = {"", {0.0}, {0.0}, "points pointtype 7 linecolor rgb '#0060ad'"};
-  panel.curves.push_back({"start", {0.0}, {0.0}, "points pointtype 6 linecolor rgb '#c03020'"});
+  const double extent_m = (high_m - low_m).head<2>().maxCoeff();
+  const bool in_km = extent_m >= 2000.0;
+  const double per_m = in_km ? 1e-3 : 1.0;
+  io::Curve track;
+  for (const Vector3& place : ned_m) {
+    track.x.push_back(place.y() * per_m);
+    track.y.push_back(place.x() * per_m);
+  }
+  io::Panel panel;
+  panel.title = "track from its start (circle)";
+  panel.x_label = in_km ? "east (km)" : "east (m)";
+  panel.y_label = in_km ? "north (km)" : "north (m)";
+  panel.equal_scales = true;
+  if (extent_m > kStandsWithin_m) {
+    panel.tic_step = tic_step_for(extent_m * per_m);
+    panel.curves.push_back(io::thinned_by_distance(track, kFinestTrack * extent_m * per_m, kMostTrackPoints));
+  }
+  panel.curves.push_back({"", {0.0}, {0.0}, "points pointtype 6 linecolor rgb '#c03020'"});
   return panel;
 }
 
 io::Panel Track::attitude_panel() const {
-  io::Panel panel{"attitude", "time (s)", "deg", {}};
+  io::Panel panel;
+  panel.title = "attitude";
+  panel.x_label = "time (s)";
+  panel.y_label = "deg";
   panel.curves.push_back(over_time("roll", [](const Point& point) { return point.rpy.roll_rad * kDegPerRad; }));
   panel.curves.push_back(over_time("pitch", [](const Point& point) { return point.rpy.pitch_rad * kDegPerRad; }));
   panel.curves.push_back(over_time("yaw", [](const Point& point) { return point.rpy.yaw_rad * kDegPerRad; }));
-  for (io::Curve& curve : panel.curves) interrupt_at_turnover(curve);
+  for (io::Curve& curve : panel.curves) curve = thinned_angle(curve);
   return panel;
 }
 
@@ -90,10 +122,16 @@ io::Picture Track::picture(const std::string& title) const {
   picture.columns = 2;
   const auto height = over_time("", [](const Point& point) { return point.position.height_m; });
   const auto speed = over_time("", [](const Point& point) { return point.speed_m_per_s; });
-  picture.panels = {ground_panel(),
-                    {"height above the ellipsoid", "time (s)", "m", {height}},
-                    {"speed", "time (s)", "m/s", {speed}},
-                    attitude_panel()};
+  const auto over_time_panel = [](const char* quantity, const char* unit, const io::Curve& curve) {
+    io::Panel panel;
+    panel.title = quantity;
+    panel.x_label = "time (s)";
+    panel.y_label = unit;
+    panel.curves = {io::thinned(curve, kBins)};
+    return panel;
+  };
+  picture.panels = {ground_panel(), over_time_panel("height above the ellipsoid", "m", height),
+                    over_time_panel("speed", "m/s", speed), attitude_panel()};
   return picture;
 }
 

@@ -3,8 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <string>
 
 namespace inslab::io {
 namespace {
@@ -15,8 +16,13 @@ using testing::StartsWith;
 Picture two_panels() {
   Picture picture;
   picture.title = "it's a test";
-  picture.panels = {{"line", "x (m)", "y (m)", {{"rising", {0.0, 1.0, 2.0}, {0.0, 1.0, 4.0}}}, true},
-                    {"gap", "t (s)", "deg", {{"", {0.0, 1.0, 2.0}, {1.0, std::nan(""), 3.0}}}}};
+  Panel line, gap;
+  line.title = "line";
+  line.curves = {{"rising", {0.0, 1.0, 2.0}, {0.0, 1.0, 4.0}}};
+  line.equal_scales = true;
+  gap.title = "gap";
+  gap.curves = {{"", {0.0, 1.0, 2.0}, {1.0, std::nan(""), 3.0}}};
+  picture.panels = {line, gap};
   return picture;
 }
 
@@ -76,16 +82,36 @@ TEST(ThinnedCurve, KeepsTheExtremesOfEveryBinInOrder) {
   EXPECT_EQ(thinned(two_panels().panels[0].curves[0], 100).x.size(), 3u);
 }
 
+TEST(ThinnedCurve, LeavesOutWhatLiesOnAStraightLine) {
+  Curve ramp;
+  for (int i = 0; i < 1000; ++i) {
+    ramp.x.push_back(i);
+    ramp.y.push_back(i < 500 ? 0.0 : i - 500.0);
+  }
+  const Curve kept = thinned(ramp, 100);
+  EXPECT_LE(kept.x.size(), 5u);
+  EXPECT_EQ(kept.x.front(), 0.0);
+  EXPECT_EQ(kept.x.back(), 999.0);
+  for (std::size_t i = 1; i < kept.x.size(); ++i) {
+    for (double x = kept.x[i - 1]; x <= kept.x[i]; x += 1.0) {
+      const double share = (x - kept.x[i - 1]) / (kept.x[i] - kept.x[i - 1]);
+      // A two-thousandth of the height, and what a bin of ten points may miss of the corner in its middle.
+      EXPECT_NEAR(kept.y[i - 1] + share * (kept.y[i] - kept.y[i - 1]), std::max(0.0, x - 500.0), 499.0 / 2000.0 + 5.0);
+    }
+  }
+}
+
 TEST(ThinnedTrack, KeepsPointsThatAreApartAndTheLast) {
   Curve track;
   for (int i = 0; i <= 1005; ++i) {
     track.x.push_back(0.01 * i);
     track.y.push_back(0.0);
   }
-  const Curve kept = thinned_by_distance(track, 0.095);
+  const Curve kept = thinned_by_distance(track, 0.095, 1000);
   // Every tenth, 0.1 apart, and the last one.
   EXPECT_EQ(kept.x.size(), 102u);
   EXPECT_EQ(kept.x.back(), track.x.back());
+  EXPECT_LE(thinned_by_distance(track, 0.095, 60).x.size(), 60u);
 }
 
 }  // namespace
