@@ -10,6 +10,7 @@
 #include "services/inslab/verify/gnss.hpp"
 #include "services/inslab/verify/increments.hpp"
 #include "services/inslab/verify/trajectory.hpp"
+#include "services/inslab/verify/vibration.hpp"
 
 namespace inslab::cli {
 
@@ -42,6 +43,8 @@ const std::vector<Verification>& verifications() {
        [](const Request&) { return verify::increments(60.0); }},
       {"gnss", "Errors of the receivers and the lever arm of their antenna (thesis tables 4-8, 4-9)",
        [](const Request& request) { return verify::gnss(request.full); }},
+      {"vibration", "Increments, coning, sculling and spectra of vibration",
+       [](const Request& request) { return verify::vibration_tables(request.full); }},
   };
   return list;
 }
