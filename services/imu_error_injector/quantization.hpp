@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "services/imu_error_injector/triad_parameters.hpp"
 
 namespace inslab::imu {
@@ -28,10 +30,11 @@ class Quantization {
     for (int axis = 0; axis < 3; ++axis) {
       if (count_[axis] == 0.0) continue;
       const double due = increment[axis] + remainder_[axis];
-      // Adding and taking off 1.5 * 2^52 rounds to the nearest whole number in the FPU, half to even.
+      // Adding and taking off 1.5 * 2^52 rounds to the nearest whole number in the FPU, half to even. A count below the
+      // increment's own resolution has nothing to round.
       constexpr double kRounder = 0x1.8p52;
-      const double counts = (due / count_[axis] + kRounder) - kRounder;
-      out[axis] = counts * count_[axis];
+      const double exact = due / count_[axis];
+      out[axis] = std::abs(exact) < 0x1p51 ? ((exact + kRounder) - kRounder) * count_[axis] : due;
       remainder_[axis] = due - out[axis];
     }
     return out;

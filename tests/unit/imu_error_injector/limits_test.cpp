@@ -50,6 +50,13 @@ TEST(Quantization, ASwapToAnotherCountKeepsTheRemainder) {
   EXPECT_EQ(quantization.quantized({0.25, 0.0, 0.0}), Vector3(0.5, 0.25, 0.25));
 }
 
+TEST(Quantization, ACountBelowTheResolutionOfTheIncrementChangesNothing) {
+  TriadParameters parameters;
+  parameters.quantization.setConstant(1e-310);
+  Quantization quantization(parameters);
+  EXPECT_EQ(quantization.quantized({0.9, -1e-3, 0.0}), Vector3(0.9, -1e-3, 0.0));
+}
+
 TEST(AxisFaults, StuckRepeatsTheLastIncrementBeforeTheFault) {
   AxisFaults faults;
   faults.applied({1.0, 2.0, 3.0});
