@@ -53,6 +53,7 @@ class Judge {
                const std::string& what, const std::string& unit) {
     if (value > worst.value) worst = {value, row};
     if (value <= limit) return;
+    figures_.faults.push_back({rule, at, row});
     reading_.problems.add({rule, reading_.place(row, at),
                            what + " " + rounded(value) + unit + "; expected at most " + rounded(limit) + unit});
   }
@@ -94,8 +95,9 @@ class Judge {
     const double span = seconds_between(file_, first_, k);
     if (file_.rows[k].time - file_.rows[first_].time < kWindow && k + 1 < file_.rows.size()) return;
     const nav::Vector3 mean = window_sum_ / std::max(span, time::to_seconds(kWindow));
-    // One contradiction stays in the window for a second; it is told once.
+    // One contradiction stays in the window for a second; it is told once, and a fault of all of it.
     const bool is_told = std::exchange(contradicts_, mean.norm() > limits_.max_velocity_mismatch_m_per_s);
+    if (is_told && contradicts_) figures_.faults.push_back({Rule::FileVelocity, Quantity::VelocityNorth, k});
     measure(figures_.velocity_mismatch_m_per_s, mean.norm(), k,
             is_told ? std::numeric_limits<double>::infinity() : limits_.max_velocity_mismatch_m_per_s,
             Rule::FileVelocity, largest(mean, Quantity::VelocityNorth),

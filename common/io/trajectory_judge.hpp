@@ -13,6 +13,13 @@ struct Worst {
   std::size_t row = 0;
 };
 
+/// A place where a limit is broken: the column and the row at whose end it stands.
+struct TrajectoryFault {
+  Rule rule;
+  Quantity at;
+  std::size_t row;
+};
+
 /// What a trajectory is like, measured row by row.
 struct TrajectoryFigures {
   double shortest_interval_s = 0.0;
@@ -22,7 +29,8 @@ struct TrajectoryFigures {
   Worst position_step_m;            ///< what the mean of two velocities does not explain of a displacement
   Worst acceleration_m_per_s2;
   Worst rate_deg_per_s;
-  Worst off_track_deg;  ///< faster than kTrackSpeed
+  Worst off_track_deg;                  ///< faster than kTrackSpeed
+  std::vector<TrajectoryFault> faults;  ///< in order of rows
 };
 
 /// Slower than this a velocity does not tell a direction, m/s.

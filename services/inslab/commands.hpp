@@ -17,6 +17,7 @@ void add_swap(CLI::App& app, std::function<int()>& action);
 void add_check(CLI::App& app, std::function<int()>& action);
 void add_info(CLI::App& app, std::function<int()>& action);
 void add_export(CLI::App& app, std::function<int()>& action);
+void add_trajectory(CLI::App& app, std::function<int()>& action);
 void add_plot(CLI::App& app, std::function<int()>& action);
 void add_reference(CLI::App& app, std::function<int()>& action);
 void add_allan(CLI::App& app, std::function<int()>& action);

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   cli::add_check(app, action);
   cli::add_info(app, action);
   cli::add_export(app, action);
+  cli::add_trajectory(app, action);
   cli::add_plot(app, action);
   cli::add_reference(app, action);
   cli::add_allan(app, action);
