@@ -1,6 +1,5 @@
 #include "services/trajectory_server/row_motion.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 

@@ -1,6 +1,5 @@
 #include "services/trajectory_server/waypoint_motion.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>

@@ -16,6 +16,8 @@ constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr double kLimit_m = 1e-3;
 // Latitude and longitude in doubles place a point to 3e-9 m.
 constexpr double kOnRow_m = 1e-8;
+// A parabola reaches the bound, but for its rounding.
+constexpr double kRounding = 1e-9;
 const time::Rate kRate(200.0);
 
 nav::NavState state_of(const TruthState& truth) {
@@ -96,7 +98,7 @@ Swing swing_of(const trajectory::Path& path) {
       swing.largest_m = std::max(swing.largest_m, (piece.curve.displacement_k(x * h) - x * chord).norm());
     }
     const double bend = std::max(piece.acceleration_k(0.0).norm(), piece.acceleration_k(h).norm());
-    swing.bound_m = std::max(swing.bound_m, h * h / 8.0 * bend);
+    swing.bound_m = std::max(swing.bound_m, h * h / 8.0 * bend * (1.0 + kRounding));
   }
   return swing;
 }

@@ -4,6 +4,7 @@
 
 #include "services/trajectory_server/inverse_mechanization_model.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
+#include "services/trajectory_server/smooth_model.hpp"
 #include "tests/unit/trajectory_server/file_rows.hpp"
 
 namespace inslab::trajectory {
@@ -43,6 +44,29 @@ TEST(TruthModel, TakesFeedbackAndRotationTermFromTheScenario) {
   scenario.scenario.trajectory.file.full_rotation_term = false;
   scenario.scenario.trajectory.file.position_feedback_per_s = 0.02;
   EXPECT_NE(dv_after_second(), as_declared);
+}
+
+TEST(TruthModel, PassesThroughTheRowsOfTheScenariosFileInSplineMode) {
+  scenario::LoadedScenario scenario = loaded("from_file.json");
+  scenario.scenario.trajectory.file.method = scenario::FileMethod::Spline;
+  const auto model = make_truth_model(scenario, {2300, 0});
+  ASSERT_NE(dynamic_cast<const SmoothModel*>(model.get()), nullptr);
+  TruthState truth = model->current();
+  for (std::uint64_t k = 1; k < scenario.truth_samples; ++k) truth = model->advance();
+  const io::TrajectoryRow& last = scenario.trajectory_file->rows.back();
+  EXPECT_LT(nav::ned_from(last.position, state_of(truth).position).norm(), 3e-9);
+  EXPECT_LT(nav::angle_between(truth.q_nv, nav::quaternion_from_rpy(*last.rpy)), 1e-14);
+}
+
+TEST(TruthModel, StandsAtTheLastWaypointUntilTheEndOfTheRun) {
+  scenario::LoadedScenario scenario = loaded("short.json");
+  scenario.scenario.trajectory.source = scenario::TrajectorySource::Waypoints;
+  scenario.scenario.trajectory.waypoints = {{30.0, 114.0, 20.0, 10.0, 0.0}, {30.0, 114.0001, 20.0, 0.0, 0.0}};
+  scenario.truth_samples = 2001;
+  const auto model = make_truth_model(scenario, {2300, 0});
+  TruthState truth = model->current();
+  for (std::uint64_t k = 1; k < scenario.truth_samples; ++k) truth = model->advance();
+  EXPECT_EQ(truth.v_n, Vector3::Zero());
 }
 
 }  // namespace
