@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "random/flicker.hpp"
+
 namespace inslab::allan {
 namespace {
 
@@ -55,10 +57,10 @@ ClusterState quantization(double deviation, double tau_s) {
   return {0.0, -1.0 / tau_s, variance, variance / (tau_s * tau_s), variance / tau_s, variance};
 }
 
-constexpr double kFlickerRatio = 4.0;
-constexpr std::size_t kMaxStates = 16;
+/// Of a Gauss-Markov bias, a random walk, quantization and flicker.
+constexpr std::size_t kMaxStates = 3 + random::Flicker::kTerms;
 
-std::vector<ClusterState> states_of(const NoiseModel& model, double dt_s, double samples, double span_s) {
+std::vector<ClusterState> states_of(const NoiseModel& model, double dt_s, double samples) {
   std::vector<ClusterState> states;
   const double tau_s = samples * dt_s;
   if (model.gm_sigma > 0.0) {
@@ -66,13 +68,9 @@ std::vector<ClusterState> states_of(const NoiseModel& model, double dt_s, double
   }
   if (model.random_walk > 0.0) states.push_back(random_walk(model.random_walk, dt_s, samples));
   if (model.quantization > 0.0) states.push_back(quantization(model.quantization, tau_s));
-  if (model.flicker > 0.0) {
-    const double sigma = model.flicker * std::sqrt(std::log(kFlickerRatio) / 3.14159265358979323846);
-    // Shorter ones than a sample would only be white noise, longer ones than the record only a bias.
-    for (double time_s = std::max(tau_s / 8.0, dt_s); time_s < 2.0 * span_s && states.size() < kMaxStates;
-         time_s *= kFlickerRatio) {
-      states.push_back(gauss_markov(sigma, time_s, dt_s, samples));
-    }
+  for (int term = 0; term < random::Flicker::kTerms && model.flicker > 0.0; ++term) {
+    states.push_back(gauss_markov(random::Flicker::kSigmaPerInstability * model.flicker,
+                                  random::Flicker::correlation_time_s(term), dt_s, samples));
   }
   return states;
 }
@@ -192,7 +190,7 @@ double Likelihood::log_of_details(const NoiseModel& model) const {
 double Likelihood::log_of_means(const NoiseModel& model) const {
   const double tau_s = static_cast<double>(samples_per_cluster_) * dt_s_;
   const double white_variance = model.white * model.white / tau_s;
-  const auto states = states_of(model, dt_s_, static_cast<double>(samples_per_cluster_), span_s_);
+  const auto states = states_of(model, dt_s_, static_cast<double>(samples_per_cluster_));
   if (states.empty()) return log_of_white(means_, white_variance);
   Filter filter(states, white_variance);
   for (const double mean : means_) filter.take(mean);

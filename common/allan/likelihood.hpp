@@ -18,9 +18,6 @@ namespace inslab::allan {
 ///    and Deo, Econometric Theory 25, 2009);
 ///  - the differences of neighbours at the finer cluster sizes, taken as independent of each other and of the means:
 ///    exact for white noise, within one size exact for a random walk, and close for what lies between.
-///
-/// Flicker is a sum of Gauss-Markov terms of equal sigma, B sqrt(ln 4/pi), at correlation times a factor 4 apart from
-/// an eighth of a cluster (at least a sample) to twice the record.
 class Likelihood {
  public:
   /// `finest_tau_s`: differences at a smaller tau are left out (what a sensor's filter or vibration shapes is not

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "random/flicker.hpp"
+
 namespace inslab::allan {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+using random::Flicker;
 
 /// sum of c(k) x^k/k! from k = 3, for x small enough that twelve terms are all there is to see in a double.
 template <class Coefficient>
@@ -60,10 +62,13 @@ double allan_variance(const NoiseModel& model, double dt_s, std::int64_t m) {
   const auto n = static_cast<double>(m);
   const double tau_s = n * dt_s;
   double variance = model.white * model.white / tau_s + 3.0 * std::pow(model.quantization / tau_s, 2) +
-                    2.0 * std::log(2.0) / kPi * model.flicker * model.flicker +
                     model.random_walk * model.random_walk * tau_s / 3.0 * (1.0 + 0.5 / (n * n));
   if (model.gm_sigma > 0.0) {
     variance += gauss_markov_variance(model.gm_sigma, model.gm_correlation_time_s, dt_s, n);
+  }
+  for (int term = 0; term < Flicker::kTerms && model.flicker > 0.0; ++term) {
+    variance += gauss_markov_variance(Flicker::kSigmaPerInstability * model.flicker, Flicker::correlation_time_s(term),
+                                      dt_s, n);
   }
   return variance;
 }
@@ -73,10 +78,13 @@ double generalized_covariance(const NoiseModel& model, double dt_s, std::int64_t
   if (n == 0) return model.quantization * model.quantization;
   const double h = lag * dt_s;
   double covariance = -0.5 * model.white * model.white * h +
-                      model.flicker * model.flicker / (2.0 * kPi) * h * h * std::log(lag) +
                       model.random_walk * model.random_walk * std::pow(dt_s, 3) * (lag * lag * lag - lag) / 12.0;
   if (model.gm_sigma > 0.0) {
     covariance -= 0.5 * gauss_markov_integral_variance(model.gm_sigma, model.gm_correlation_time_s, dt_s, lag);
+  }
+  for (int term = 0; term < Flicker::kTerms && model.flicker > 0.0; ++term) {
+    covariance -= 0.5 * gauss_markov_integral_variance(Flicker::kSigmaPerInstability * model.flicker,
+                                                       Flicker::correlation_time_s(term), dt_s, lag);
   }
   return covariance;
 }

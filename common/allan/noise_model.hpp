@@ -9,7 +9,7 @@ namespace inslab::allan {
 struct NoiseModel {
   double white = 0.0;                  ///< N, u sqrt(s): angle or velocity random walk
   double quantization = 0.0;           ///< Q, u s: standard deviation of the white error of the integral
-  double flicker = 0.0;                ///< B, u: bias instability; two-sided spectrum of the rate B^2/(2 pi f)
+  double flicker = 0.0;                ///< B, u: bias instability; the sum of terms of random/flicker.hpp
   double random_walk = 0.0;            ///< K, u/sqrt(s): rate random walk
   double gm_sigma = 0.0;               ///< u: steady-state standard deviation of a first-order Gauss-Markov bias
   double gm_correlation_time_s = 0.0;  ///< above 0 where gm_sigma is
@@ -17,7 +17,9 @@ struct NoiseModel {
 
 /// The expected Allan variance of `model` sampled every `dt_s` at tau = m dt, u^2:
 ///
-///   white N^2/tau; quantization 3 Q^2/tau^2; flicker (0.6643 B)^2, 0.6643^2 = 2 ln 2/pi;
+///   white N^2/tau; quantization 3 Q^2/tau^2;
+///   flicker (0.6643 B)^2, 0.6643^2 = 2 ln 2/pi, where the Gauss-Markov terms that stand for it reach: within 3 % of
+///   0.6643 B from 14 s to 20000 s (a fit to the terms is a fit to what a profile gives back);
 ///   random walk K^2 tau/3 (1 + 1/(2 m^2)), and Gauss-Markov, p = exp(-dt/T),
 ///   sigma^2 [m - 3p - m p^2 + 4 p^(m+1) - p^(2m+1)] / (m^2 (1-p)^2), both for a bias held over each sample.
 ///

@@ -55,11 +55,11 @@ int run_allan(AllanOptions& options) {
   for (const std::string& term : options.terms) options.analysis.terms.push_back(term_names().at(term));
   const ImuAnalysis analysis = analyse_imu(options.file, options.analysis);
   fmt::print("{}", report_text(analysis));
-  write_curves(analysis, options);
   if (!options.profile.empty()) {
     write_profile(options.profile, fitted_profile(analysis));
-    fmt::print("profile {} written\n", options.profile);
+    fmt::print("\nprofile {} written\n", options.profile);
   }
+  write_curves(analysis, options);
   return app::kOk;
 }
 
