@@ -166,6 +166,8 @@ Fit select(const Likelihood& record) {
   Fit best = fit(record, {Term::White});
   const auto try_terms = [&](const std::vector<Term>& terms, const NoiseModel& guess) {
     const Fit candidate = maximize(log_likelihood, terms, guess);
+    // A correlation time that the record is too short to see is a random walk's, which is a term of its own.
+    if (candidate.model.gm_correlation_time_s > 10.0 * record.span_s()) return false;
     if (score(candidate) <= score(best)) return false;
     best = candidate;
     return true;

@@ -40,26 +40,28 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
   file.close();
 }
 
-void write_curves(const ImuAnalysis& analysis, const AllanOptions& options) {
+/// Where the curves go, without the ending: STEM_allan in the folder asked for, or beside the recording.
+std::string curves_stem(const AllanOptions& options) {
   const std::filesystem::path input(options.file);
   const std::filesystem::path directory =
       options.directory.empty() ? input.parent_path() : std::filesystem::path(options.directory);
   if (!directory.empty()) std::filesystem::create_directories(directory);
-  const std::filesystem::path stem = directory / (input.stem().string() + "_allan");
-  write_text(stem.string() + ".csv", curve_csv(analysis));
-  gnuplot(curve_plot(analysis, stem.string() + ".png"));
-  fmt::print("\n{0}.csv and {0}.png written\n", stem.string());
+  return (directory / (input.stem().string() + "_allan")).string();
 }
 
 int run_allan(AllanOptions& options) {
   for (const std::string& term : options.terms) options.analysis.terms.push_back(term_names().at(term));
   const ImuAnalysis analysis = analyse_imu(options.file, options.analysis);
-  fmt::print("{}", report_text(analysis));
+  fmt::print("{}\n", report_text(analysis));
+  const std::string stem = curves_stem(options);
+  write_text(stem + ".csv", curve_csv(analysis));
+  fmt::print("{}.csv written\n", stem);
   if (!options.profile.empty()) {
     write_profile(options.profile, fitted_profile(analysis));
-    fmt::print("\nprofile {} written\n", options.profile);
+    fmt::print("profile {} written\n", options.profile);
   }
-  write_curves(analysis, options);
+  gnuplot(curve_plot(analysis, stem + ".png"));
+  fmt::print("{}.png written\n", stem);
   return app::kOk;
 }
 
