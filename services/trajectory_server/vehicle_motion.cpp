@@ -57,11 +57,9 @@ VehicleMotion::VehicleMotion(const nav::Geodetic& position, const Vector3& v_v, 
       latitude_rad_(position.latitude_rad),
       longitude_rad_(nav::wrapped_to_pi(position.longitude_rad)),
       height_m_(position.height_m),
+      q_nv_(nav::canonical(q_nv)),
       v_v_at_start_(v_v) {
-  const Quaternion q = nav::canonical(q_nv);
-  const double components[4] = {q.w(), q.x(), q.y(), q.z()};
-  std::transform(components, components + 4, q_nv_, [](double c) { return nav::CompensatedSum(c); });
-  now_.C_nv = q.toRotationMatrix();
+  now_.C_nv = q_nv_.value().toRotationMatrix();
   now_.v_n = now_.C_nv * v_v;
   now_.nose_v = v_v;
   evaluate(now_, position.latitude_rad, position.height_m);
@@ -141,7 +139,7 @@ void VehicleMotion::find_velocities(Instant& middle, Instant& end, double dt_s) 
     // Half-way the rate may be taken as linear: its error stays in this step's quadratures.
     const Vector3 half_way = first + first.cross(second) / 12.0;
     middle.C_nv = (q_nv() * nav::quaternion_from_rotation_vector(half_way)).toRotationMatrix();
-    turn(first + second + coning(now_.motion, middle.motion, end.motion, dt_s));
+    q_nv_.turn_source(first + second + coning(now_.motion, middle.motion, end.motion, dt_s));
     end.C_nv = q_nv().toRotationMatrix();
   }
   if (segment_.keeps_velocity_on_nose()) {
@@ -209,7 +207,7 @@ void VehicleMotion::fall(double dt_s) {
   const FallChange change = dt_s / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
   add_to_position(change.head<3>());
   speed_m_per_s_.add(change[3]);
-  turn(change.segment<3>(4));
+  q_nv_.turn_source(change.segment<3>(4));
   increments_.dtheta_v += change.segment<3>(7);
   increments_.dv_v += change.tail<3>();
   now_ = falling(q_nv(), speed_m_per_s_.value(), latitude_rad_.value(), height_m_.value());
@@ -235,23 +233,6 @@ void VehicleMotion::evaluate(Instant& instant, double latitude_rad, double heigh
   instant.f_earth_v = C_vn * ((2.0 * omega_ie_n + omega_en_n).cross(v_n) - gravity_.g_n(s, height_m));
 }
 
-void VehicleMotion::turn(const Vector3& rotation_vector_rad) {
-  // The change of q is formed, not the new q: its rounding is that of a small number, and the sums keep it.
-  const Quaternion turned = nav::quaternion_from_rotation_vector(0.5 * rotation_vector_rad);
-  const double dw = -2.0 * turned.vec().squaredNorm();  // cos(phi/2) - 1
-  const Vector3 dvec = 2.0 * turned.w() * turned.vec();
-  const Vector3 vec(q_nv_[1].value(), q_nv_[2].value(), q_nv_[3].value());
-  const double w = q_nv_[0].value();
-  const Vector3 vec_change = dw * vec + w * dvec + vec.cross(dvec);
-  q_nv_[0].add(dw * w - vec.dot(dvec));
-  for (int i = 0; i < 3; ++i) q_nv_[i + 1].add(vec_change[i]);
-
-  double norm2 = 0.0;
-  for (const auto& component : q_nv_) norm2 += component.value() * component.value();
-  const double correction = 0.5 * (1.0 - norm2);
-  for (auto& component : q_nv_) component.add(correction * component.value());
-}
-
 void VehicleMotion::add_to_position(const Vector3& change) {
   latitude_rad_.add(change.x());
   longitude_rad_.add(change.y());
@@ -269,8 +250,6 @@ nav::Geodetic VehicleMotion::position() const {
   return {latitude_rad_.value(), longitude_rad_.value(), height_m_.value()};
 }
 
-Quaternion VehicleMotion::q_nv() const {
-  return nav::canonical(Quaternion(q_nv_[0].value(), q_nv_[1].value(), q_nv_[2].value(), q_nv_[3].value()));
-}
+Quaternion VehicleMotion::q_nv() const { return nav::canonical(q_nv_.value()); }
 
 }  // namespace inslab::trajectory

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "nav/compensated_quaternion.hpp"
 #include "nav/compensated_sum.hpp"
 #include "nav/gravity.hpp"
 #include "samples/field.hpp"
@@ -79,7 +80,6 @@ class VehicleMotion {
   Instant falling(const Quaternion& q_nv, double speed_m_per_s, double latitude_rad, double height_m) const;
   Vector3 drag_v(const Instant& instant) const;
   void evaluate(Instant& instant, double latitude_rad, double height_m) const;
-  void turn(const Vector3& rotation_vector_rad);
   void find_velocities(Instant& middle, Instant& end, double dt_s);
   Vector3 turning(const Instant& middle, const Instant& end, double dt_s) const;
   void add_to_position(const Vector3& change);
@@ -89,7 +89,7 @@ class VehicleMotion {
   nav::CompensatedSum latitude_rad_;
   nav::CompensatedSum longitude_rad_;
   nav::CompensatedSum height_m_;
-  nav::CompensatedSum q_nv_[4];        ///< w, x, y, z
+  nav::CompensatedQuaternion q_nv_;
   nav::CompensatedSum v_n_[3];         ///< carried only while the velocity is not kept on the nose
   Vector3 v_v_at_start_;               ///< of the segment
   nav::CompensatedSum speed_m_per_s_;  ///< of a ballistic segment, with its direction

@@ -23,6 +23,7 @@ constexpr double kVelocityLimit_m_per_s = 1e-5;
 constexpr double kAttitudeLimit_deg = 1e-6;
 constexpr double kSmallestPositionLimit_m = 3e-5;
 const time::Rate kRate(200.0);
+const time::Rate kContradictoryRate(10.0);
 constexpr time::Nanoseconds kHour = std::chrono::hours(1);
 
 struct Published {
@@ -113,7 +114,9 @@ std::vector<LoopCase> for_an_hour(std::vector<LoopCase> cases) {
 }
 
 std::shared_ptr<const io::TrajectoryFile> contradictory_rows(const LoopCase& one, time::Nanoseconds duration) {
-  auto file = std::make_shared<io::TrajectoryFile>(*rows_as_written(one.trajectory, one.name, kRate, duration));
+  auto file =
+      std::make_shared<io::TrajectoryFile>(*rows_as_written(one.trajectory, one.name, kContradictoryRate, duration));
+  file->name += ", made to contradict itself";
   const std::size_t half_way = file->rows.size() / 2;
   for (std::size_t i = 0; i < file->rows.size(); ++i) {
     io::TrajectoryRow& row = file->rows[i];

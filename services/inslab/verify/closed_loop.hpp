@@ -29,8 +29,8 @@ std::vector<LoopCase> for_an_hour(std::vector<LoopCase> cases);
 /// Files at 200 Hz, `inverse_mechanization`, IMU, mechanization, against the files.
 Table inverse_mechanization_table(const std::string& title, const std::vector<LoopCase>& cases);
 
-/// The first `duration` of the case's rows with what real files have: velocities biased by some cm/s, a position that
-/// jitters by 2 cm from row to row and steps by 0.5 m half-way.
+/// The first `duration` of the case's rows, at 10 Hz, with what real files have: velocities biased by some cm/s, a
+/// position that jitters by 2 cm from row to row and steps by 0.5 m half-way.
 std::shared_ptr<const io::TrajectoryFile> contradictory_rows(const LoopCase& one, time::Nanoseconds duration);
 
 /// Files whose position and velocity contradict each other, by `inverse_mechanization`: how far the result goes from

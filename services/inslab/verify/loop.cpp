@@ -1,8 +1,14 @@
 #include "services/inslab/verify/loop.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <unistd.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "config/error.hpp"
+#include "io/nav_text.hpp"
+#include "io/trajectory_reader.hpp"
 #include "services/imu_error_injector/model.hpp"
 #include "services/trajectory_server/inverse_mechanization_model.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
@@ -11,22 +17,31 @@ namespace inslab::verify {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 const time::GpsTime kStart{2300, 0};
 
-double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
-double rounded_angle_rad(double rad, double per_deg) { return rounded(rad * kDegPerRad, per_deg) / kDegPerRad; }
+/// A name for a file that is gone with this object.
+class PassingFile {
+ public:
+  explicit PassingFile(const std::string& name)
+      : path_(std::filesystem::temp_directory_path() / ("inslab_" + std::to_string(getpid()) + "_" + name + ".nav")) {}
+  PassingFile(const PassingFile&) = delete;
+  PassingFile& operator=(const PassingFile&) = delete;
+  ~PassingFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  std::string path() const { return path_.string(); }
 
-io::TrajectoryRow row_as_written(const TruthState& truth) {
-  const nav::RollPitchYaw rpy = nav::rpy_from_quaternion(truth.q_nv);
+ private:
+  std::filesystem::path path_;
+};
+
+void write(io::NavTextWriter& file, const TruthState& truth) {
   io::TrajectoryRow row;
-  row.time = time::Nanoseconds(truth.header.sim_time_ns);
-  row.position = {rounded_angle_rad(truth.latitude_rad, 1e12), rounded_angle_rad(truth.longitude_rad, 1e12),
-                  rounded(truth.height_m, 1e6)};
-  row.v_n = truth.v_n.unaryExpr([](double v) { return rounded(v, 1e6); });
-  row.rpy = {rounded_angle_rad(rpy.roll_rad, 1e9), rounded_angle_rad(rpy.pitch_rad, 1e9),
-             rounded_angle_rad(rpy.yaw_rad, 1e9)};
-  return row;
+  row.position = {truth.latitude_rad, truth.longitude_rad, truth.height_m};
+  row.v_n = truth.v_n;
+  row.rpy = nav::rpy_from_quaternion(truth.q_nv);
+  file.write({truth.header.gps_week, truth.header.gps_time_of_week_ns}, row);
 }
 
 nav::NavState state_of(const TruthState& truth) {
@@ -42,14 +57,19 @@ imu::ImuModel perfect_imu(const nav::Gravity& gravity, const time::Rate& rate) {
 std::shared_ptr<const io::TrajectoryFile> rows_as_written(const scenario::Trajectory& trajectory,
                                                           const std::string& name, const time::Rate& rate,
                                                           time::Nanoseconds duration) {
-  auto file = std::make_shared<io::TrajectoryFile>();
-  file->name = name;
-  file->start = kStart;
+  const PassingFile passing(name);
+  io::NavTextWriter written(passing.path());
   trajectory::MotionTableModel model(trajectory, rate, kStart);
-  file->rows.push_back(row_as_written(model.current()));
-  while (file->rows.back().time + rate.period() <= std::min(duration, model.end()))
-    file->rows.push_back(row_as_written(model.advance()));
-  return file;
+  TruthState truth = model.current();
+  write(written, truth);
+  while (time::Nanoseconds(truth.header.sim_time_ns) + rate.period() <= std::min(duration, model.end())) {
+    write(written, truth = model.advance());
+  }
+  written.close();
+  io::TrajectoryReading reading = io::read_trajectory(passing.path());
+  if (!reading.problems.empty()) throw config::Error(passing.path(), reading.problems.kept().front());
+  reading.file.name = name;
+  return std::make_shared<const io::TrajectoryFile>(std::move(reading.file));
 }
 
 DeviationFigures close_loop(trajectory::TruthModel& truth, const nav::Gravity& gravity,

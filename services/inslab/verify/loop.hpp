@@ -12,9 +12,9 @@
 
 namespace inslab::verify {
 
-/// The rows of a motion table's first `duration` at `rate`, fewer when the motion ends itself before, with the decimals
-/// that a file of ours has: 12 of latitude and longitude in deg, 6 of height in m and velocity in m/s, 9 of attitude in
-/// deg.
+/// The rows of a motion table's first `duration` at `rate`, fewer when the motion ends itself before: written to a file
+/// (io::NavTextWriter) in the system's folder for temporary files, and read from it. `name` is part of the file's name.
+/// Throws io::WriteError.
 std::shared_ptr<const io::TrajectoryFile> rows_as_written(const scenario::Trajectory& trajectory,
                                                           const std::string& name, const time::Rate& rate,
                                                           time::Nanoseconds duration);
