@@ -40,6 +40,11 @@ void sleep_until(time::Nanoseconds deadline) {
 
 void use_precise_timers() { prctl(PR_SET_TIMERSLACK, 1UL); }
 
+std::uint64_t random_id() {
+  std::random_device device;
+  return (static_cast<std::uint64_t>(device()) << 32) | device();
+}
+
 RunId random_run_id() {
   std::random_device device;
   RunId id;

@@ -18,6 +18,7 @@ void sleep_until(time::Nanoseconds deadline);
 /// Asks the kernel for precise wake-ups of this thread.
 void use_precise_timers();
 
+std::uint64_t random_id();  ///< for requests
 RunId random_run_id();
 std::string run_id_text(const RunId& run_id);  ///< 32 hexadecimal digits
 

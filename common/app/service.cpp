@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "app/exit_code.hpp"
+#include "app/service_names.hpp"
 #include "app/shutdown.hpp"
 #include "config/error.hpp"
 
@@ -26,6 +27,12 @@ void warn_of_environment() {
   }
 }
 
+void override_clock(const ClockOptions& options, scenario::Clock& clock) {
+  if (!options.mode.empty()) clock.mode = options.mode == "lockstep" ? ClockMode::Lockstep : ClockMode::RealTime;
+  if (options.rate > 0.0) clock.rate = options.rate;
+  if (options.paused) clock.start_paused = true;
+}
+
 }  // namespace
 
 dds::ParticipantOptions participant_options(const NetworkOptions& network, const std::string& name) {
@@ -37,6 +44,10 @@ dds::ParticipantOptions participant_options(const NetworkOptions& network, const
                       : network.transport == "default" ? dds::Transport::Default
                                                        : dds::Transport::Udp;
   options.interface_address = network.interface_address == "any" ? "" : network.interface_address;
+  options.security = network.security;
+  const bool is_service =
+      name == kTrajectoryServer || name == kImuInjector || name == kGnssEmulator || name == kTruthLogger;
+  options.role = is_service ? name : "operator";
   return options;
 }
 
@@ -54,7 +65,9 @@ int run_service(const char* name, const char* purpose, const ServiceTraits& trai
   install_signal_handlers();
   warn_of_environment();
   try {
-    Context context(name, options, scenario::load(options.scenario, options.network.unit));
+    scenario::LoadedScenario loaded = scenario::load(options.scenario, options.network.unit);
+    override_clock(options.clock, loaded.scenario.clock);
+    Context context(name, options, std::move(loaded));
     return body(context);
   } catch (const config::Error& error) {
     spdlog::error("{}", error.what());

@@ -12,6 +12,8 @@ inline constexpr const char* kTrajectoryServer = "inslab-trajectory-server";
 inline constexpr const char* kImuInjector = "inslab-imu-injector";
 inline constexpr const char* kGnssEmulator = "inslab-gnss-emulator";
 inline constexpr const char* kTruthLogger = "inslab-truth-logger";
+/// The app under test, in credits: it is not ours and need not know of them.
+inline constexpr const char* kNavApp = "navigation app";
 
 /// The services that read the truth of a scenario, with their sensor numbers: all must be ready before its first
 /// sample.

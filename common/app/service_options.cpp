@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/exit_code.hpp"
+#include "samples/run_control.hpp"
 
 namespace inslab::app {
 
@@ -14,12 +15,31 @@ void NetworkOptions::add_to(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--interface", interface_address, "IPv4 address to bind to; 'any' for every interface")
       ->capture_default_str();
+  app.add_option("--security", security, "folder of keys made by deploy/security/make-keys; absent: no security")
+      ->check(CLI::ExistingDirectory);
 }
 
 std::vector<std::string> NetworkOptions::as_arguments() const {
   std::vector<std::string> arguments{"--domain", std::to_string(domain), "--transport",
                                      transport,  "--interface",          interface_address};
   if (!unit.empty()) arguments.insert(arguments.end(), {"--unit", unit});
+  if (!security.empty()) arguments.insert(arguments.end(), {"--security", security});
+  return arguments;
+}
+
+void ClockOptions::add_to(CLI::App& app) {
+  app.add_option("--clock", mode, "real_time or lockstep, instead of what the scenario says")
+      ->check(CLI::IsMember({"real_time", "lockstep"}));
+  app.add_option("--rate", rate, "sim seconds per second, instead of what the scenario says")
+      ->check(CLI::Range(kMinRate, kMaxRate));
+  app.add_flag("--paused", paused, "wait for 'inslab resume' or 'inslab step' before the first sample");
+}
+
+std::vector<std::string> ClockOptions::as_arguments() const {
+  std::vector<std::string> arguments;
+  if (!mode.empty()) arguments.insert(arguments.end(), {"--clock", mode});
+  if (rate > 0.0) arguments.insert(arguments.end(), {"--rate", std::to_string(rate)});
+  if (paused) arguments.emplace_back("--paused");
   return arguments;
 }
 
@@ -30,6 +50,7 @@ std::optional<int> parse(const char* name, const char* purpose, const ServiceTra
   options.network.add_to(app);
   if (traits.has_sensor) app.add_option("--sensor", options.sensor, "number of the sensor in the scenario");
   if (traits.has_log) app.add_option("--log", options.log_file, "file to write; default runs/NAME-TIME.mcap");
+  if (traits.has_clock) options.clock.add_to(app);
   app.add_option("--log-level", options.log_level, "debug, info, warn or error")
       ->check(CLI::IsMember({"debug", "info", "warn", "error"}))
       ->capture_default_str();

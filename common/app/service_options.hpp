@@ -11,14 +11,27 @@ class App;
 
 namespace inslab::app {
 
-/// Where on the network: the same four options on every program.
+/// Where on the network: the same options on every program.
 struct NetworkOptions {
   std::uint32_t domain = 0;
   std::string unit;
   std::string transport = "udp";
   std::string interface_address = "127.0.0.1";
+  std::string security;
 
-  /// Adds --domain, --unit, --transport and --interface.
+  /// Adds --domain, --unit, --transport, --interface and --security.
+  void add_to(CLI::App& app);
+  /// The same as arguments for another program.
+  std::vector<std::string> as_arguments() const;
+};
+
+/// What sets the pace of a run, where it is to be another one than the scenario says.
+struct ClockOptions {
+  std::string mode;
+  double rate = 0.0;
+  bool paused = false;
+
+  /// Adds --clock, --rate and --paused.
   void add_to(CLI::App& app);
   /// The same as arguments for another program.
   std::vector<std::string> as_arguments() const;
@@ -30,6 +43,7 @@ struct ServiceOptions {
   NetworkOptions network;
   std::uint32_t sensor = 0;
   std::string log_file;
+  ClockOptions clock;
   std::string log_level = "info";
 };
 
@@ -37,6 +51,7 @@ struct ServiceOptions {
 struct ServiceTraits {
   bool has_sensor = false;
   bool has_log = false;
+  bool has_clock = false;
 };
 
 /// Parses the command line; an exit code when there is nothing more to do (help, or an error that has been printed).

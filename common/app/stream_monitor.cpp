@@ -5,7 +5,7 @@ namespace inslab::app {
 StreamMonitor::StreamMonitor(std::string topic, StreamDirection direction)
     : topic_(std::move(topic)), direction_(direction) {}
 
-void StreamMonitor::received(const StreamHeader& header, std::int64_t received_realtime_ns) {
+bool StreamMonitor::received(const StreamHeader& header, std::int64_t received_realtime_ns) {
   if (header.run_id != run_id_) {
     *this = StreamMonitor(topic_, direction_);
     run_id_ = header.run_id;
@@ -23,7 +23,9 @@ void StreamMonitor::received(const StreamHeader& header, std::int64_t received_r
     ++out_of_order_;
   } else {
     ++duplicates_;
+    return false;
   }
+  return true;
 }
 
 void StreamMonitor::add_gap(std::uint64_t first, std::uint64_t end) {

@@ -14,14 +14,16 @@ class StreamMonitor {
  public:
   StreamMonitor(std::string topic, StreamDirection direction);
 
-  /// A sample received at `received_realtime_ns`; another run id starts the counts afresh.
-  void received(const StreamHeader& header, std::int64_t received_realtime_ns);
+  /// A sample received at `received_realtime_ns`; another run id starts the counts afresh. False when it came before.
+  bool received(const StreamHeader& header, std::int64_t received_realtime_ns);
   /// A sample sent.
   void sent() { ++samples_; }
 
   std::uint64_t samples() const { return samples_; }
   std::uint64_t lost() const { return lost_; }
   std::uint64_t next_sequence() const { return next_sequence_; }
+  /// The least sample that has not come.
+  std::uint64_t first_missing() const { return missing_.empty() ? next_sequence_ : missing_.begin()->first; }
   StreamStatus status() const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
+#include "app/service_names.hpp"
 #include "app/shutdown.hpp"
 
 namespace inslab::app {
@@ -10,7 +11,9 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, TruthConsumer& consumer)
-    : consumer_(consumer),
+    : service_(context.service()),
+      sensor_number_(sensor_number),
+      consumer_(consumer),
       truth_monitor_(dds::topics::truth().name, StreamDirection::In),
       board_(context.participant(), context.service(), sensor_number,
              [this](ServiceStatus& status) {
@@ -18,17 +21,38 @@ TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, Trut
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
                consumer_.report(status);
              }),
+      credits_(context.participant(), dds::topics::credit()),
       status_reader_(context.participant(), dds::topics::sim_status(),
                      [this](const SimStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }),
+      credit_reader_(context.participant(), dds::topics::credit(),
+                     [this](const Credit& credit, const dds::SampleOrigin&) {
+                       if (credit.topic != dds::topics::truth().name) mailbox_.put(credit);
+                     }),
       truth_reader_(context.participant(), dds::topics::truth(context.scenario().scenario.truth_rate_hz),
                     [this](const TruthState& state, const dds::SampleOrigin&) {
-                      mailbox_.put(Truth{state, realtime_now().count()});
+                      mailbox_.put(Arrived{{state}, realtime_now().count()});
+                    }),
+      block_reader_(context.participant(),
+                    dds::topics::block(dds::topics::truth(context.scenario().scenario.truth_rate_hz)),
+                    [this](const Block<TruthState>& block, const dds::SampleOrigin&) {
+                      mailbox_.put(Arrived{block.samples, realtime_now().count()});
                     }) {
   read_journal<ImuErrorProfile>(context.participant());
   read_journal<VibrationProfile>(context.participant());
   read_journal<InstallationProfile>(context.participant());
   read_journal<GnssErrorProfile>(context.participant());
   read_journal<FaultProfile>(context.participant());
+  if (const std::string topic = consumer_.paced_by_nav_app(); !topic.empty()) {
+    nav_reader_ = std::make_unique<dds::OpenReader<NavSolution>>(
+        context.participant(), dds::topics::nav(),
+        [this, topic](const NavSolution& solution, const dds::SampleOrigin&) {
+          Credit credit;
+          credit.consumer = kNavApp;
+          credit.topic = topic;
+          credit.next_sequence = solution.imu_sequence + 1;
+          mailbox_.put(credit);
+        });
+  }
 }
 
 template <class Profile>
@@ -39,72 +63,150 @@ void TruthFollower::read_journal(dds::Participant& participant) {
   journal_readers_.push_back({reader, [reader] { return reader->matched_writers() > 0; }});
 }
 
-bool TruthFollower::matched() const {
+/// What this service waits for before it is ready; empty when nothing.
+std::string TruthFollower::missing() const {
   for (const JournalReader& journal : journal_readers_) {
-    if (!journal.matched()) return false;
+    if (!journal.matched()) return "waits for the trajectory server";
   }
-  return truth_reader_.matched_writers() > 0 && status_reader_.matched_writers() > 0 && consumer_.outputs_matched();
+  if (truth_reader_.matched_writers() == 0 || block_reader_.matched_writers() == 0 ||
+      status_reader_.matched_writers() == 0) {
+    return "waits for the trajectory server";
+  }
+  if (nav_reader_ && nav_reader_->matched_writers() == 0) return "waits for a writer of inslab/nav";
+  return consumer_.missing_readers();
 }
 
 void TruthFollower::handle(Message message) {
-  if (const auto* truth = std::get_if<Truth>(&message)) {
-    truth_monitor_.received(truth->state.header, truth->received_realtime_ns);
-    run_id_ = truth->state.header.run_id;
-    board_.set_run(run_id_);
-    board_.enter(ServiceState::Running);
-    if (pending_.empty()) pending_since_ = monotonic_now();
-    pending_.push_back(truth->state);
+  if (const auto* arrived = std::get_if<Arrived>(&message)) {
+    add_truth(*arrived);
   } else if (const auto* entry = std::get_if<AnyProfile>(&message)) {
     consumer_.add(*entry);
+  } else if (auto* credit = std::get_if<Credit>(&message)) {
+    if (credit->consumer == kNavApp) credit->run_id = run_id_;
+    consumer_.take(*credit);
   } else {
-    const auto& status = std::get<SimStatus>(message);
-    if (status.state == RunState::Waiting || status.state == RunState::Running) return;
-    run_ended_ = true;
-    run_ended_at_ = monotonic_now();
-    truth_samples_of_run_ = status.truth_samples;
+    handle(std::get<SimStatus>(message));
   }
 }
 
+void TruthFollower::handle(const SimStatus& status) {
+  if (status.run_id != run_id_) {
+    run_id_ = status.run_id;
+    clock_ = status.clock;
+    board_.set_run(run_id_);
+    consumer_.begin_run(run_id_, clock_);
+    give_credit(true);
+  }
+  if (!has_ended(status.state)) return;
+  run_ended_ = true;
+  run_ended_at_ = monotonic_now();
+  truth_samples_of_run_ = status.truth_samples;
+}
+
+void TruthFollower::add_truth(const Arrived& arrived) {
+  if (arrived.samples.empty()) return;
+  if (pending_.empty()) waiting_since_ = monotonic_now();
+  for (const TruthState& state : arrived.samples) {
+    if (state.header.run_id != run_id_) continue;  // its status has not come yet: it will be asked for again
+    truth_monitor_.received(state.header, arrived.received_realtime_ns);
+    const std::uint64_t sequence = state.header.sequence_number;
+    if (sequence >= next_) pending_.insert_or_assign(sequence, Pending{state, &state == &arrived.samples.back()});
+  }
+  board_.enter(ServiceState::Running);
+}
+
+bool TruthFollower::can_process() const {
+  return !pending_.empty() && pending_.begin()->first == next_ && consumer_.ready_for(pending_.begin()->second.state) &&
+         consumer_.has_room();
+}
+
 void TruthFollower::process_pending() {
-  while (!pending_.empty() && consumer_.ready_for(pending_.front())) {
-    board_.set_sim_time(pending_.front().header.sim_time_ns);
-    consumer_.process(pending_.front());
-    pending_.pop_front();
-    pending_since_ = monotonic_now();
+  while (can_process()) {
+    const Pending& front = pending_.begin()->second;
+    board_.set_sim_time(front.state.header.sim_time_ns);
+    consumer_.process(front.state);
+    const bool ends_block = front.ends_block;
+    pending_.erase(pending_.begin());
+    ++next_;
+    waiting_since_ = monotonic_now();
     stalled_ = false;
+    if (!ends_block || clock_ != ClockMode::Lockstep) continue;
+    consumer_.flush_blocks();
+    marks_.push_back({next_, consumer_.outputs_end()});
+  }
+  if (clock_ != ClockMode::Lockstep) return;
+  if (!consumer_.has_room()) consumer_.flush_blocks();
+  auto undelivered = marks_.begin();
+  while (undelivered != marks_.end() && consumer_.outputs_delivered(undelivered->outputs_end)) ++undelivered;
+  if (undelivered == marks_.begin()) return;
+  delivered_ = std::prev(undelivered)->truth_end;
+  marks_.erase(marks_.begin(), undelivered);
+  give_credit(false);
+}
+
+/// Says how far this service is. In lockstep it repeats that now and then: a credit that got lost must not stop the
+/// run.
+void TruthFollower::give_credit(bool resend) {
+  constexpr time::Nanoseconds kRepeat = milliseconds(200);
+  next_credit_ = monotonic_now() + kRepeat;
+  Credit credit;
+  credit.run_id = run_id_;
+  credit.consumer = service_;
+  credit.consumer_number = sensor_number_;
+  credit.topic = dds::topics::truth().name;
+  credit.next_sequence = resend ? next_ : delivered_;
+  credit.resend = resend;
+  if (!credits_.write(credit)) spdlog::warn("a credit could not be sent");
+}
+
+/// Truth that was sent and has not come is asked for again.
+void TruthFollower::watch_for_gaps() {
+  if (run_id_ == RunId{} || monotonic_now() < next_credit_) return;
+  const bool gap = !pending_.empty() && pending_.begin()->first > next_;
+  const bool tail_is_missing = run_ended_ && pending_.empty() && next_ < truth_samples_of_run_;
+  if (gap || tail_is_missing) {
+    give_credit(true);
+  } else if (clock_ == ClockMode::Lockstep) {
+    give_credit(false);
   }
 }
 
 void TruthFollower::watch_the_journal() {
-  if (pending_.empty() || stalled_ || monotonic_now() - pending_since_ < seconds(2)) return;
+  if (pending_.empty() || stalled_ || monotonic_now() - waiting_since_ < seconds(2)) return;
+  const TruthState& front = pending_.begin()->second.state;
+  if (front.header.sequence_number != next_ || consumer_.ready_for(front)) return;
   stalled_ = true;
   board_.enter(board_.state(), "waits for entries of the journal that the truth says are in effect");
-  spdlog::error("waits for the journal: truth sample {} needs {} entries", pending_.front().header.sequence_number,
-                pending_.front().journal_in_effect);
+  spdlog::error("waits for the journal: truth sample {} needs {} entries", front.header.sequence_number,
+                front.journal_in_effect);
 }
 
 bool TruthFollower::finished() const {
   if (!run_ended_) return false;
-  const bool all_here = truth_monitor_.next_sequence() >= truth_samples_of_run_ && pending_.empty();
-  // Reliable samples that have not come by then will not come: their writer keeps one second of them.
-  return all_here || monotonic_now() - run_ended_at_ > seconds(5);
+  // What has not come some seconds after the end, asked for again and again, will not come.
+  const bool complete = next_ >= truth_samples_of_run_ && (clock_ == ClockMode::RealTime || marks_.empty());
+  return complete || monotonic_now() - run_ended_at_ > seconds(5);
 }
 
 int TruthFollower::run() {
   while (!shutdown_requested() && !finished()) {
     if (auto message = mailbox_.take(milliseconds(50))) handle(std::move(*message));
     process_pending();
+    watch_for_gaps();
     watch_the_journal();
-    if (board_.state() == ServiceState::Starting && matched()) board_.enter(ServiceState::Ready);
+    if (board_.state() == ServiceState::Starting) {
+      const std::string waits_for = missing();
+      board_.enter(waits_for.empty() ? ServiceState::Ready : ServiceState::Starting, waits_for);
+    }
     board_.tick();
   }
   return end();
 }
 
 int TruthFollower::end() {
+  consumer_.flush_blocks();
   consumer_.flush(seconds(5));
-  const bool complete = run_ended_ && truth_monitor_.lost() == 0 && mailbox_.dropped() == 0 && pending_.empty() &&
-                        truth_monitor_.next_sequence() == truth_samples_of_run_;
+  const bool complete = run_ended_ && mailbox_.dropped() == 0 && next_ == truth_samples_of_run_;
   if (shutdown_requested() && !run_ended_) {
     board_.enter(ServiceState::Finished, "ended by a signal");
   } else if (!complete) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deque>
+#include <map>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -20,22 +20,38 @@ class TruthConsumer {
  public:
   virtual ~TruthConsumer() = default;
 
+  /// The run that the next truth samples belong to, and what sets its pace.
+  virtual void begin_run(const RunId& run, ClockMode clock) = 0;
   /// An entry of the journal, of any sensor.
   virtual void add(const AnyProfile& entry) = 0;
   /// Whether all entries in effect for this sample have come.
   virtual bool ready_for(const TruthState& truth) const = 0;
+  /// Whether the outputs may take what follows from another truth sample; always in real time.
+  virtual bool has_room() const = 0;
   /// Computes and sends what follows from one truth sample; they come in order, each once.
   virtual void process(const TruthState& truth) = 0;
-  /// Whether each output has a reader.
-  virtual bool outputs_matched() const = 0;
+  /// Sends what process() has gathered for a block.
+  virtual void flush_blocks() = 0;
+  /// A credit of any stream: those for the outputs are the consumer's.
+  virtual void take(const Credit& credit) = 0;
+  /// Sequence numbers that follow the newest sample of each output.
+  virtual std::vector<std::uint64_t> outputs_end() const = 0;
+  /// Whether every consumer has the outputs up to `ends`, so that none of them will be asked for again.
+  virtual bool outputs_delivered(const std::vector<std::uint64_t>& ends) const = 0;
+  /// The IMU topic that the app under test navigates by, when the scenario lets it set the pace; else empty. The
+  /// imu_sequence of its solutions then counts as its credit for that topic.
+  virtual std::string paced_by_nav_app() const { return ""; }
+  /// What the outputs still wait for before the run may begin; empty when each has its readers.
+  virtual std::string missing_readers() const = 0;
   /// Adds the counters of the outputs.
   virtual void report(ServiceStatus& status) const = 0;
   /// Waits until the readers of the outputs have everything.
   virtual void flush(std::chrono::nanoseconds timeout) = 0;
 };
 
-/// Follows one run: reads truth, journal and run state, holds a truth sample back until the journal is complete for it,
-/// and ends when the run has ended and its last sample is processed. Callbacks enqueue; run() is the one worker.
+/// Follows one run: reads truth, journal and run state, holds a truth sample back until the journal is complete for it
+/// and the outputs have room, and ends when the run has ended and its last sample is processed. Truth is processed in
+/// order, each sample once: what is missing is asked for again. Callbacks enqueue; run() is the one worker.
 class TruthFollower {
  public:
   TruthFollower(Context& context, std::uint32_t sensor_number, TruthConsumer& consumer);
@@ -44,39 +60,64 @@ class TruthFollower {
   int run();
 
  private:
-  struct Truth {
-    TruthState state;
+  struct Arrived {
+    std::vector<TruthState> samples;
     std::int64_t received_realtime_ns;
   };
-  using Message = std::variant<Truth, AnyProfile, SimStatus>;
+  using Message = std::variant<Arrived, AnyProfile, SimStatus, Credit>;
+  struct Pending {
+    TruthState state;
+    bool ends_block;
+  };
+  /// A point up to which the outputs are complete once they are delivered.
+  struct Mark {
+    std::uint64_t truth_end;
+    std::vector<std::uint64_t> outputs_end;
+  };
 
   template <class Profile>
   void read_journal(dds::Participant& participant);
   void handle(Message message);
+  void handle(const SimStatus& status);
+  void add_truth(const Arrived& arrived);
   void process_pending();
+  void give_credit(bool resend);
+  void watch_for_gaps();
   void watch_the_journal();
-  bool matched() const;
+  bool can_process() const;
+  std::string missing() const;
   bool finished() const;
   int end();
 
+  std::string service_;
+  std::uint32_t sensor_number_;
   TruthConsumer& consumer_;
   StreamMonitor truth_monitor_;
   Mailbox<Message> mailbox_;
-  std::deque<TruthState> pending_;  ///< truth samples that wait for the journal
-  time::Nanoseconds pending_since_{0};
+  std::map<std::uint64_t, Pending> pending_;  ///< truth samples not processed yet, by sequence number
+  std::uint64_t next_ = 0;                    ///< the truth sample to process next
+  std::vector<Mark> marks_;                   ///< processed, but not yet delivered
+  std::uint64_t delivered_ = 0;               ///< truth samples before this one are never needed again
+  time::Nanoseconds waiting_since_{0};
+  time::Nanoseconds next_credit_{0};
   bool stalled_ = false;
   RunId run_id_;
+  ClockMode clock_ = ClockMode::RealTime;
   bool run_ended_ = false;
   std::uint64_t truth_samples_of_run_ = 0;
   time::Nanoseconds run_ended_at_{0};
   StatusBoard board_;
+  dds::Writer<Credit> credits_;
   struct JournalReader {
     std::shared_ptr<void> reader;
     std::function<bool()> matched;
   };
   std::vector<JournalReader> journal_readers_;
+  std::unique_ptr<dds::OpenReader<NavSolution>> nav_reader_;
   dds::Reader<SimStatus> status_reader_;
+  dds::Reader<Credit> credit_reader_;
   dds::Reader<TruthState> truth_reader_;
+  dds::Reader<Block<TruthState>> block_reader_;
 };
 
 }  // namespace inslab::app

@@ -13,6 +13,8 @@
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <stdexcept>
 
+#include "dds/security.hpp"
+
 namespace inslab::dds {
 
 namespace efd = eprosima::fastdds::dds;
@@ -75,6 +77,8 @@ void set_transport(efd::DomainParticipantQos& qos, const ParticipantOptions& opt
   }
 }
 
+}  // namespace
+
 efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   auto& factory = *efd::DomainParticipantFactory::get_instance();
   efd::DomainParticipantQos qos = efd::PARTICIPANT_QOS_DEFAULT;
@@ -91,10 +95,9 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
         eprosima::fastrtps::Duration_t(1, 0);
   }
   qos.name(options.name);
+  if (!options.security.empty()) set_security(qos, options.security, options.role);
   return qos;
 }
-
-}  // namespace
 
 Participant::Participant(const ParticipantOptions& options) : options_(options) {
   forward_fast_dds_log();

@@ -30,7 +30,13 @@ struct ParticipantOptions {
   std::string unit;          ///< becomes the partition; empty: none
   Transport transport = Transport::Udp;
   std::string interface_address = "127.0.0.1";  ///< IPv4 address to bind to; empty: every interface
+  std::string security;                         ///< folder of keys, see dds/security.hpp; empty: none
+  std::string role;                             ///< whose keys
 };
+
+/// The settings of a participant: transport and discovery from the options, or from an XML profile when the environment
+/// names one (FASTRTPS_DEFAULT_PROFILES_FILE).
+eprosima::fastdds::dds::DomainParticipantQos participant_qos(const ParticipantOptions& options);
 
 /// One DDS participant of a process, with one publisher and one subscriber. Writers and readers hold on to it.
 class Participant {

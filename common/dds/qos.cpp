@@ -16,9 +16,10 @@ const Duration_t kResponseDelay(0, 1 * kMillisecond_ns);
 constexpr std::int32_t kMaxInstances = 256;
 constexpr std::int32_t kJournalSamples = 20'000;
 constexpr std::int32_t kReaderSamples = 5000;
+constexpr std::int32_t kBlocks = 256;
 
 std::int32_t one_second(double nominal_rate_hz) {
-  return std::max<std::int32_t>(64, static_cast<std::int32_t>(std::ceil(nominal_rate_hz)));
+  return std::max<std::int32_t>(512, static_cast<std::int32_t>(std::ceil(nominal_rate_hz)));
 }
 
 /// History and limits that both ends share.
@@ -38,6 +39,13 @@ void set_history(Qos& qos, Delivery delivery, std::int32_t stream_depth) {
     limits.max_samples_per_instance = kJournalSamples;
     limits.max_samples = kMaxInstances * kJournalSamples;
     limits.allocated_samples = 8;
+  } else if (delivery == Delivery::Block) {
+    qos.history().kind = efd::KEEP_LAST_HISTORY_QOS;
+    qos.history().depth = kBlocks;
+    limits.max_instances = 1;
+    limits.max_samples_per_instance = kBlocks;
+    limits.max_samples = kBlocks;
+    limits.allocated_samples = 1;
   } else {
     qos.history().kind = efd::KEEP_LAST_HISTORY_QOS;
     qos.history().depth = stream_depth;
@@ -46,6 +54,12 @@ void set_history(Qos& qos, Delivery delivery, std::int32_t stream_depth) {
     limits.max_samples = limits.max_instances * stream_depth;
     limits.allocated_samples = std::min(stream_depth, 128);
   }
+}
+
+/// Blocks are tens of kilobytes at most and mostly smaller: no room is kept for the largest.
+eprosima::fastrtps::rtps::MemoryManagementPolicy_t memory_policy(Delivery delivery) {
+  return delivery == Delivery::Block ? eprosima::fastrtps::rtps::DYNAMIC_REUSABLE_MEMORY_MODE
+                                     : eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
 }
 
 bool is_latched(Delivery delivery) { return delivery == Delivery::Latched || delivery == Delivery::Journal; }
@@ -64,7 +78,7 @@ efd::DataWriterQos writer_qos(Delivery delivery, double nominal_rate_hz) {
   auto& times = qos.reliable_writer_qos().times;
   times.heartbeatPeriod = kHeartbeatPeriod;
   times.nackResponseDelay = kResponseDelay;
-  qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  qos.endpoint().history_memory_policy = memory_policy(delivery);
   return qos;
 }
 
@@ -75,7 +89,7 @@ efd::DataReaderQos reader_qos(Delivery delivery, double nominal_rate_hz) {
   qos.data_sharing().off();
   set_history(qos, delivery, std::max(kReaderSamples, one_second(nominal_rate_hz)));
   qos.reliable_reader_qos().times.heartbeatResponseDelay = kResponseDelay;
-  qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  qos.endpoint().history_memory_policy = memory_policy(delivery);
   return qos;
 }
 

@@ -11,6 +11,7 @@ namespace inslab::dds {
 /// How a topic is delivered; dds/qos.cpp says what each means in Fast DDS settings.
 enum class Delivery {
   Stream,   ///< reliable, volatile, keeps the last second: a stuck reader costs the others nothing
+  Block,    ///< as a stream, in blocks; the sender's window, not the history, keeps it whole
   Latched,  ///< reliable, a late joiner gets the last value of each key
   Journal,  ///< reliable, a late joiner gets the whole history in order
   Request,  ///< reliable and volatile, from anybody: best-effort writers match too
@@ -45,6 +46,11 @@ inline Topic<SimCommand>    sim_command()    { return {names::kSimCommand, Deliv
 inline Topic<ServiceStatus> service_status() { return {names::kServiceStatus, Delivery::Latched, 1.0}; }
 inline Topic<TimeMark>      time_mark()      { return {names::kTimeMark, Delivery::Stream, 1.0}; }
 inline Topic<ProfileAck>    profile_ack()    { return {names::kProfileAck, Delivery::Stream, 1000.0}; }
+
+inline Topic<Credit>        credit()         { return {names::kCredit, Delivery::Latched, 1000.0}; }
+/// The blocks of a stream, for lockstep.
+template <class T>
+Topic<Block<T>> block(const Topic<T>& stream) { return {names::block(stream.name), Delivery::Block, stream.nominal_rate_hz}; }
 
 template <class Profile>
 Topic<Profile> request() { return {names::request(Profile::kind), Delivery::Request, 100.0}; }

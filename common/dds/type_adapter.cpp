@@ -1,5 +1,6 @@
 // The generated headers come first: they name their types without a namespace, which would be ambiguous after ours.
 // clang-format off
+#include "blockPubSubTypes.h"
 #include "controlPubSubTypes.h"
 #include "gnssPubSubTypes.h"
 #include "imuPubSubTypes.h"
@@ -55,7 +56,21 @@ INSLAB_GENERATED_TYPE(ServiceStatus)
 INSLAB_GENERATED_TYPE(VehicleState)
 INSLAB_GENERATED_TYPE(UsedVehicleState)
 INSLAB_GENERATED_TYPE(VehicleLink)
+INSLAB_GENERATED_TYPE(Credit)
 
 #undef INSLAB_GENERATED_TYPE
+
+#define INSLAB_GENERATED_BLOCK(Struct, IdlName)                              \
+  template <>                                                                \
+  GeneratedType generated_type<samples::Block<samples::Struct>>() {          \
+    return GeneratedType(std::make_unique<::inslab::IdlName##PubSubType>()); \
+  }
+
+INSLAB_GENERATED_BLOCK(TruthState, TruthBlock)
+INSLAB_GENERATED_BLOCK(ImuSample, ImuBlock)
+INSLAB_GENERATED_BLOCK(ImuTruth, ImuTruthBlock)
+INSLAB_GENERATED_BLOCK(GnssFix, GnssBlock)
+
+#undef INSLAB_GENERATED_BLOCK
 
 }  // namespace inslab::dds

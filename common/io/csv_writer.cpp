@@ -40,6 +40,12 @@ struct CellText {
 
 }  // namespace
 
+std::string csv_text(const Cell& cell) {
+  std::string text;
+  std::visit(CellText{text}, cell);
+  return text;
+}
+
 CsvWriter::CsvWriter(const std::string& path, const std::vector<Column>& columns) : file_(path) {
   for (const Column& column : columns) {
     if (&column != &columns.front()) buffer_ += ',';

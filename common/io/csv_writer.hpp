@@ -8,6 +8,9 @@
 
 namespace inslab::io {
 
+/// One cell as it stands in a CSV file.
+std::string csv_text(const Cell& cell);
+
 /// Writes a table as CSV (RFC 4180, lines end in \n): one line of names, then the rows. Doubles have the fewest digits
 /// that read back to the same bits (at most 17); bool is 0 or 1; enums are their names; what is empty stays empty.
 class CsvWriter {

@@ -33,6 +33,7 @@ enum class Rule : std::uint32_t {
   SensorExists,          ///< swaps and services name sensors of the scenario
   SwapBeforeEnd,         ///< a swap lies inside the run
   SwapsInOrder,          ///< swaps are in order of time
+  SubscribedTopic,       ///< foreign readers are demanded on topics of the scenario's sensors
   TargetSpeedAlone,      ///< nothing else accelerates along the axis of a target speed
   TargetSpeedOnNose,     ///< the axis of a target speed does not turn away from the velocity
   BallisticAlone,        ///< nothing else moves or turns a ballistic vehicle
@@ -80,7 +81,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 60> values{"readable",
+  static constexpr std::array<std::string_view, 61> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -102,6 +103,7 @@ struct EnumNames<Rule> {
                                                            "sensor_exists",
                                                            "swap_before_end",
                                                            "swaps_in_order",
+                                                           "subscribed_topic",
                                                            "target_speed_alone",
                                                            "target_speed_on_nose",
                                                            "ballistic_alone",

@@ -6,8 +6,21 @@ namespace inslab {
 inline namespace samples {
 
 enum class AckOutcome : std::uint32_t { Applied, Unchanged, Rejected, Superseded };
-enum class CommandKind : std::uint32_t { Stop };
-enum class RunState : std::uint32_t { Waiting, Running, Finished, Stopped, Fault };
+enum class CommandKind : std::uint32_t { Stop, Pause, Resume, Step, Rate };
+enum class RunState : std::uint32_t { Waiting, Running, Paused, Finished, Stopped, Fault };
+
+/// What sets the pace of a run.
+enum class ClockMode : std::uint32_t {
+  RealTime,  ///< a grid of absolute deadlines, at `rate` times real time
+  Lockstep,  ///< as fast as every consumer follows; nothing is lost, samples travel in blocks
+};
+
+/// Limits of the rate of a real-time run, sim seconds per second.
+inline constexpr double kMinRate = 0.01;
+inline constexpr double kMaxRate = 1000.0;
+
+/// Whether nothing more comes of the run.
+inline bool has_ended(RunState state) { return state >= RunState::Finished; }
 
 template <>
 struct EnumNames<AckOutcome> {
@@ -19,13 +32,20 @@ template <>
 struct EnumNames<CommandKind> {
   static constexpr std::string_view type = "CommandKind";
   static constexpr std::string_view prefix = "COMMAND_";
-  static constexpr std::array<std::string_view, 1> values{"stop"};
+  static constexpr std::array<std::string_view, 5> values{"stop", "pause", "resume", "step", "rate"};
 };
 template <>
 struct EnumNames<RunState> {
   static constexpr std::string_view type = "RunState";
   static constexpr std::string_view prefix = "RUN_";
-  static constexpr std::array<std::string_view, 5> values{"waiting", "running", "finished", "stopped", "fault"};
+  static constexpr std::array<std::string_view, 6> values{"waiting",  "running", "paused",
+                                                          "finished", "stopped", "fault"};
+};
+template <>
+struct EnumNames<ClockMode> {
+  static constexpr std::string_view type = "ClockMode";
+  static constexpr std::string_view prefix = "CLOCK_";
+  static constexpr std::array<std::string_view, 2> values{"real_time", "lockstep"};
 };
 
 /// What became of a request (idl/control.idl).
@@ -80,15 +100,17 @@ struct Installation {
   }
 };
 
-/// Run control from a client.
+/// Run control from a client; what became of it stands in SimStatus.
 struct SimCommand {
   std::uint64_t request_id = 0;
   CommandKind kind = CommandKind::Stop;
+  double value = 0.0;  ///< step: number of truth samples; rate: sim seconds per second; else unused
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
     visit(Field("request_id"), self.request_id);
     visit(Field("kind"), self.kind);
+    visit(Field("value"), self.value);
   }
 };
 
@@ -101,6 +123,10 @@ struct SimStatus {
   std::uint32_t journal_entries = 0;
   std::uint32_t overruns = 0;
   double lag_max_s = 0.0;
+  ClockMode clock = ClockMode::RealTime;
+  double rate = 1.0;                  ///< real time only
+  std::uint64_t last_command_id = 0;  ///< request id of the newest command that was judged
+  std::string last_command_refusal;   ///< empty when it was obeyed
   std::string scenario;
   std::string message;
 
@@ -113,6 +139,10 @@ struct SimStatus {
     visit(Field("journal_entries"), self.journal_entries);
     visit(Field("overruns"), self.overruns);
     visit(Field("lag_max_s"), self.lag_max_s);
+    visit(Field("clock"), self.clock);
+    visit(Field("rate"), self.rate);
+    visit(Field("last_command_id"), self.last_command_id);
+    visit(Field("last_command_refusal").at_most(128), self.last_command_refusal);
     visit(Field("scenario").at_most(64), self.scenario);
     visit(Field("message").at_most(256), self.message);
   }

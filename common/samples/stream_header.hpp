@@ -14,6 +14,7 @@ struct StreamHeader {
   std::int64_t gps_time_of_week_ns = 0;
   std::int64_t publish_realtime_ns = 0;   ///< CLOCK_REALTIME of the sending host; 0 when not sent
   std::int64_t publish_monotonic_ns = 0;  ///< CLOCK_MONOTONIC of the sending host; 0 when not sent
+  bool published_late = false;            ///< an overrun: the truth went out more than a period after its deadline
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -24,6 +25,7 @@ struct StreamHeader {
     visit(Field("gps_time_of_week_ns"), self.gps_time_of_week_ns);
     visit(Field("publish_realtime_ns"), self.publish_realtime_ns);
     visit(Field("publish_monotonic_ns"), self.publish_monotonic_ns);
+    visit(Field("published_late"), self.published_late);
   }
 };
 

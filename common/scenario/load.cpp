@@ -186,17 +186,34 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit) 
   take_segments_from_file(loaded.scenario.trajectory, folder);
   for (const ImuSensor& sensor : scenario.imu) loaded.imus.push_back(load_imu(folder, sensor));
   for (const GnssSensor& sensor : scenario.gnss) loaded.gnss.push_back(load_gnss(folder, sensor));
-  std::uint64_t request_id = 1;
-  for (const ScheduledSwap& swap : scenario.swaps) {
+  loaded.swaps = load_swaps(scenario.swaps, folder, 1);
+  return loaded;
+}
+
+std::vector<AnyProfile> load_swaps(const std::vector<ScheduledSwap>& swaps, const std::filesystem::path& folder,
+                                   std::uint64_t first_request_id) {
+  std::vector<AnyProfile> requests;
+  for (const ScheduledSwap& swap : swaps) {
     AnyProfile request = load_profile(folder / swap.profile, swap.kind, {swap.sensor_kind, swap.sensor_number});
     ProfileRequest& head = request_of(request);
-    head.request_id = request_id++;
+    head.request_id = first_request_id + requests.size();
     head.apply_at_ns = time::from_seconds(swap.at_s).count();
     head.continuity = swap.continuity;
     head.fade_s = swap.fade_s;
-    loaded.swaps.push_back(std::move(request));
+    requests.push_back(std::move(request));
   }
-  return loaded;
+  return requests;
+}
+
+std::vector<AnyProfile> load_schedule(const std::filesystem::path& file, std::uint64_t first_request_id) {
+  const auto schedule = config::read_file<Schedule>(file);
+  if (auto broken = violation(schedule)) throw config::Error(file.string(), *broken);
+  NamedFiles files(file.parent_path());
+  for (std::size_t i = 0; i < schedule.swaps.size(); ++i) {
+    files.look_for("swaps[" + std::to_string(i) + "].profile", schedule.swaps[i].profile);
+  }
+  if (files.missing) throw config::Error(file.string(), *files.missing);
+  return load_swaps(schedule.swaps, file.parent_path(), first_request_id);
 }
 
 time::GpsTime LoadedScenario::start(time::Nanoseconds realtime_now) const {

@@ -63,4 +63,12 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit =
 /// Reads a profile file of that kind, checks its limits and rules for the given target. Throws config::Error.
 AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target);
 
+/// The requests of a list of swaps, in order, numbered from `first_request_id`; profile files relative to `folder`.
+/// Throws config::Error as load_profile() does.
+std::vector<AnyProfile> load_swaps(const std::vector<ScheduledSwap>& swaps, const std::filesystem::path& folder,
+                                   std::uint64_t first_request_id);
+
+/// Reads a schedule of swaps and everything it names. Throws config::Error naming file, path in it and reason.
+std::vector<AnyProfile> load_schedule(const std::filesystem::path& file, std::uint64_t first_request_id);
+
 }  // namespace inslab::scenario

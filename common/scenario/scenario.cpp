@@ -59,6 +59,16 @@ std::optional<Violation> outages_violation(const GnssSensor& sensor, const std::
   return std::nullopt;
 }
 
+/// Topics on which a foreign reader can be demanded: those of the scenario's sensors.
+bool is_sensor_topic(const Scenario& scenario, const std::string& topic) {
+  const auto is_one_of = [&topic](const auto& sensors, const std::string& root) {
+    return std::any_of(sensors.begin(), sensors.end(),
+                       [&](const auto& sensor) { return topic == root + std::to_string(sensor.number); });
+  };
+  return is_one_of(scenario.imu, "inslab/imu/") || is_one_of(scenario.imu, "inslab/imu_truth/") ||
+         is_one_of(scenario.gnss, "inslab/gnss/");
+}
+
 bool has_sensor(const Scenario& scenario, SensorKind kind, std::uint32_t number) {
   const auto has = [number](const auto& sensors) {
     for (const auto& sensor : sensors) {
@@ -107,23 +117,16 @@ std::optional<Violation> route_violation(const Scenario& scenario) {
                        " s; expected an earlier end, or a last speed of 0"};
 }
 
-std::optional<Violation> swaps_violation(const Scenario& scenario) {
-  for (std::size_t i = 0; i < scenario.swaps.size(); ++i) {
-    const ScheduledSwap& swap = scenario.swaps[i];
-    if (!has_sensor(scenario, swap.sensor_kind, swap.sensor_number)) {
-      return Violation{
-          Rule::SensorExists, at("swaps", i, "sensor_number"),
-          "names " + sensor_name({swap.sensor_kind, swap.sensor_number}) + ", which the scenario does not have"};
-    }
+/// What can be wrong with a list of swaps whatever the scenario.
+std::optional<Violation> list_violation(const std::vector<ScheduledSwap>& swaps) {
+  for (std::size_t i = 0; i < swaps.size(); ++i) {
+    const ScheduledSwap& swap = swaps[i];
     if (const auto expected = sensor_of(swap.kind); expected && *expected != swap.sensor_kind) {
       return Violation{Rule::ProfileFitsSensor, at("swaps", i, "sensor_kind"),
                        "is " + std::string(enum_name(swap.sensor_kind)) + "; a profile of the kind " +
                            std::string(enum_name(swap.kind)) + " is for " + std::string(enum_name(*expected))};
     }
-    if (swap.at_s >= scenario.duration_s) {
-      return Violation{Rule::SwapBeforeEnd, at("swaps", i, "at_s"), "lies at or after the end of the scenario"};
-    }
-    if (i > 0 && swap.at_s < scenario.swaps[i - 1].at_s) {
+    if (i > 0 && swap.at_s < swaps[i - 1].at_s) {
       return Violation{Rule::SwapsInOrder, at("swaps", i, "at_s"),
                        "lies before the swap above it; expected swaps in order of time"};
     }
@@ -132,6 +135,21 @@ std::optional<Violation> swaps_violation(const Scenario& scenario) {
     }
   }
   return std::nullopt;
+}
+
+std::optional<Violation> swaps_violation(const Scenario& scenario) {
+  for (std::size_t i = 0; i < scenario.swaps.size(); ++i) {
+    const ScheduledSwap& swap = scenario.swaps[i];
+    if (!has_sensor(scenario, swap.sensor_kind, swap.sensor_number)) {
+      return Violation{
+          Rule::SensorExists, at("swaps", i, "sensor_number"),
+          "names " + sensor_name({swap.sensor_kind, swap.sensor_number}) + ", which the scenario does not have"};
+    }
+    if (swap.at_s >= scenario.duration_s) {
+      return Violation{Rule::SwapBeforeEnd, at("swaps", i, "at_s"), "lies at or after the end of the scenario"};
+    }
+  }
+  return list_violation(scenario.swaps);
 }
 
 }  // namespace
@@ -159,7 +177,15 @@ std::optional<Violation> violation(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.gnss.size(); ++i) {
     if (auto broken = outages_violation(scenario.gnss[i], at("gnss", i, ""))) return broken;
   }
+  for (std::size_t i = 0; i < scenario.require_subscribers.size(); ++i) {
+    if (is_sensor_topic(scenario, scenario.require_subscribers[i].topic)) continue;
+    return Violation{
+        Rule::SubscribedTopic, at("require_subscribers", i, "topic"),
+        "is '" + scenario.require_subscribers[i].topic + "'; expected a topic of a sensor of the scenario"};
+  }
   return swaps_violation(scenario);
 }
+
+std::optional<Violation> violation(const Schedule& schedule) { return list_violation(schedule.swaps); }
 
 }  // namespace inslab::scenario

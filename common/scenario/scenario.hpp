@@ -2,6 +2,7 @@
 
 #include "samples/any_profile.hpp"
 #include "samples/outage.hpp"
+#include "samples/run_control.hpp"
 #include "scenario/trajectory.hpp"
 
 /// What a scenario file says. Paths in it are relative to the file; scenario/load.hpp follows them.
@@ -91,19 +92,50 @@ struct ScheduledSwap {
   }
 };
 
-/// How a real-time run behaves.
-struct RealTime {
+/// A schedule file: swaps for a set that runs.
+struct Schedule {
+  std::vector<ScheduledSwap> swaps;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("swaps", "in order of time").at_most(10000).required(), self.swaps);
+  }
+};
+
+/// What sets the pace of a live run.
+struct Clock {
+  ClockMode mode = ClockMode::RealTime;
+  double rate = 1.0;
+  bool start_paused = false;
   double max_lag_ms = 20.0;
   double ready_timeout_s = 30.0;
   bool whole_second_start = false;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
-    visit(Field("max_lag_ms", "a truth sample later than this ends the run as a fault").in(1.0, 1e5), self.max_lag_ms);
+    visit(Field("mode", "real_time: absolute deadlines; lockstep: as fast as every consumer follows"), self.mode);
+    visit(Field("rate", "real_time: sim seconds per second").in(kMinRate, kMaxRate), self.rate);
+    visit(Field("start_paused", "wait for 'inslab resume' or 'inslab step' before the first sample"),
+          self.start_paused);
+    visit(Field("max_lag_ms", "real_time: a truth sample later than this ends the run as a fault").in(1.0, 1e5),
+          self.max_lag_ms);
     visit(Field("ready_timeout_s", "how long the trajectory server waits for the services the scenario needs")
               .in(0.1, 3600.0),
           self.ready_timeout_s);
-    visit(Field("whole_second_start", "begin at the next whole second of wall time"), self.whole_second_start);
+    visit(Field("whole_second_start", "real_time: begin at the next whole second of wall time"),
+          self.whole_second_start);
+  }
+};
+
+/// Readers that are not ours and without which the run must not begin.
+struct RequiredSubscriber {
+  std::string topic;
+  std::uint32_t count = 1;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("topic", "of a sensor of the scenario, such as inslab/imu/0").required(), self.topic);
+    visit(Field("count", "how many readers besides ours").in(1.0, 64.0), self.count);
   }
 };
 
@@ -119,7 +151,9 @@ struct Scenario {
   std::vector<ImuSensor> imu;
   std::vector<GnssSensor> gnss;
   std::vector<ScheduledSwap> swaps;
-  RealTime real_time;
+  Clock clock;
+  std::vector<RequiredSubscriber> require_subscribers;
+  bool require_nav_app = false;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -133,13 +167,21 @@ struct Scenario {
     visit(Field("imu", "the IMUs of this unit").at_most(8), self.imu);
     visit(Field("gnss", "the GNSS receivers of this unit").at_most(8), self.gnss);
     visit(Field("swaps", "profiles swapped while the run goes on").at_most(10000), self.swaps);
-    visit(Field("real_time"), self.real_time);
+    visit(Field("clock", "what sets the pace of a live run"), self.clock);
+    visit(Field("require_subscribers", "readers that are not ours; the barrier waits for them").at_most(32),
+          self.require_subscribers);
+    visit(Field("require_nav_app",
+                "the barrier waits for a writer of inslab/nav; in lockstep its imu_sequence sets the pace"),
+          self.require_nav_app);
   }
 };
 
 /// The first rule that the scenario breaks and that no single field's limits express, or nothing: periods that do not
 /// divide, sensors given twice, swaps of sensors that are not there or after the end, broken trajectories.
 std::optional<Violation> violation(const Scenario& scenario);
+
+/// The same of a schedule, as far as it can be told without a scenario.
+std::optional<Violation> violation(const Schedule& schedule);
 
 template <class Self, class Visitor>
 void Start::fields(Self& self, Visitor& visit) {

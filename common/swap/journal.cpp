@@ -64,4 +64,8 @@ std::uint32_t Journal::in_effect(time::Nanoseconds t) const {
                                     apply_times_.begin());
 }
 
+bool Journal::applies_at(time::Nanoseconds t) const {
+  return std::binary_search(apply_times_.begin(), apply_times_.end(), t.count());
+}
+
 }  // namespace inslab::swap

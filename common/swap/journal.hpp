@@ -26,6 +26,9 @@ class Journal {
   /// How many entries are in effect for a sample of sim time `t`.
   std::uint32_t in_effect(time::Nanoseconds t) const;
 
+  /// Whether an entry has this apply time.
+  bool applies_at(time::Nanoseconds t) const;
+
   std::uint32_t size() const { return static_cast<std::uint32_t>(apply_times_.size()); }
 
  private:

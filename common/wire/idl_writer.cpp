@@ -166,7 +166,7 @@ std::string profile_idl() {
   write_profile<FaultProfile>(writer, "Topic inslab/profile/fault: faults of one sensor.");
 
   std::string text =
-      "// Inslab wire types, part 6 of 8: the profiles that can be swapped while a run goes on. A request and its "
+      "// Inslab wire types, part 6 of 9: the profiles that can be swapped while a run goes on. A request and its "
       "entry in\n"
       "// the journal have the same type. What is not wanted stays zero; a list that is not wanted stays empty.\n"
       "// Derived from the parameter declarations in common/samples by 'inslab reference idl/profile.idl'.\n"

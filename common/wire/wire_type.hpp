@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "samples/block.hpp"
+#include "samples/credit.hpp"
 #include "samples/fault_profile.hpp"
 #include "samples/gnss_error_profile.hpp"
 #include "samples/gnss_fix.hpp"
@@ -49,8 +51,23 @@ INSLAB_WIRE_TYPE(ServiceStatus, "control.idl");
 INSLAB_WIRE_TYPE(VehicleState, "vehicle.idl");
 INSLAB_WIRE_TYPE(UsedVehicleState, "vehicle.idl");
 INSLAB_WIRE_TYPE(VehicleLink, "vehicle.idl");
+INSLAB_WIRE_TYPE(Credit, "control.idl");
 
 #undef INSLAB_WIRE_TYPE
+
+#define INSLAB_BLOCK_TYPE(Struct, IdlName)                       \
+  template <>                                                    \
+  struct WireType<samples::Block<samples::Struct>> {             \
+    static constexpr std::string_view name = "inslab::" IdlName; \
+    static constexpr std::string_view idl_file = "block.idl";    \
+  }
+
+INSLAB_BLOCK_TYPE(TruthState, "TruthBlock");
+INSLAB_BLOCK_TYPE(ImuSample, "ImuBlock");
+INSLAB_BLOCK_TYPE(ImuTruth, "ImuTruthBlock");
+INSLAB_BLOCK_TYPE(GnssFix, "GnssBlock");
+
+#undef INSLAB_BLOCK_TYPE
 
 /// The product's own text of one file of idl/, with the files it includes put before it and no preprocessor line left:
 /// what a reader needs to decode the types in it. Throws std::out_of_range for a name that is not in idl/.

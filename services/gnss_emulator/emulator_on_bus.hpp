@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/stamp.hpp"
+#include "app/service_names.hpp"
+#include "app/stream_output.hpp"
 #include "app/truth_follower.hpp"
 #include "services/gnss_emulator/emulator.hpp"
 
@@ -11,22 +12,32 @@ class EmulatorOnBus : public app::TruthConsumer {
  public:
   EmulatorOnBus(app::Context& context, const scenario::LoadedGnss& gnss)
       : emulator_(context.scenario(), gnss),
-        topic_(dds::topics::gnss(gnss.number, 1.0 / gnss.rate.period_s())),
-        fixes_(context.participant(), topic_),
-        acks_(context.participant(), dds::topics::profile_ack()),
-        fixes_sent_(topic_.name, StreamDirection::Out) {}
+        fixes_(context, dds::topics::gnss(gnss.number, 1.0 / gnss.rate.period_s()), {{{app::kTruthLogger, 0u}}}),
+        acks_(context.participant(), dds::topics::profile_ack()) {}
 
+  void begin_run(const RunId& run, ClockMode clock) override { fixes_.begin_run(run, clock); }
   void add(const AnyProfile& entry) override { emulator_.add(entry); }
   bool ready_for(const TruthState& truth) const override { return emulator_.ready_for(truth); }
+  bool has_room() const override { return fixes_.has_room(); }
 
   void process(const TruthState& truth) override {
     Emulator::Result result = emulator_.process(truth);
-    if (result.fix && fixes_.write(app::stamped(*result.fix))) fixes_sent_.sent();
+    if (result.fix) fixes_.put(*result.fix);
     for (const ProfileAck& ack : result.acks) acks_.write(ack);
   }
+  void flush_blocks() override { fixes_.flush_block(); }
 
-  bool outputs_matched() const override { return fixes_.matched_readers() > 0 && acks_.matched_readers() > 0; }
-  void report(ServiceStatus& status) const override { status.streams.push_back(fixes_sent_.status()); }
+  void take(const Credit& credit) override { fixes_.take(credit); }
+  std::vector<std::uint64_t> outputs_end() const override { return {fixes_.next_sequence()}; }
+  bool outputs_delivered(const std::vector<std::uint64_t>& ends) const override {
+    return fixes_.lowest_wanted() >= ends[0];
+  }
+
+  std::string missing_readers() const override {
+    if (const std::string missing = fixes_.missing_readers(); !missing.empty()) return missing;
+    return acks_.matched_readers() > 0 ? "" : "waits for a reader of inslab/profile_ack";
+  }
+  void report(ServiceStatus& status) const override { status.streams.push_back(fixes_.status()); }
   void flush(std::chrono::nanoseconds timeout) override {
     fixes_.wait_for_acknowledgments(timeout);
     acks_.wait_for_acknowledgments(timeout);
@@ -34,10 +45,8 @@ class EmulatorOnBus : public app::TruthConsumer {
 
  private:
   Emulator emulator_;
-  dds::Topic<GnssFix> topic_;
-  dds::Writer<GnssFix> fixes_;
+  app::StreamOutput<GnssFix> fixes_;
   dds::Writer<ProfileAck> acks_;
-  app::StreamMonitor fixes_sent_;
 };
 
 }  // namespace inslab::gnss

@@ -13,7 +13,11 @@ namespace inslab::cli {
 void add_run(CLI::App& app, std::function<int()>& action);
 void add_simulate(CLI::App& app, std::function<int()>& action);
 void add_status(CLI::App& app, std::function<int()>& action);
+void add_control(CLI::App& app, std::function<int()>& action);
 void add_swap(CLI::App& app, std::function<int()>& action);
+void add_topics(CLI::App& app, std::function<int()>& action);
+void add_doctor(CLI::App& app, std::function<int()>& action);
+void add_schedule(CLI::App& app, std::function<int()>& action);
 void add_check(CLI::App& app, std::function<int()>& action);
 void add_info(CLI::App& app, std::function<int()>& action);
 void add_export(CLI::App& app, std::function<int()>& action);

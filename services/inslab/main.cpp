@@ -19,6 +19,10 @@ int main(int argc, char** argv) {
   cli::add_simulate(app, action);
   cli::add_status(app, action);
   cli::add_swap(app, action);
+  cli::add_schedule(app, action);
+  cli::add_control(app, action);
+  cli::add_topics(app, action);
+  cli::add_doctor(app, action);
   cli::add_check(app, action);
   cli::add_info(app, action);
   cli::add_export(app, action);

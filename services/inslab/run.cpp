@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,8 +13,8 @@
 #include "services/inslab/child_processes.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/progress.hpp"
+#include "services/inslab/run_client.hpp"
 #include "services/inslab/run_summary.hpp"
-#include "services/inslab/swap_client.hpp"
 
 namespace inslab::cli {
 
@@ -26,6 +27,7 @@ struct RunOptions {
   std::string scenario;
   std::string log_file;
   app::NetworkOptions network;
+  app::ClockOptions clock;
   bool verbose = false;
 };
 
@@ -36,7 +38,10 @@ class LiveRun {
       : options_(options),
         loaded_(loaded),
         participant_(app::participant_options(options.network, "inslab-run")),
-        client_(participant_) {}
+        client_(participant_),
+        lockstep_(options.clock.mode.empty() ? loaded.scenario.clock.mode == ClockMode::Lockstep
+                                             : options.clock.mode == "lockstep"),
+        holds_the_start_(lockstep_ && !loaded.swaps.empty()) {}
 
   /// Starts one process for each service of the scenario.
   void start_services() {
@@ -55,6 +60,10 @@ class LiveRun {
     for (const auto& gnss : loaded_.gnss) {
       children_.start(app::kGnssEmulator, with({"--sensor", std::to_string(gnss.number)}));
     }
+    app::ClockOptions clock = options_.clock;
+    clock.paused = clock.paused || holds_the_start_;
+    const std::vector<std::string> arguments = clock.as_arguments();
+    common.insert(common.end(), arguments.begin(), arguments.end());
     children_.start(app::kTrajectoryServer, common);
   }
 
@@ -72,7 +81,7 @@ class LiveRun {
       if (app::shutdown_requested() && !told_to_stop) {
         told_to_stop = true;
         stop_deadline_ = app::monotonic_now() + seconds(10);
-        if (!client_.connected() || !client_.stop()) children_.terminate();
+        if (!client_.connected() || !client_.send({1, CommandKind::Stop, 0.0})) children_.terminate();
       }
       if (!told_to_stop && children_.failure() && (!status || status->state == RunState::Waiting)) {
         told_to_stop = true;  // the barrier will not open without it
@@ -95,22 +104,30 @@ class LiveRun {
   }
 
  private:
-  /// A request goes out a second of sim time before it takes effect: ample for the journal, and still while it runs.
+  /// A request goes out a second before it takes effect: ample for the journal, and still while the run goes on. In
+  /// lockstep a second holds minutes of sim time, so all of them go out while the run is still held at its start.
   void send_due_swaps(const SimStatus& status) {
-    constexpr std::int64_t kLead_ns = 1'000'000'000;
+    const auto lead_ns = static_cast<std::int64_t>(1e9 * std::max(1.0, status.rate));
     while (next_swap_ < loaded_.swaps.size() && client_.connected()) {
       const AnyProfile& request = loaded_.swaps[next_swap_];
-      const bool early = request_of(request).apply_at_ns > status.sim_time_ns + kLead_ns;
+      const bool early = !lockstep_ && request_of(request).apply_at_ns > status.sim_time_ns + lead_ns;
       if (early || !client_.send(request)) return;
       ++next_swap_;
+    }
+    const bool journalled = status.journal_entries >= loaded_.swaps.size();
+    if (holds_the_start_ && !released_ && !options_.clock.paused && journalled) {
+      released_ = client_.send({1, CommandKind::Resume, 0.0});
     }
   }
 
   const RunOptions& options_;
   const scenario::LoadedScenario& loaded_;
   dds::Participant participant_;
-  SwapClient client_;
+  RunClient client_;
   ChildProcesses children_;
+  bool lockstep_;
+  bool holds_the_start_;  ///< until every scheduled swap is in the journal
+  bool released_ = false;
   std::size_t next_swap_ = 0;
   std::optional<time::Nanoseconds> stop_deadline_;
 };
@@ -145,6 +162,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   command->add_option("--log", options->log_file, "file to write; default runs/NAME-TIME.mcap");
   command->add_flag("-v,--verbose", options->verbose, "show what the services say");
   options->network.add_to(*command);
+  options->clock.add_to(*command);
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

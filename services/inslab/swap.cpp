@@ -10,7 +10,7 @@
 #include "app/service.hpp"
 #include "app/shutdown.hpp"
 #include "services/inslab/commands.hpp"
-#include "services/inslab/swap_client.hpp"
+#include "services/inslab/run_client.hpp"
 
 namespace inslab::cli {
 
@@ -28,6 +28,9 @@ struct SwapOptions {
   app::NetworkOptions network;
 };
 
+/// The kinds of profile as the command line has them, in the order of ProfileKind.
+const std::vector<std::string> kKinds{"imu", "vibration", "installation", "gnss", "fault"};
+
 template <class Enum>
 Enum value_named(const std::string& name) {
   const auto& names = EnumNames<Enum>::values;
@@ -40,53 +43,66 @@ std::vector<std::string> names_of() {
 }
 
 AnyProfile request_for(const SwapOptions& options) {
-  const auto kind = value_named<ProfileKind>(options.kind);
+  const auto kind = static_cast<ProfileKind>(std::find(kKinds.begin(), kKinds.end(), options.kind) - kKinds.begin());
   const std::string sensor_kind =
       !options.sensor_kind.empty() ? options.sensor_kind : (kind == ProfileKind::GnssError ? "gnss" : "imu");
   AnyProfile request =
       scenario::load_profile(options.profile, kind, {value_named<SensorKind>(sensor_kind), options.sensor_number});
   ProfileRequest& head = request_of(request);
-  std::random_device random;
-  head.request_id = (static_cast<std::uint64_t>(random()) << 32) | random();
+  head.request_id = app::random_id();
   head.apply_at_ns = options.at_s < 0.0 ? -1 : time::from_seconds(options.at_s).count();
   head.continuity = value_named<Continuity>(options.continuity);
   head.fade_s = options.fade_s;
   return request;
 }
 
-/// Waits until `condition` holds; false at the deadline or at a signal.
-template <class Condition>
-bool wait_for(time::Nanoseconds deadline, const Condition& condition) {
-  while (!condition()) {
-    if (app::monotonic_now() > deadline || app::shutdown_requested()) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return true;
-}
-
-int swap(const SwapOptions& options) {
-  const AnyProfile request = request_for(options);
-  dds::Participant participant(app::participant_options(options.network, "inslab-swap"));
-  SwapClient client(participant);
-  const time::Nanoseconds deadline = app::monotonic_now() + time::from_seconds(options.timeout_s);
-  if (!wait_for(deadline, [&] { return client.connected(); })) {
-    fmt::print(stderr, "inslab swap: no trajectory server was found\n");
-    return app::kNotApplied;
-  }
-  if (!client.send(request) ||
-      !wait_for(deadline, [&] { return !client.acks(request_of(request).request_id).empty(); })) {
-    fmt::print(stderr, "inslab swap: no acknowledgement within {} s\n", options.timeout_s);
-    return app::kNotApplied;
-  }
-  const ProfileAck ack = client.acks(request_of(request).request_id).front();
+/// Says what became of a request; true when it is in effect.
+bool report(const ProfileAck& ack) {
   if (ack.outcome == AckOutcome::Rejected) {
     fmt::print(stderr, "rejected: {}: {}\n", ack.field, ack.reason);
-    return app::kNotApplied;
+    return false;
   }
   fmt::print("{} at {:.9f} s; first sample under it {:.9f} s, sequence {}{}\n", enum_name(ack.outcome),
              static_cast<double>(ack.apply_time_ns) * 1e-9, static_cast<double>(ack.first_sample_time_ns) * 1e-9,
              ack.first_sequence, ack.requested_in_the_past ? "; the time asked for had passed" : "");
-  return ack.outcome == AckOutcome::Superseded ? app::kNotApplied : app::kOk;
+  return ack.outcome != AckOutcome::Superseded;
+}
+
+/// Sends the requests and waits for what becomes of each. `timeout_s` counts from the last word of the set.
+int send_all(const std::vector<AnyProfile>& requests, double timeout_s, const app::NetworkOptions& network) {
+  dds::Participant participant(app::participant_options(network, "inslab-swap"));
+  RunClient client(participant);
+  const time::Nanoseconds patience = time::from_seconds(timeout_s);
+  if (!wait_for(app::monotonic_now() + patience, [&] { return client.connected(); })) {
+    fmt::print(stderr, "inslab swap: no trajectory server was found\n");
+    return app::kNotApplied;
+  }
+  for (const AnyProfile& request : requests) {
+    if (!client.send(request)) {
+      fmt::print(stderr, "inslab swap: a request could not be sent\n");
+      return app::kNotApplied;
+    }
+  }
+  bool good = true;
+  for (const AnyProfile& request : requests) {
+    const std::uint64_t id = request_of(request).request_id;
+    // A swap in the future is acknowledged by its first sample: wait for as long as the run goes on.
+    auto last_status = client.statuses();
+    time::Nanoseconds deadline = app::monotonic_now() + patience;
+    while (client.acks(id).empty() &&
+           !wait_for(app::monotonic_now() + std::chrono::milliseconds(50), [&] { return !client.acks(id).empty(); })) {
+      if (app::shutdown_requested()) return app::kNotApplied;
+      const bool going_on = client.statuses() != last_status && client.status() && !has_ended(client.status()->state);
+      if (going_on) deadline = app::monotonic_now() + patience;
+      last_status = client.statuses();
+      if (app::monotonic_now() > deadline) {
+        fmt::print(stderr, "inslab swap: no acknowledgement within {} s\n", timeout_s);
+        return app::kNotApplied;
+      }
+    }
+    good = report(client.acks(id).front()) && good;
+  }
+  return good ? app::kOk : app::kNotApplied;
 }
 
 }  // namespace
@@ -94,9 +110,9 @@ int swap(const SwapOptions& options) {
 void add_swap(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<SwapOptions>();
   CLI::App* command = app.add_subcommand("swap", "Swap a profile of a running set; waits for the acknowledgement");
-  command->add_option("kind", options->kind, "imu_error, vibration, installation, gnss_error or fault")
+  command->add_option("kind", options->kind, "imu, vibration, installation, gnss or fault")
       ->required()
-      ->check(CLI::IsMember(names_of<ProfileKind>()));
+      ->check(CLI::IsMember(kKinds));
   command->add_option("profile", options->profile, "profile file (JSON)")->required();
   command->add_option("--sensor-kind", options->sensor_kind, "imu or gnss; for installation and fault")
       ->check(CLI::IsMember(names_of<SensorKind>()));
@@ -109,7 +125,25 @@ void add_swap(CLI::App& app, std::function<int()>& action) {
   command->add_option("--timeout", options->timeout_s, "seconds to wait for the acknowledgement")
       ->capture_default_str();
   options->network.add_to(*command);
-  command->callback([options, &action] { action = [options] { return swap(*options); }; });
+  command->callback([options, &action] {
+    action = [options] { return send_all({request_for(*options)}, options->timeout_s, options->network); };
+  });
+}
+
+void add_schedule(CLI::App& app, std::function<int()>& action) {
+  auto options = std::make_shared<SwapOptions>();
+  CLI::App* command =
+      app.add_subcommand("schedule", "Play a list of swaps on a running set; waits for every acknowledgement");
+  command->add_option("file", options->profile, "schedule (JSON): {\"swaps\": [...]} as in a scenario")->required();
+  command->add_option("--timeout", options->timeout_s, "seconds to wait after the last word of the set")
+      ->capture_default_str();
+  options->network.add_to(*command);
+  command->callback([options, &action] {
+    action = [options] {
+      return send_all(scenario::load_schedule(options->profile, app::random_id()), options->timeout_s,
+                      options->network);
+    };
+  });
 }
 
 }  // namespace inslab::cli

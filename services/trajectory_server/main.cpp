@@ -4,6 +4,6 @@
 int main(int argc, char** argv) {
   using namespace inslab;
   return app::run_service(app::kTrajectoryServer,
-                          "Sends the vehicle's true motion and keeps the run's clock and journal", {false, false}, argc,
-                          argv, [](app::Context& context) { return trajectory::ServerOnBus(context).run(); });
+                          "Sends the vehicle's true motion and keeps the run's clock and journal", {false, false, true},
+                          argc, argv, [](app::Context& context) { return trajectory::ServerOnBus(context).run(); });
 }

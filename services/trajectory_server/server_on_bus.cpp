@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service_names.hpp"
@@ -14,19 +16,32 @@ using app::monotonic_now;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
+namespace {
+
+/// Enough truth for a service that is started again to catch up: half a minute, within bounds.
+std::size_t truth_kept(const scenario::LoadedScenario& scenario) {
+  constexpr double kKept_s = 30.0;
+  return static_cast<std::size_t>(std::clamp(scenario.scenario.truth_rate_hz * kKept_s, 1000.0, 30'000.0));
+}
+
+}  // namespace
+
 ServerOnBus::ServerOnBus(app::Context& context)
     : context_(context),
       scenario_(context.scenario()),
       run_id_(app::random_run_id()),
-      truth_sent_(dds::topics::truth().name, StreamDirection::Out),
+      control_(scenario_.scenario.clock.mode, scenario_.scenario.clock.start_paused),
+      clock_(time::Nanoseconds(0), scenario_.scenario.clock.rate),
+      truth_(context, dds::topics::truth(scenario_.scenario.truth_rate_hz),
+             {app::required_services(scenario_), false, 2 * app::StreamOutput<TruthState>::kWindowSamples,
+              truth_kept(scenario_)}),
       board_(context.participant(), context.service(), 0,
              [this](ServiceStatus& status) {
-               status.streams.push_back(truth_sent_.status());
+               status.streams.push_back(truth_.status());
                if (vehicle_ && source_) vehicle_->fill(status, *source_->vehicle_link());
                status.overruns = status_.overruns;
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
              }),
-      truth_(context.participant(), dds::topics::truth(scenario_.scenario.truth_rate_hz)),
       sim_status_(context.participant(), dds::topics::sim_status()),
       installation_(context.participant(), dds::topics::installation()),
       time_mark_(context.participant(), dds::topics::time_mark()),
@@ -34,7 +49,10 @@ ServerOnBus::ServerOnBus(app::Context& context)
       commands_(context.participant(), dds::topics::sim_command(),
                 [this](const SimCommand& command, const dds::SampleOrigin&) { mailbox_.put(command); }),
       service_status_(context.participant(), dds::topics::service_status(),
-                      [this](const ServiceStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }) {
+                      [this](const ServiceStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }),
+      credits_(context.participant(), dds::topics::credit(), [this](const Credit& credit, const dds::SampleOrigin&) {
+        if (credit.topic == truth_.topic()) mailbox_.put(credit);
+      }) {
   open_profile_topics<ImuErrorProfile>(context.participant());
   open_profile_topics<VibrationProfile>(context.participant());
   open_profile_topics<InstallationProfile>(context.participant());
@@ -46,6 +64,9 @@ ServerOnBus::ServerOnBus(app::Context& context)
   }
   status_.run_id = run_id_;
   status_.scenario = scenario_.scenario.name;
+  status_.clock = scenario_.scenario.clock.mode;
+  status_.rate = clock_.rate();
+  truth_.begin_run(run_id_, status_.clock);
   board_.set_run(run_id_);
 }
 
@@ -79,19 +100,40 @@ void ServerOnBus::judge(const AnyProfile& request) {
                rejection.reason);
 }
 
+/// What became of a command stands in the status at once.
+void ServerOnBus::obey(const SimCommand& command) {
+  const RunControl::Verdict verdict = control_.judge(command, source_->taken());
+  status_.last_command_id = command.request_id;
+  status_.last_command_refusal = verdict.refusal;
+  if (!verdict.refusal.empty()) spdlog::warn("refused {}: {}", enum_name(command.kind), verdict.refusal);
+  if (verdict.rate) {
+    clock_.set_rate(monotonic_now(), *verdict.rate);
+    status_.rate = *verdict.rate;
+  }
+  if (verdict.pace_changed && status_.state != RunState::Waiting) {
+    control_.paused() ? clock_.pause(monotonic_now()) : clock_.resume(monotonic_now());
+    status_.state = control_.paused() ? RunState::Paused : RunState::Running;
+    truth_.flush_block();
+  }
+  next_report_ = time::Nanoseconds(0);
+  report_status();
+}
+
 /// Takes what has arrived; waits up to `patience` for the first.
 void ServerOnBus::handle_messages(time::Nanoseconds patience) {
   for (auto message = mailbox_.take(patience); message; message = mailbox_.take(time::Nanoseconds(0))) {
     if (const auto* request = std::get_if<AnyProfile>(&*message)) {
       judge(*request);
-    } else if (std::holds_alternative<SimCommand>(*message)) {
-      stop_requested_ = true;
+    } else if (const auto* command = std::get_if<SimCommand>(&*message)) {
+      obey(*command);
+    } else if (const auto* credit = std::get_if<Credit>(&*message)) {
+      truth_.take(*credit);
     } else if (const auto* state = std::get_if<VehicleState>(&*message)) {
       // Before the run there is no time that a state could be of.
       if (status_.state == RunState::Running) vehicle_->take(*state, *source_);
     } else {
       const auto& status = std::get<ServiceStatus>(*message);
-      services_[{status.service, status.sensor_number}] = status.state;
+      services_[{status.service, status.sensor_number}] = {status.state, status.message};
     }
   }
 }
@@ -100,9 +142,10 @@ std::vector<std::string> ServerOnBus::missing_services() const {
   std::vector<std::string> missing;
   for (const auto& [service, number] : app::required_services(scenario_)) {
     const auto found = services_.find({service, number});
-    if (found == services_.end() || found->second != ServiceState::Ready) {
-      missing.push_back(service + " (sensor " + std::to_string(number) + ")");
-    }
+    if (found != services_.end() && found->second.state == ServiceState::Ready) continue;
+    const std::string why =
+        found == services_.end() || found->second.message.empty() ? "" : ": " + found->second.message;
+    missing.push_back(service + " (sensor " + std::to_string(number) + why + ")");
   }
   return missing;
 }
@@ -112,20 +155,19 @@ std::string ServerOnBus::missing_peers() const {
   std::string names;
   for (const std::string& name : missing_services()) names += (names.empty() ? "" : ", ") + name;
   if (!names.empty()) return names;
-  const auto needed_readers = static_cast<int>(app::required_services(scenario_).size());
-  if (truth_.matched_readers() < needed_readers) return "a reader of inslab/truth";
+  if (const std::string readers = truth_.missing_readers(); !readers.empty()) return readers;
   return vehicle_ && !vehicle_->connected() ? "a writer of inslab/vehicle_state" : "";
 }
 
 /// The barrier before the first sample. False when it timed out or a signal came.
 bool ServerOnBus::wait_until_ready() {
-  const auto timeout = time::from_seconds(scenario_.scenario.real_time.ready_timeout_s);
-  const auto deadline = monotonic_now() + timeout;
+  const double timeout_s = scenario_.scenario.clock.ready_timeout_s;
+  const auto deadline = monotonic_now() + time::from_seconds(timeout_s);
   board_.enter(ServiceState::Ready);
   for (std::string names = missing_peers(); !names.empty(); names = missing_peers()) {
-    if (app::shutdown_requested() || stop_requested_) return false;
+    if (app::shutdown_requested() || control_.stop_requested()) return false;
     if (monotonic_now() > deadline) {
-      spdlog::error("not ready after {} s: {}", scenario_.scenario.real_time.ready_timeout_s, names);
+      spdlog::error("not ready after {} s: {}", timeout_s, names);
       status_.message = ("not ready: " + names).substr(0, 256);
       return false;
     }
@@ -139,34 +181,101 @@ bool ServerOnBus::wait_until_ready() {
 void ServerOnBus::begin() {
   app::use_precise_timers();
   // Sim time 0 lies a little ahead, so that the first deadlines are met too.
-  time::Nanoseconds realtime = app::realtime_now();
-  zero_ = monotonic_now() + milliseconds(100);
-  if (scenario_.scenario.real_time.whole_second_start) {
+  const time::Nanoseconds realtime = app::realtime_now();
+  time::Nanoseconds zero = monotonic_now() + milliseconds(100);
+  if (scenario_.scenario.clock.whole_second_start) {
     const time::Nanoseconds into_second = realtime % seconds(1);
-    zero_ = monotonic_now() + seconds(1) - into_second + (into_second > milliseconds(900) ? seconds(1) : seconds(0));
+    zero = monotonic_now() + seconds(1) - into_second + (into_second > milliseconds(900) ? seconds(1) : seconds(0));
   }
-  status_.state = RunState::Running;
+  clock_ = RunClock(zero, clock_.rate());
+  if (control_.paused()) clock_.pause(zero);
+  status_.state = control_.paused() ? RunState::Paused : RunState::Running;
   next_report_ = time::Nanoseconds(0);
   report_status();
   board_.enter(ServiceState::Running);
 }
 
-void ServerOnBus::send_next() {
-  const time::Nanoseconds deadline = zero_ + source_->next_time();
-  app::sleep_until(deadline);
-  handle_messages(time::Nanoseconds(0));
-  TruthState sample = source_->take();
-  const time::Nanoseconds late = monotonic_now() - deadline;
-  if (truth_.write(app::stamped(sample))) truth_sent_.sent();
-  if (late > scenario_.truth_rate.period()) ++status_.overruns;
-  status_.lag_max_s = std::max(status_.lag_max_s, time::to_seconds(late));
+void ServerOnBus::wait_paused() {
+  handle_messages(milliseconds(20));
+  report_status();
+  board_.tick();
+}
+
+void ServerOnBus::send(TruthState& sample) {
+  truth_.put(sample);
   status_.sim_time_ns = sample.header.sim_time_ns;
   status_.truth_samples = source_->taken();
   board_.set_sim_time(sample.header.sim_time_ns);
+  if (control_.note_sent(source_->taken())) {
+    clock_.pause(monotonic_now());
+    status_.state = RunState::Paused;
+    truth_.flush_block();
+    next_report_ = time::Nanoseconds(0);
+  }
+}
+
+void ServerOnBus::send_at_deadline() {
+  // A long wait is cut, so that a command or a signal is heard during it.
+  constexpr time::Nanoseconds kLongestSleep = milliseconds(50);
+  const time::Nanoseconds deadline = clock_.deadline(source_->next_time());
+  if (deadline - monotonic_now() > kLongestSleep) {
+    handle_messages(kLongestSleep / 2);
+    report_status();
+    board_.tick();
+    return;
+  }
+  app::sleep_until(deadline);
+  handle_messages(time::Nanoseconds(0));
+  if (control_.paused() || clock_.deadline(source_->next_time()) > monotonic_now()) return;  // a command moved it
+  TruthState sample = source_->take();
+  const time::Nanoseconds late = monotonic_now() - clock_.deadline(time::Nanoseconds(sample.header.sim_time_ns));
+  sample.header.published_late = time::to_seconds(late) > scenario_.truth_rate.period_s() / clock_.rate();
+  if (sample.header.published_late) ++status_.overruns;
+  status_.lag_max_s = std::max(status_.lag_max_s, time::to_seconds(late));
+  send(sample);
   if (sample.header.sim_time_ns >= static_cast<std::int64_t>(time_marks_) * 1'000'000'000) send_time_mark();
   report_status();
   board_.tick();
   source_->prepare();
+}
+
+/// Blocks end where something else happens: at an epoch of a receiver, where a swap takes effect, at the end.
+bool ServerOnBus::ends_block(const TruthState& sample) const {
+  if (!source_->has_next() || source_->is_swap_time(time::Nanoseconds(sample.header.sim_time_ns))) return true;
+  return std::any_of(scenario_.gnss.begin(), scenario_.gnss.end(), [&sample](const auto& gnss) {
+    return sample.header.sim_time_ns % gnss.rate.period().count() == 0;
+  });
+}
+
+void ServerOnBus::send_in_lockstep() {
+  if (!truth_.has_room()) {
+    truth_.flush_block();
+    handle_messages(milliseconds(20));
+    watch_consumers();
+  } else {
+    blocked_since_ = time::Nanoseconds(0);
+    handle_messages(time::Nanoseconds(0));
+    if (control_.paused()) return;
+    TruthState sample = source_->take();
+    send(sample);
+    if (ends_block(sample)) truth_.flush_block();
+  }
+  report_status();
+  board_.tick();
+}
+
+/// Says who holds the clock when no credit has come for a while.
+void ServerOnBus::watch_consumers() {
+  constexpr time::Nanoseconds kPatience = seconds(2);
+  const time::Nanoseconds now = monotonic_now();
+  if (truth_.has_room()) {
+    board_.enter(ServiceState::Running);
+    return;
+  }
+  if (blocked_since_ == time::Nanoseconds(0)) blocked_since_ = now;
+  if (now - blocked_since_ < kPatience) return;
+  status_.message = ("waits for " + truth_.slowest_consumer()).substr(0, 256);
+  board_.enter(ServiceState::Running, status_.message);
 }
 
 void ServerOnBus::send_time_mark() {
@@ -176,7 +285,7 @@ void ServerOnBus::send_time_mark() {
   const time::Nanoseconds before = monotonic_now();
   const time::Nanoseconds realtime = app::realtime_now();
   const time::Nanoseconds after = monotonic_now();
-  const time::Nanoseconds sim_time = before + (after - before) / 2 - zero_;
+  const time::Nanoseconds sim_time = clock_.sim_time(before + (after - before) / 2);
   const time::GpsTime gps = scenario_.start(realtime - sim_time) + sim_time;
   mark.sim_time_ns = sim_time.count();
   mark.gps_week = gps.week;
@@ -197,6 +306,7 @@ void ServerOnBus::report_status() {
 int ServerOnBus::end(RunState state, const std::string& message) {
   status_.state = state;
   status_.message = message.substr(0, 256);
+  truth_.flush_block();
   truth_.wait_for_acknowledgments(seconds(5));
   if (vehicle_) {
     vehicle_->report(*source_, run_id_, status_.sim_time_ns);
@@ -204,6 +314,7 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   }
   sim_status_.write(status_);
   sim_status_.wait_for_acknowledgments(seconds(5));
+  serve_stragglers();
   const bool good = state == RunState::Finished || (state == RunState::Stopped && source_->taken() > 0);
   board_.enter(good ? ServiceState::Finished : ServiceState::Fault, message);
   board_.flush(seconds(2));
@@ -223,22 +334,54 @@ int ServerOnBus::run() {
     installation_.write({{SensorKind::Gnss, gnss.number}, gnss.nominal_installation.lever_arm_v_m, Vector3::Zero()});
   }
   if (!wait_until_ready()) {
-    return end(app::shutdown_requested() || stop_requested_ ? RunState::Stopped : RunState::Fault, status_.message);
+    return end(app::shutdown_requested() || control_.stop_requested() ? RunState::Stopped : RunState::Fault,
+               status_.message);
   }
   begin();
-  const double max_lag_s = scenario_.scenario.real_time.max_lag_ms * 1e-3;
   try {
-    while (source_->has_next() && !app::shutdown_requested() && !stop_requested_) {
-      send_next();
-      if (status_.lag_max_s > max_lag_s) {
-        return end(RunState::Fault, fmt::format("a sample was {:.3f} ms late; max_lag_ms is {:g}",
-                                                status_.lag_max_s * 1e3, max_lag_s * 1e3));
-      }
-    }
+    return run_to_end();
   } catch (const std::exception& error) {  // the vehicle left the domain, or its states stayed out
     return end(RunState::Fault, error.what());
   }
+}
+
+int ServerOnBus::run_to_end() {
+  const double max_lag_s = scenario_.scenario.clock.max_lag_ms * 1e-3;
+  while (source_->has_next() && !app::shutdown_requested() && !control_.stop_requested()) {
+    if (control_.paused()) {
+      wait_paused();
+    } else if (status_.clock == ClockMode::Lockstep) {
+      send_in_lockstep();
+    } else {
+      send_at_deadline();
+    }
+    if (status_.lag_max_s > max_lag_s) {
+      return end(RunState::Fault, fmt::format("a sample was {:.3f} ms late; max_lag_ms is {:g}",
+                                              status_.lag_max_s * 1e3, max_lag_s * 1e3));
+    }
+  }
   return source_->has_next() ? end(RunState::Stopped, "stopped before its end") : end(RunState::Finished, "");
+}
+
+/// Goes on sending again what is asked for until every consumer has everything, or a while has passed.
+void ServerOnBus::serve_stragglers() {
+  constexpr time::Nanoseconds kPatience = seconds(5);
+  const time::Nanoseconds deadline = monotonic_now() + kPatience;
+  const auto all_ended = [this] {
+    if (status_.clock == ClockMode::Lockstep && truth_.lowest_wanted() < source_->taken()) return false;
+    for (const auto& [service, number] : app::required_services(scenario_)) {
+      if (service == app::kTruthLogger) continue;  // it ends after this service
+      const auto found = services_.find({service, number});
+      const bool ended = found != services_.end() &&
+                         (found->second.state == ServiceState::Finished || found->second.state == ServiceState::Fault);
+      if (!ended) return false;
+    }
+    return true;
+  };
+  while (!all_ended() && monotonic_now() < deadline && !app::shutdown_requested()) {
+    handle_messages(milliseconds(20));
+    board_.tick();
+  }
 }
 
 }  // namespace inslab::trajectory

@@ -7,16 +7,18 @@
 #include "app/mailbox.hpp"
 #include "app/service.hpp"
 #include "app/status_board.hpp"
-#include "app/stream_monitor.hpp"
+#include "app/stream_output.hpp"
 #include "dds/reader.hpp"
+#include "services/trajectory_server/run_clock.hpp"
+#include "services/trajectory_server/run_control.hpp"
 #include "services/trajectory_server/truth_source.hpp"
 #include "services/trajectory_server/vehicle_on_bus.hpp"
 
 namespace inslab::trajectory {
 
-/// The trajectory server on the bus: waits until every service that the scenario needs is ready, then sends the truth
-/// on a grid of absolute deadlines, journals the requests for swaps, and says how the run goes. The only clock of the
-/// run.
+/// The trajectory server on the bus: waits until every service that the scenario needs is ready, then sends the truth,
+/// on a grid of absolute deadlines or as fast as its consumers give credit, journals the requests for swaps, obeys the
+/// commands, and says how the run goes. The only clock of the run.
 class ServerOnBus {
  public:
   explicit ServerOnBus(app::Context& context);
@@ -25,17 +27,29 @@ class ServerOnBus {
   int run();
 
  private:
-  using Message = std::variant<AnyProfile, SimCommand, ServiceStatus, VehicleState>;
+  using Message = std::variant<AnyProfile, SimCommand, ServiceStatus, Credit, VehicleState>;
+  struct Heard {
+    ServiceState state;
+    std::string message;
+  };
 
   template <class Profile>
   void open_profile_topics(dds::Participant& participant);
   void handle_messages(time::Nanoseconds patience);
   void judge(const AnyProfile& request);
+  void obey(const SimCommand& command);
   std::vector<std::string> missing_services() const;
   std::string missing_peers() const;
   bool wait_until_ready();
   void begin();
-  void send_next();
+  int run_to_end();
+  void serve_stragglers();
+  void wait_paused();
+  void send_at_deadline();
+  void send_in_lockstep();
+  void send(TruthState& sample);
+  bool ends_block(const TruthState& sample) const;
+  void watch_consumers();
   void send_time_mark();
   void report_status();
   int end(RunState state, const std::string& message);
@@ -45,17 +59,17 @@ class ServerOnBus {
   RunId run_id_;
   std::unique_ptr<TruthSource> source_;
   SimStatus status_;
-  time::Nanoseconds zero_{0};         ///< CLOCK_MONOTONIC at sim time 0
-  time::Nanoseconds next_report_{0};  ///< CLOCK_MONOTONIC
+  RunControl control_;
+  RunClock clock_;
+  time::Nanoseconds next_report_{0};    ///< CLOCK_MONOTONIC
+  time::Nanoseconds blocked_since_{0};  ///< CLOCK_MONOTONIC since no consumer gave credit; 0: not blocked
   std::uint64_t time_marks_ = 0;
-  bool stop_requested_ = false;
-  std::map<std::pair<std::string, std::uint32_t>, ServiceState> services_;
+  std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
 
   app::Mailbox<Message> mailbox_;
   std::unique_ptr<VehicleOnBus> vehicle_;  ///< null when the scenario has no live vehicle
-  app::StreamMonitor truth_sent_;
+  app::StreamOutput<TruthState> truth_;
   app::StatusBoard board_;
-  dds::Writer<TruthState> truth_;
   dds::Writer<SimStatus> sim_status_;
   dds::Writer<Installation> installation_;
   dds::Writer<TimeMark> time_mark_;
@@ -64,6 +78,7 @@ class ServerOnBus {
   std::map<ProfileKind, std::function<void(const AnyProfile&)>> write_journal_;
   dds::OpenReader<SimCommand> commands_;
   dds::Reader<ServiceStatus> service_status_;
+  dds::Reader<Credit> credits_;
 };
 
 }  // namespace inslab::trajectory

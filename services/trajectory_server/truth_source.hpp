@@ -35,6 +35,9 @@ class TruthSource {
   /// it was not called. Does nothing for a live vehicle, whose states may come until the deadline.
   void prepare();
 
+  /// Whether a swap takes effect right after the sample of this time.
+  bool is_swap_time(time::Nanoseconds t) const { return journal_.applies_at(t); }
+
   std::uint64_t taken() const { return taken_; }
   std::uint32_t journal_size() const { return journal_.size(); }
 

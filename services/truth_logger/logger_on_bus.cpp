@@ -20,10 +20,12 @@ double rate_hz(const time::Rate& rate) { return 1.0 / rate.period_s(); }
 LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
     : context_(context),
       log_(path, context.scenario(), app::cpu_features()),
-      board_(context.participant(), context.service(), 0, [this](ServiceStatus& status) {
-        for (const auto& [topic, monitor] : streams_) status.streams.push_back(monitor.status());
-        status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
-      }) {
+      board_(context.participant(), context.service(), 0,
+             [this](ServiceStatus& status) {
+               for (const auto& [topic, monitor] : streams_) status.streams.push_back(monitor.status());
+               status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
+             }),
+      credits_(context.participant(), dds::topics::credit()) {
   // Callbacks hold indices into the list, and the worker looks them up: it must not move once readers exist.
   channels_.reserve(64);
   const scenario::LoadedScenario& scenario = context.scenario();
@@ -44,12 +46,11 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
 }
 
 template <class T>
-LoggerOnBus::Channel& LoggerOnBus::add_channel(app::Context& context, const dds::Topic<T>& topic, Writers writers) {
+LoggerOnBus::Channel& LoggerOnBus::add_reader(app::Context& context, const dds::Topic<T>& topic, Writers writers) {
   const std::size_t index = channels_.size();
   channels_.emplace_back();
   Channel& channel = channels_.back();
   channel.topic = topic.name;
-  channel.log_id = io::LogChannel<T>(log_.file(), topic.name).id();
   const auto enqueue = [this, index](const dds::Received<T>& sample, const dds::SampleOrigin&) {
     mailbox_.put({index, sample.cdr, app::realtime_now().count()});
   };
@@ -64,26 +65,89 @@ LoggerOnBus::Channel& LoggerOnBus::add_channel(app::Context& context, const dds:
   return channel;
 }
 
+/// A topic that goes to the log as it comes, each message numbered and timed by its arrival.
+template <class T>
+LoggerOnBus::Channel& LoggerOnBus::add_channel(app::Context& context, const dds::Topic<T>& topic, Writers writers) {
+  Channel& channel = add_reader(context, topic, writers);
+  channel.log_id = io::LogChannel<T>(log_.file(), topic.name).id();
+  channel.take = [this, &channel](const Message& message) {
+    if (channel.on_message) channel.on_message(message);
+    if (!failure_.empty()) return;
+    const auto received = static_cast<std::uint64_t>(message.received_realtime_ns);
+    log_.file().write(channel.log_id, channel.count++, received, received, message.bytes.data(), message.bytes.size());
+  };
+  return channel;
+}
+
+/// A stream comes as single samples or in blocks, and goes to one channel of the log either way.
 template <class T>
 void LoggerOnBus::add_stream(app::Context& context, const dds::Topic<T>& topic) {
-  streams_.emplace(topic.name, app::StreamMonitor(topic.name, StreamDirection::In));
-  app::StreamMonitor& monitor = streams_.at(topic.name);
-  add_channel(context, topic).on_message = [this, &monitor](const Message& message, Place& place) {
+  app::StreamMonitor& monitor =
+      streams_.emplace(topic.name, app::StreamMonitor(topic.name, StreamDirection::In)).first->second;
+  Channel& singles = add_channel(context, topic);
+  singles.take = [this, &monitor, &singles](const Message& message) {
     T sample;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), sample)) return;
-    monitor.received(sample.header, message.received_realtime_ns);
-    place = {static_cast<std::uint32_t>(sample.header.sequence_number),
-             static_cast<std::uint64_t>(sample.header.publish_realtime_ns)};
-    board_.set_run(sample.header.run_id);
-    board_.set_sim_time(sample.header.sim_time_ns);
-    if (failure_.empty()) board_.enter(ServiceState::Running);
+    if (note(monitor, sample.header, message)) log(singles, sample.header, message, message.bytes);
   };
+  Channel& blocks = add_reader<Block<T>>(context, dds::topics::block(topic), Writers::Ours);
+  blocks.take = [this, &monitor, &singles](const Message& message) {
+    Block<T> block;
+    if (!wire::decode(message.bytes.data(), message.bytes.size(), block)) return;
+    for (const T& sample : block.samples) {
+      if (!note(monitor, sample.header, message)) continue;
+      wire::encode(sample, encoded_);
+      log(singles, sample.header, message, encoded_);
+    }
+    if (clock_ == ClockMode::Lockstep) give_credit(singles.topic, monitor.first_missing(), false);
+  };
+}
+
+/// Counts a sample; false when it came before.
+bool LoggerOnBus::note(app::StreamMonitor& monitor, const StreamHeader& header, const Message& message) {
+  if (!monitor.received(header, message.received_realtime_ns)) return false;
+  board_.set_run(header.run_id);
+  board_.set_sim_time(header.sim_time_ns);
+  if (failure_.empty()) board_.enter(ServiceState::Running);
+  return true;
+}
+
+void LoggerOnBus::log(const Channel& channel, const StreamHeader& header, const Message& message,
+                      const std::vector<std::uint8_t>& cdr) {
+  if (!failure_.empty()) return;
+  log_.file().write(channel.log_id, static_cast<std::uint32_t>(header.sequence_number),
+                    static_cast<std::uint64_t>(message.received_realtime_ns),
+                    static_cast<std::uint64_t>(header.publish_realtime_ns), cdr.data(), cdr.size());
+}
+
+void LoggerOnBus::give_credit(const std::string& topic, std::uint64_t next_sequence, bool resend) {
+  Credit credit;
+  credit.run_id = run_id_;
+  credit.consumer = context_.service();
+  credit.topic = topic;
+  credit.next_sequence = next_sequence;
+  credit.resend = resend;
+  if (!credits_.write(credit)) spdlog::warn("a credit could not be sent");
+}
+
+/// Asks again for what is missing; in lockstep also says again how far this service is, since a credit that got lost
+/// must not stop the run.
+void LoggerOnBus::repeat_credits() {
+  constexpr time::Nanoseconds kPeriod = milliseconds(200);
+  if (run_id_ == RunId{} || app::monotonic_now() < next_credits_) return;
+  next_credits_ = app::monotonic_now() + kPeriod;
+  for (const auto& [topic, monitor] : streams_) {
+    const auto sent = sent_.find(topic);
+    const bool lacks = monitor.first_missing() < monitor.next_sequence() ||
+                       (sent != sent_.end() && monitor.next_sequence() < sent->second);
+    if (lacks || clock_ == ClockMode::Lockstep) give_credit(topic, monitor.first_missing(), lacks);
+  }
 }
 
 template <class Profile>
 void LoggerOnBus::add_profile_channels(app::Context& context) {
   add_channel(context, dds::topics::request<Profile>(), Writers::Anybody);
-  add_channel(context, dds::topics::journal<Profile>()).on_message = [this](const Message& message, Place&) {
+  add_channel(context, dds::topics::journal<Profile>()).on_message = [this](const Message& message) {
     Profile entry;
     if (wire::decode(message.bytes.data(), message.bytes.size(), entry)) log_.add_profile(entry);
   };
@@ -99,19 +163,21 @@ void LoggerOnBus::add_vehicle_channels(app::Context& context) {
 void LoggerOnBus::add_control_channels(app::Context& context) {
   add_channel(context, dds::topics::installation());
   add_channel(context, dds::topics::time_mark());
-  add_channel(context, dds::topics::profile_ack()).on_message = [this](const Message& message, Place&) {
+  add_channel(context, dds::topics::profile_ack()).on_message = [this](const Message& message) {
     ProfileAck ack;
     if (wire::decode(message.bytes.data(), message.bytes.size(), ack)) log_.add_ack(ack);
   };
-  add_channel(context, dds::topics::sim_status()).on_message = [this](const Message& message, Place&) {
+  add_channel(context, dds::topics::sim_status()).on_message = [this](const Message& message) {
     SimStatus status;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), status)) return;
-    if (status.state == RunState::Waiting || status.state == RunState::Running || run_ended_) return;
+    run_id_ = status.run_id;
+    clock_ = status.clock;
+    if (!has_ended(status.state) || run_ended_) return;
     run_ended_ = true;
     run_ended_at_ = app::monotonic_now();
     sent_[dds::topics::truth().name] = status.truth_samples;
   };
-  add_channel(context, dds::topics::service_status()).on_message = [this](const Message& message, Place&) {
+  add_channel(context, dds::topics::service_status()).on_message = [this](const Message& message) {
     ServiceStatus status;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), status)) return;
     services_[{status.service, status.sensor_number}] = {status.state, app::monotonic_now()};
@@ -131,14 +197,8 @@ void LoggerOnBus::note_failure(const std::string& what) {
 }
 
 void LoggerOnBus::handle(const Message& message) {
-  Channel& channel = channels_[message.channel];
-  const auto received = static_cast<std::uint64_t>(message.received_realtime_ns);
-  Place place{channel.count++, received};
   try {
-    if (channel.on_message) channel.on_message(message, place);
-    if (!failure_.empty()) return;
-    log_.file().write(channel.log_id, place.sequence, received, place.publish_time_ns, message.bytes.data(),
-                      message.bytes.size());
+    channels_[message.channel].take(message);
   } catch (const io::WriteError& error) {
     note_failure(error.what());
   }
@@ -193,6 +253,7 @@ int LoggerOnBus::run() {
   time::Nanoseconds next_flush = app::monotonic_now();
   while (!app::shutdown_requested() && !finished()) {
     if (const auto message = mailbox_.take(milliseconds(50))) handle(*message);
+    repeat_credits();
     if (board_.state() == ServiceState::Starting && matched()) board_.enter(ServiceState::Ready);
     board_.tick();
     if (app::monotonic_now() < next_flush || !failure_.empty()) continue;

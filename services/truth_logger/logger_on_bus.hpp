@@ -10,6 +10,7 @@
 #include "app/status_board.hpp"
 #include "app/stream_monitor.hpp"
 #include "dds/reader.hpp"
+#include "dds/writer.hpp"
 #include "services/truth_logger/run_log.hpp"
 
 namespace inslab::logger {
@@ -30,15 +31,11 @@ class LoggerOnBus {
     std::vector<std::uint8_t> bytes;
     std::int64_t received_realtime_ns;
   };
-  /// Where a message belongs in its stream; what has no header is numbered and timed as it came.
-  struct Place {
-    std::uint32_t sequence;
-    std::uint64_t publish_time_ns;
-  };
   struct Channel {
     std::uint16_t log_id = 0;
     std::string topic;
-    std::function<void(const Message&, Place&)> on_message;  ///< what a message of this topic means to the logger
+    std::function<void(const Message&)> take;        ///< logs a message
+    std::function<void(const Message&)> on_message;  ///< what it means to the logger besides
     std::uint32_t count = 0;
     std::function<bool()> matched;
     std::shared_ptr<void> reader;
@@ -47,9 +44,16 @@ class LoggerOnBus {
   enum class Writers { Ours, Anybody };
 
   template <class T>
+  Channel& add_reader(app::Context& context, const dds::Topic<T>& topic, Writers writers);
+  template <class T>
   Channel& add_channel(app::Context& context, const dds::Topic<T>& topic, Writers writers = Writers::Ours);
   template <class T>
   void add_stream(app::Context& context, const dds::Topic<T>& topic);
+  bool note(app::StreamMonitor& monitor, const StreamHeader& header, const Message& message);
+  void log(const Channel& channel, const StreamHeader& header, const Message& message,
+           const std::vector<std::uint8_t>& cdr);
+  void give_credit(const std::string& topic, std::uint64_t next_sequence, bool resend);
+  void repeat_credits();
   template <class Profile>
   void add_profile_channels(app::Context& context);
   void add_vehicle_channels(app::Context& context);
@@ -70,6 +74,10 @@ class LoggerOnBus {
   app::Mailbox<Message> mailbox_{200'000};
   std::vector<Channel> channels_;
   std::map<std::string, app::StreamMonitor> streams_;
+  std::vector<std::uint8_t> encoded_;
+  RunId run_id_;
+  ClockMode clock_ = ClockMode::RealTime;
+  time::Nanoseconds next_credits_{0};          ///< CLOCK_MONOTONIC
   std::map<std::string, std::uint64_t> sent_;  ///< by topic, as the services report when they have finished
   struct Heard {
     ServiceState state;
@@ -79,6 +87,7 @@ class LoggerOnBus {
   bool run_ended_ = false;
   time::Nanoseconds run_ended_at_{0};
   app::StatusBoard board_;
+  dds::Writer<Credit> credits_;
 };
 
 }  // namespace inslab::logger

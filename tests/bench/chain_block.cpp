@@ -28,7 +28,7 @@ std::string write_scenario(const ChainSettings& settings) {
   json["imu"][0]["rate_hz"] = settings.rate_hz;
   json.erase("swaps");
   // A hiccup of the machine belongs into the figures, not to end the run.
-  json["real_time"] = {{"max_lag_ms", 1000.0}};
+  json["clock"] = {{"max_lag_ms", 1000.0}};
   for (const char* kind : {"imu", "gnss"}) {
     for (auto& sensor : json[kind]) {
       for (auto& [key, value] : sensor.items()) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -27,15 +29,39 @@ std::vector<T> samples_of(const std::string& log_path, const std::string& topic)
   return samples;
 }
 
-/// A sample's bytes without what may differ between two runs: run id and publish times.
+/// A sample's bytes without what may differ between two runs: run id, publish times and lateness.
 template <class T>
 std::vector<std::uint8_t> comparable_bytes(T sample) {
   sample.header.run_id = {};
   sample.header.publish_realtime_ns = 0;
   sample.header.publish_monotonic_ns = 0;
+  sample.header.published_late = false;
   std::vector<std::uint8_t> bytes;
   wire::encode(sample, bytes);
   return bytes;
+}
+
+/// Expects that two logs hold the same bits of one topic, `expected_count` samples.
+template <class T>
+void expect_same_bits(const std::string& log, const std::string& reference_log, const std::string& topic,
+                      std::size_t expected_count) {
+  const std::vector<T> samples = samples_of<T>(log, topic);
+  const std::vector<T> reference = samples_of<T>(reference_log, topic);
+  ASSERT_EQ(reference.size(), expected_count) << topic;
+  ASSERT_EQ(samples.size(), reference.size()) << topic;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    ASSERT_EQ(comparable_bytes(samples[i]), comparable_bytes(reference[i])) << topic << " sample " << i;
+  }
+}
+
+/// Expects that a log of tests/data/short.json holds every sample, the same to the bit as the reference.
+inline void expect_same_run(const std::string& log, const std::string& reference_log) {
+  expect_same_bits<TruthState>(log, reference_log, "inslab/truth", 1601);
+  expect_same_bits<ImuSample>(log, reference_log, "inslab/imu/0", 1600);
+  expect_same_bits<ImuTruth>(log, reference_log, "inslab/imu_truth/0", 1600);
+  expect_same_bits<ImuSample>(log, reference_log, "inslab/imu/3", 400);
+  expect_same_bits<ImuTruth>(log, reference_log, "inslab/imu_truth/3", 400);
+  expect_same_bits<GnssFix>(log, reference_log, "inslab/gnss/0", 65);  // 10 epochs in the outage, 5 until a fix
 }
 
 }  // namespace inslab::e2e

@@ -133,16 +133,6 @@ TEST_F(Services, FullDiskIsSaidAndStopsNoStream) {
   EXPECT_GT(samples_of<TruthState>(log_, "inslab/truth").size(), 100u);
 }
 
-TEST_F(Services, AppWithOurIdlAloneReceivesEverySample) {
-  setenv("FASTRTPS_DEFAULT_PROFILES_FILE", source("config/dds/loopback.xml").c_str(), 1);
-  Process app("plain_client", {own_domain(), "15"});
-  unsetenv("FASTRTPS_DEFAULT_PROFILES_FILE");
-  Process set("inslab", {"run", source("tests/data/short.json"), "--domain", own_domain(), "--log", log_});
-  EXPECT_EQ(set.wait(seconds(40)), 0) << set.output();
-  EXPECT_EQ(app.wait(seconds(20)), 0);
-  EXPECT_THAT(app.output(), HasSubstr("1600 samples, 0 missing"));
-}
-
 TEST_F(Services, BarrierNamesWhoIsMissing) {
   Process alone("inslab-trajectory-server",
                 {"--scenario", source("tests/data/impatient.json"), "--domain", own_domain()});
@@ -163,8 +153,8 @@ TEST_F(Services, SwapByHandIsAcknowledgedOrRejectedWithItsField) {
     more.insert(more.end(), {"--domain", own_domain()});
     return std::make_unique<Process>("inslab", more);
   };
-  const auto good = swap({"imu_error", source("config/profiles/imu/pos830.json"), "--sensor", "3", "--at", "7"});
-  const auto stranger = swap({"imu_error", source("config/profiles/imu/pos830.json"), "--sensor", "5"});
+  const auto good = swap({"imu", source("config/profiles/imu/pos830.json"), "--sensor", "3", "--at", "7"});
+  const auto stranger = swap({"imu", source("config/profiles/imu/pos830.json"), "--sensor", "5"});
   EXPECT_EQ(stranger->wait(seconds(15)), 3);
   EXPECT_THAT(stranger->output(), HasSubstr("rejected: target_number: names imu5"));
   EXPECT_EQ(good->wait(seconds(15)), 0) << good->output();

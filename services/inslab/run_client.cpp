@@ -1,8 +1,13 @@
-#include "services/inslab/swap_client.hpp"
+#include "services/inslab/run_client.hpp"
+
+#include <thread>
+
+#include "app/host.hpp"
+#include "app/shutdown.hpp"
 
 namespace inslab::cli {
 
-SwapClient::SwapClient(dds::Participant& participant)
+RunClient::RunClient(dds::Participant& participant)
     : imu_error_(participant, dds::topics::request<ImuErrorProfile>()),
       vibration_(participant, dds::topics::request<VibrationProfile>()),
       installation_(participant, dds::topics::request<InstallationProfile>()),
@@ -13,20 +18,21 @@ SwapClient::SwapClient(dds::Participant& participant)
                      [this](const SimStatus& status, const dds::SampleOrigin&) {
                        const std::lock_guard<std::mutex> lock(mutex_);
                        status_ = status;
+                       ++statuses_;
                      }),
       ack_reader_(participant, dds::topics::profile_ack(), [this](const ProfileAck& ack, const dds::SampleOrigin&) {
         const std::lock_guard<std::mutex> lock(mutex_);
         acks_[ack.request_id].push_back(ack);
       }) {}
 
-bool SwapClient::connected() const {
+bool RunClient::connected() const {
   return imu_error_.matched_readers() > 0 && vibration_.matched_readers() > 0 && installation_.matched_readers() > 0 &&
          gnss_error_.matched_readers() > 0 && fault_.matched_readers() > 0 && command_.matched_readers() > 0;
 }
 
-bool SwapClient::send(const AnyProfile& request) {
+bool RunClient::send(const AnyProfile& request) {
   struct Send {
-    SwapClient& client;
+    RunClient& client;
     bool operator()(const ImuErrorProfile& p) const { return client.imu_error_.write(p); }
     bool operator()(const VibrationProfile& p) const { return client.vibration_.write(p); }
     bool operator()(const InstallationProfile& p) const { return client.installation_.write(p); }
@@ -36,17 +42,30 @@ bool SwapClient::send(const AnyProfile& request) {
   return std::visit(Send{*this}, request);
 }
 
-bool SwapClient::stop() { return command_.write({1, CommandKind::Stop}); }
+bool RunClient::send(const SimCommand& command) { return command_.write(command); }
 
-std::optional<SimStatus> SwapClient::status() const {
+std::optional<SimStatus> RunClient::status() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return status_;
 }
 
-std::vector<ProfileAck> SwapClient::acks(std::uint64_t request_id) const {
+std::uint64_t RunClient::statuses() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return statuses_;
+}
+
+std::vector<ProfileAck> RunClient::acks(std::uint64_t request_id) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = acks_.find(request_id);
   return found == acks_.end() ? std::vector<ProfileAck>{} : found->second;
+}
+
+bool wait_for(time::Nanoseconds deadline, const std::function<bool()>& condition) {
+  while (!condition()) {
+    if (app::monotonic_now() > deadline || app::shutdown_requested()) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
 }
 
 }  // namespace inslab::cli

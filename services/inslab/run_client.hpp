@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -12,19 +13,22 @@
 
 namespace inslab::cli {
 
-/// A client of a running set: sends requests for swaps, hears acknowledgements and how the run goes.
-class SwapClient {
+/// A client of a running set: sends requests for swaps and commands, hears acknowledgements and how the run goes.
+class RunClient {
  public:
-  explicit SwapClient(dds::Participant& participant);
+  explicit RunClient(dds::Participant& participant);
 
   /// Whether a trajectory server listens to requests.
   bool connected() const;
   /// False when the request could not be sent.
   bool send(const AnyProfile& request);
-  bool stop();
+  /// False when the command could not be sent; what becomes of it stands in the status.
+  bool send(const SimCommand& command);
 
   /// The run's latest status; nothing before the first.
   std::optional<SimStatus> status() const;
+  /// How many statuses have come: whether the server still speaks.
+  std::uint64_t statuses() const;
   /// What came back for a request so far.
   std::vector<ProfileAck> acks(std::uint64_t request_id) const;
 
@@ -37,9 +41,13 @@ class SwapClient {
   dds::Writer<SimCommand> command_;
   mutable std::mutex mutex_;
   std::optional<SimStatus> status_;
+  std::uint64_t statuses_ = 0;
   std::map<std::uint64_t, std::vector<ProfileAck>> acks_;
   dds::Reader<SimStatus> status_reader_;
   dds::Reader<ProfileAck> ack_reader_;
 };
+
+/// Waits until `condition` holds; false at the deadline (CLOCK_MONOTONIC) or at a signal.
+bool wait_for(time::Nanoseconds deadline, const std::function<bool()>& condition);
 
 }  // namespace inslab::cli

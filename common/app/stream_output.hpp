@@ -1,0 +1,141 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/credit_ledger.hpp"
+#include "app/sent_window.hpp"
+#include "app/service.hpp"
+#include "app/service_names.hpp"
+#include "app/stamp.hpp"
+#include "app/stream_monitor.hpp"
+#include "dds/topics.hpp"
+#include "dds/writer.hpp"
+#include "samples/run_control.hpp"
+
+namespace inslab::app {
+
+/// One stream as its producer sends it. In real time each sample goes out as one message; in lockstep samples go out in
+/// blocks, and the producer stays a window ahead of the slowest consumer's credit. In both, what a consumer asks for
+/// again is sent again in blocks, from the samples that are kept.
+template <class Sample>
+class StreamOutput {
+ public:
+  /// A block and a window stay small enough for the socket buffers that a stock kernel grants: what overflows them is
+  /// repaired only after a heartbeat.
+  static constexpr std::size_t kBlockSamples = 32;
+  static constexpr std::uint64_t kWindowSamples = 128;
+
+  struct Settings {
+    std::vector<ConsumerKey> consumers;     ///< of ours; each reads the single samples and the blocks
+    bool paced_by_nav_app = false;          ///< the app under test is a consumer too, see TruthFollower
+    std::uint64_t window = kWindowSamples;  ///< lockstep: samples ahead of the slowest credit
+    std::size_t kept = 2 * kWindowSamples;  ///< samples that can be asked for again
+  };
+
+  StreamOutput(Context& context, const dds::Topic<Sample>& topic, const Settings& settings)
+      : topic_(topic.name),
+        own_readers_(static_cast<int>(settings.consumers.size())),
+        window_samples_(settings.window),
+        ledger_(topic.name, with_nav_app(settings)),
+        window_(settings.kept),
+        sent_(topic.name, StreamDirection::Out),
+        samples_(context.participant(), topic),
+        blocks_(context.participant(), dds::topics::block(topic)) {
+    for (const auto& required : context.scenario().scenario.require_subscribers) {
+      if (required.topic == topic.name) foreign_needed_ += static_cast<int>(required.count);
+    }
+  }
+
+  void begin_run(const RunId& run, ClockMode clock) {
+    run_ = run;
+    lockstep_ = clock == ClockMode::Lockstep;
+  }
+
+  /// Sends a sample, with the clocks of this moment in its header; in lockstep, once its block is full.
+  void put(Sample& sample) {
+    stamped(sample);
+    window_.add(sample);
+    next_ = sample.header.sequence_number + 1;
+    if (!lockstep_) {
+      if (samples_.write(sample)) sent_.sent();
+      return;
+    }
+    sent_.sent();
+    // An app that reads single samples takes part in lockstep too: its imu_sequence paces it.
+    if (foreign_readers() > 0) samples_.write(sample);
+    gathered_.samples.push_back(sample);
+    if (gathered_.samples.size() == kBlockSamples) flush_block();
+  }
+
+  /// Sends what has been gathered.
+  void flush_block() {
+    if (gathered_.samples.empty()) return;
+    blocks_.write(gathered_);
+    gathered_.samples.clear();
+  }
+
+  /// The sequence number that follows the newest sample put.
+  std::uint64_t next_sequence() const { return next_; }
+  /// Whether another sample may be put: always in real time.
+  bool has_room() const { return !lockstep_ || next_ < ledger_.lowest().value_or(next_) + window_samples_; }
+
+  /// Takes a credit for this stream, and sends again what it asks for.
+  void take(const Credit& credit) {
+    if (credit.next_sequence > next_ || !ledger_.take(credit, run_)) return;
+    if (lockstep_) window_.forget_before(ledger_.lowest().value_or(0));
+    if (!credit.resend || credit.next_sequence == next_ || window_.empty()) return;
+    flush_block();
+    std::uint64_t from = credit.next_sequence;
+    for (std::uint64_t sent = 0; sent < kWindowSamples;) {
+      const Block<Sample> block = window_.from(from, kBlockSamples);
+      if (block.samples.empty()) break;
+      blocks_.write(block);
+      from = block.samples.back().header.sequence_number + 1;
+      sent += block.samples.size();
+    }
+  }
+
+  const std::string& topic() const { return topic_; }
+  /// The least sample that a consumer may still ask for.
+  std::uint64_t lowest_wanted() const { return ledger_.lowest().value_or(next_); }
+  std::string slowest_consumer() const { return ledger_.slowest(); }
+  int foreign_readers() const { return samples_.matched_readers() - own_readers_; }
+  /// Which readers are missing of our own and of the foreign ones that the scenario demands; empty when none.
+  std::string missing_readers() const {
+    if (samples_.matched_readers() < own_readers_ || blocks_.matched_readers() < own_readers_) {
+      return "waits for a reader of " + topic_;
+    }
+    return foreign_missing() == 0 ? ""
+                                  : "waits for " + std::to_string(foreign_missing()) + " more subscribers of " + topic_;
+  }
+  StreamStatus status() const { return sent_.status(); }
+  void wait_for_acknowledgments(std::chrono::nanoseconds timeout) {
+    samples_.wait_for_acknowledgments(timeout);
+    blocks_.wait_for_acknowledgments(timeout);
+  }
+
+ private:
+  static std::vector<ConsumerKey> with_nav_app(const Settings& settings) {
+    std::vector<ConsumerKey> consumers = settings.consumers;
+    if (settings.paced_by_nav_app) consumers.emplace_back(kNavApp, 0u);
+    return consumers;
+  }
+  int foreign_missing() const { return std::max(0, foreign_needed_ - std::max(0, foreign_readers())); }
+
+  std::string topic_;
+  int own_readers_;
+  std::uint64_t window_samples_;
+  int foreign_needed_ = 0;
+  RunId run_;
+  bool lockstep_ = false;
+  std::uint64_t next_ = 0;
+  CreditLedger ledger_;
+  SentWindow<Sample> window_;
+  Block<Sample> gathered_;
+  StreamMonitor sent_;
+  dds::Writer<Sample> samples_;
+  dds::Writer<Block<Sample>> blocks_;
+};
+
+}  // namespace inslab::app

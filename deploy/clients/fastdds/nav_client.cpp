@@ -1,0 +1,229 @@
+// A flight computer's navigation app on Fast DDS, with nothing of the simulator but its IDL (compiled by fastddsgen).
+// It navigates by GNSS alone: the newest fix, carried on by its velocity to the time of the newest IMU sample, and
+// publishes one NavSolution for each IMU sample. A real app would put its mechanization and filter where solve() is.
+//
+//   fastdds_nav_client [--domain N] [--unit NAME] [--seconds S] [--values FILE]
+//
+// Ends after S seconds (default 60), or when the run that it has heard of has ended. Prints what came; --values writes
+// every sample's sequence number and first values as hexadecimal floating point, for comparison with the log. Exit code
+// 1 when a sequence number was missing or nothing came.
+#include <algorithm>
+#include <chrono>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/dds/topic/TypeSupport.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "controlPubSubTypes.h"
+#include "gnssPubSubTypes.h"
+#include "imuPubSubTypes.h"
+#include "navPubSubTypes.h"
+#include "truthPubSubTypes.h"
+
+using namespace eprosima::fastdds::dds;
+using eprosima::fastrtps::Duration_t;
+
+namespace {
+
+struct Options {
+  DomainId_t domain = 0;
+  std::string unit;
+  double seconds = 60.0;
+  std::string values;
+};
+
+Options parse(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string name = argv[i];
+    if (name == "--domain") {
+      options.domain = static_cast<DomainId_t>(std::atoi(argv[i + 1]));
+    } else if (name == "--unit") {
+      options.unit = argv[i + 1];
+    } else if (name == "--seconds") {
+      options.seconds = std::atof(argv[i + 1]);
+    } else if (name == "--values") {
+      options.values = argv[i + 1];
+    } else {
+      throw std::runtime_error("unknown option " + name);
+    }
+  }
+  return options;
+}
+
+// The participant, and what is made of it.
+class Bus {
+ public:
+  explicit Bus(const Options& options)
+      // PARTICIPANT_QOS_DEFAULT is what FASTRTPS_DEFAULT_PROFILES_FILE says, if it is set.
+      : participant_(
+            DomainParticipantFactory::get_instance()->create_participant(options.domain, PARTICIPANT_QOS_DEFAULT)) {
+    if (participant_ == nullptr) throw std::runtime_error("no participant");
+    SubscriberQos subscriber_qos = SUBSCRIBER_QOS_DEFAULT;
+    PublisherQos publisher_qos = PUBLISHER_QOS_DEFAULT;
+    if (!options.unit.empty()) {
+      subscriber_qos.partition().push_back(options.unit.c_str());
+      publisher_qos.partition().push_back(options.unit.c_str());
+    }
+    subscriber_ = participant_->create_subscriber(subscriber_qos);
+    publisher_ = participant_->create_publisher(publisher_qos);
+  }
+  ~Bus() {
+    participant_->delete_contained_entities();
+    DomainParticipantFactory::get_instance()->delete_participant(participant_);
+  }
+
+  template <class PubSubType>
+  DataReader* reader(const std::string& name, int depth, bool latched = false) {
+    DataReaderQos qos = DATAREADER_QOS_DEFAULT;
+    qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
+    qos.history().depth = depth;
+    if (latched) qos.durability().kind = TRANSIENT_LOCAL_DURABILITY_QOS;
+    return subscriber_->create_datareader(topic<PubSubType>(name), qos);
+  }
+  template <class PubSubType>
+  DataWriter* writer(const std::string& name) {
+    DataWriterQos qos = DATAWRITER_QOS_DEFAULT;
+    qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
+    qos.history().depth = 1000;
+    return publisher_->create_datawriter(topic<PubSubType>(name), qos);
+  }
+
+ private:
+  template <class PubSubType>
+  Topic* topic(const std::string& name) {
+    TypeSupport type(new PubSubType());
+    type.register_type(participant_);
+    return participant_->create_topic(name, type.get_type_name(), TOPIC_QOS_DEFAULT);
+  }
+
+  DomainParticipant* participant_;
+  Subscriber* subscriber_;
+  Publisher* publisher_;
+};
+
+// Calls `each` with every sample that waits in a reader.
+template <class Sample, class Each>
+void take_all(DataReader& reader, const Each& each) {
+  Sample sample;
+  SampleInfo info;
+  while (reader.take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
+    if (info.valid_data) each(sample);
+  }
+}
+
+struct Count {
+  std::uint64_t received = 0;
+  std::uint64_t next = 0;
+  std::uint64_t missing = 0;
+
+  void add(std::uint64_t sequence) {
+    ++received;
+    if (sequence >= next) {
+      missing += sequence - next;
+      next = sequence + 1;
+    } else if (missing > 0) {
+      --missing;
+    }
+  }
+  bool print(const char* topic) const {
+    std::printf("%s: %" PRIu64 " samples, %" PRIu64 " missing\n", topic, received, missing);
+    return received > 0 && missing == 0;
+  }
+};
+
+// The newest fix, carried on to the time of the IMU sample; initializing until there is one.
+inslab::NavSolution solve(const std::optional<inslab::GnssFix>& fix, const inslab::ImuSample& imu) {
+  inslab::NavSolution nav;
+  nav.gps_week(imu.header().gps_week());
+  nav.gps_time_of_week_ns(imu.header().gps_time_of_week_ns());
+  nav.imu_sequence(imu.header().sequence_number());
+  nav.q_n_body({1.0, 0.0, 0.0, 0.0});
+  nav.mode(inslab::NAV_MODE_INITIALIZING);
+  if (!fix) return nav;
+  constexpr double kSemiMajorAxis_m = 6378137.0;  // WGS-84; a sphere is near enough to carry a fix on for a second
+  const double age_s =
+      static_cast<double>(imu.header().gps_time_of_week_ns() - fix->header().gps_time_of_week_ns()) * 1e-9;
+  nav.mode(inslab::NAV_MODE_NAVIGATING);
+  nav.reference_point(inslab::REFERENCE_ANTENNA);
+  nav.latitude_rad(fix->latitude_rad() + fix->v_n_m_per_s()[0] * age_s / kSemiMajorAxis_m);
+  nav.longitude_rad(fix->longitude_rad() +
+                    fix->v_n_m_per_s()[1] * age_s / (kSemiMajorAxis_m * std::cos(fix->latitude_rad())));
+  nav.height_m(fix->height_m() - fix->v_n_m_per_s()[2] * age_s);
+  nav.v_n_m_per_s(fix->v_n_m_per_s());
+  nav.position_sigma_ned_m(fix->position_sigma_ned_m());
+  nav.velocity_sigma_ned_m_per_s(fix->velocity_sigma_ned_m_per_s());
+  nav.attitude_sigma_rad({3.2, 3.2, 3.2});  // GNSS alone knows no attitude
+  return nav;
+}
+
+int navigate(const Options& options) {
+  std::FILE* values = options.values.empty() ? nullptr : std::fopen(options.values.c_str(), "w");
+  if (!options.values.empty() && values == nullptr) throw std::runtime_error(options.values + ": cannot be written");
+  const auto note = [values](const char* topic, std::uint64_t sequence, double first, double second) {
+    if (values != nullptr) std::fprintf(values, "%s %" PRIu64 " %a %a\n", topic, sequence, first, second);
+  };
+  Bus bus(options);
+  DataReader* truth_reader = bus.reader<inslab::TruthStatePubSubType>("inslab/truth", 1000);
+  DataReader* imu_reader = bus.reader<inslab::ImuSamplePubSubType>("inslab/imu/0", 1000);
+  DataReader* gnss_reader = bus.reader<inslab::GnssFixPubSubType>("inslab/gnss/0", 1000);
+  DataReader* status_reader = bus.reader<inslab::SimStatusPubSubType>("inslab/sim/status", 1, true);
+  DataWriter* nav_writer = bus.writer<inslab::NavSolutionPubSubType>("inslab/nav");
+
+  Count truth, imu, gnss;
+  std::optional<inslab::GnssFix> fix;
+  std::uint64_t published = 0;
+  std::optional<std::uint64_t> truth_sent;  // when the run has ended
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
+  while (std::chrono::steady_clock::now() < end && !(truth_sent && truth.next >= *truth_sent)) {
+    imu_reader->wait_for_unread_message(Duration_t(0, 50'000'000));
+    take_all<inslab::GnssFix>(*gnss_reader, [&](const inslab::GnssFix& sample) {
+      gnss.add(sample.header().sequence_number());
+      note("gnss", sample.header().sequence_number(), sample.latitude_rad(), sample.height_m());
+      if (sample.fix_type() != inslab::FIX_NONE) fix = sample;
+    });
+    take_all<inslab::ImuSample>(*imu_reader, [&](const inslab::ImuSample& sample) {
+      imu.add(sample.header().sequence_number());
+      note("imu", sample.header().sequence_number(), sample.dtheta_b_rad()[0], sample.dv_b_m_per_s()[2]);
+      inslab::NavSolution nav = solve(fix, sample);
+      if (nav_writer->write(&nav)) ++published;
+    });
+    take_all<inslab::TruthState>(*truth_reader, [&](const inslab::TruthState& sample) {
+      truth.add(sample.header().sequence_number());
+      note("truth", sample.header().sequence_number(), sample.latitude_rad(), sample.dv_v_m_per_s()[2]);
+    });
+    take_all<inslab::SimStatus>(*status_reader, [&](const inslab::SimStatus& status) {
+      if (status.state() >= inslab::RUN_FINISHED) truth_sent = status.truth_samples();
+    });
+  }
+  nav_writer->wait_for_acknowledgments(Duration_t(2, 0));
+  if (values != nullptr) std::fclose(values);
+  const bool whole_truth = truth.print("inslab/truth");
+  const bool whole_imu = imu.print("inslab/imu/0");
+  const bool whole_gnss = gnss.print("inslab/gnss/0");
+  std::printf("inslab/nav: %" PRIu64 " solutions published\n", published);
+  return whole_truth && whole_imu && whole_gnss ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return navigate(parse(argc, argv));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "fastdds_nav_client: %s\n", error.what());
+    return 2;
+  }
+}

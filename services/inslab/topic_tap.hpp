@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dds/participant.hpp"
+#include "io/log_types.hpp"
+
+namespace inslab::cli {
+
+/// One message of a topic, whatever its type.
+struct TappedMessage {
+  const io::LogType& type;
+  const std::vector<std::uint8_t>& cdr;  ///< encapsulation included
+  std::int64_t received_realtime_ns;
+};
+
+/// Listens to one of the product's topics by its name, as a best-effort reader, which costs the set nothing.
+class TopicTap {
+ public:
+  /// The callback runs in a thread of Fast DDS. Throws std::invalid_argument, naming the topics there are, when the
+  /// product has none of that name.
+  TopicTap(dds::Participant& participant, const std::string& topic, std::function<void(const TappedMessage&)> callback);
+
+ private:
+  std::shared_ptr<void> reader_;
+};
+
+}  // namespace inslab::cli
