@@ -45,6 +45,8 @@ dds::ParticipantOptions participant_options(const NetworkOptions& network, const
                                                        : dds::Transport::Udp;
   options.interface_address = network.interface_address == "any" ? "" : network.interface_address;
   options.security = network.security;
+  options.peers = network.peers;
+  options.discovery_server = network.discovery_server;
   const bool is_service =
       name == kTrajectoryServer || name == kImuInjector || name == kGnssEmulator || name == kTruthLogger;
   options.role = is_service ? name : "operator";

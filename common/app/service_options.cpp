@@ -17,12 +17,18 @@ void NetworkOptions::add_to(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--security", security, "folder of keys made by deploy/security/make-keys; absent: no security")
       ->check(CLI::ExistingDirectory);
+  app.add_option("--peer", peers, "IPv4 address of a host of the set; once for each: discovery without multicast")
+      ->check(CLI::ValidIPV4);
+  app.add_option("--discovery-server", discovery_server, "ADDRESS:PORT of a Fast DDS discovery server (id 0)")
+      ->excludes("--peer");
 }
 
 std::vector<std::string> NetworkOptions::as_arguments() const {
   std::vector<std::string> arguments{"--domain", std::to_string(domain), "--transport",
                                      transport,  "--interface",          interface_address};
   if (!unit.empty()) arguments.insert(arguments.end(), {"--unit", unit});
+  for (const std::string& peer : peers) arguments.insert(arguments.end(), {"--peer", peer});
+  if (!discovery_server.empty()) arguments.insert(arguments.end(), {"--discovery-server", discovery_server});
   if (!security.empty()) arguments.insert(arguments.end(), {"--security", security});
   return arguments;
 }

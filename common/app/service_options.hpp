@@ -18,8 +18,10 @@ struct NetworkOptions {
   std::string transport = "udp";
   std::string interface_address = "127.0.0.1";
   std::string security;
+  std::vector<std::string> peers;
+  std::string discovery_server;
 
-  /// Adds --domain, --unit, --transport, --interface and --security.
+  /// Adds --domain, --unit, --transport, --interface, --security, --peer and --discovery-server.
   void add_to(CLI::App& app);
   /// The same as arguments for another program.
   std::vector<std::string> as_arguments() const;

@@ -1,7 +1,9 @@
 #include "dds/participant.hpp"
 
+#include <fastdds/rtps/attributes/ServerAttributes.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
 #include <spdlog/spdlog.h>
 
 #include <cstdlib>
@@ -79,6 +81,47 @@ void set_transport(efd::DomainParticipantQos& qos, const ParticipantOptions& opt
 
 }  // namespace
 
+namespace {
+
+efr::Locator udp_locator(const std::string& address, std::uint32_t port) {
+  efr::Locator locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  if (!eprosima::fastrtps::rtps::IPLocator::setIPv4(locator, address)) {
+    throw std::runtime_error("'" + address + "'; expected an IPv4 address");
+  }
+  locator.port = port;
+  return locator;
+}
+
+/// Looks for the hosts named, at the ports that their participants would have, and joins no multicast group.
+void set_peers(efd::DomainParticipantQos& qos, const ParticipantOptions& options) {
+  auto& builtin = qos.wire_protocol().builtin;
+  for (const std::string& peer : options.peers) builtin.initialPeersList.push_back(udp_locator(peer, 0));
+  // A list of unicast locators of our own replaces the default ones, multicast among them.
+  builtin.metatrafficUnicastLocatorList.push_back(efr::Locator());
+  builtin.metatrafficUnicastLocatorList.begin()->kind = LOCATOR_KIND_UDPv4;
+}
+
+/// Fast DDS's own name for the server with id 0.
+constexpr const char* kServerPrefix = "44.53.00.5f.45.50.52.4f.53.49.4d.41";
+
+void set_discovery_server(efd::DomainParticipantQos& qos, const std::string& address) {
+  const std::size_t colon = address.rfind(':');
+  const int port = colon == std::string::npos ? 0 : std::atoi(address.c_str() + colon + 1);
+  if (port <= 0 || port > 65535) {
+    throw std::runtime_error("discovery server '" + address + "'; expected ADDRESS:PORT");
+  }
+  eprosima::fastrtps::rtps::RemoteServerAttributes server;
+  server.ReadguidPrefix(kServerPrefix);
+  server.metatrafficUnicastLocatorList.push_back(
+      udp_locator(address.substr(0, colon), static_cast<std::uint32_t>(port)));
+  auto& config = qos.wire_protocol().builtin.discovery_config;
+  config.discoveryProtocol = eprosima::fastrtps::rtps::DiscoveryProtocol_t::CLIENT;
+  config.m_DiscoveryServers.push_back(server);
+}
+
+}  // namespace
+
 efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   auto& factory = *efd::DomainParticipantFactory::get_instance();
   efd::DomainParticipantQos qos = efd::PARTICIPANT_QOS_DEFAULT;
@@ -93,6 +136,8 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
     qos.wire_protocol().builtin.discovery_config.leaseDuration = eprosima::fastrtps::Duration_t(10, 0);
     qos.wire_protocol().builtin.discovery_config.leaseDuration_announcementperiod =
         eprosima::fastrtps::Duration_t(1, 0);
+    if (!options.peers.empty()) set_peers(qos, options);
+    if (!options.discovery_server.empty()) set_discovery_server(qos, options.discovery_server);
   }
   qos.name(options.name);
   if (!options.security.empty()) set_security(qos, options.security, options.role);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "dds/topics.hpp"
 #include "dds/type_adapter.hpp"
@@ -30,6 +31,8 @@ struct ParticipantOptions {
   std::string unit;          ///< becomes the partition; empty: none
   Transport transport = Transport::Udp;
   std::string interface_address = "127.0.0.1";  ///< IPv4 address to bind to; empty: every interface
+  std::vector<std::string> peers;               ///< hosts to look for by unicast instead of multicast
+  std::string discovery_server;                 ///< ADDRESS:PORT of a discovery server with id 0; empty: none
   std::string security;                         ///< folder of keys, see dds/security.hpp; empty: none
   std::string role;                             ///< whose keys
 };

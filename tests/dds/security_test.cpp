@@ -1,0 +1,186 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <openssl/evp.h>
+#include <openssl/pem.h>
+#include <openssl/x509.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "dds/discovery.hpp"
+#include "dds/reader.hpp"
+#include "dds/writer.hpp"
+
+namespace inslab::dds {
+namespace {
+
+using std::chrono::seconds;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+/// Keys made by deploy/security/make-keys into a folder that goes with the object.
+class Keys {
+ public:
+  Keys() {
+    char pattern[] = "/tmp/inslab-keys-XXXXXX";
+    folder_ = mkdtemp(pattern);
+    made_ = std::system(
+                (INSLAB_SOURCE_DIR "/deploy/security/make-keys " + folder_ + "/keys 2 >/dev/null 2>&1").c_str()) == 0;
+  }
+  ~Keys() { std::filesystem::remove_all(folder_); }
+  Keys(const Keys&) = delete;
+  Keys& operator=(const Keys&) = delete;
+
+  bool made() const { return made_; }
+  std::string path() const { return folder_ + "/keys"; }
+
+ private:
+  std::string folder_;
+  bool made_ = false;
+};
+
+ParticipantOptions options(const std::string& role, const std::string& keys) {
+  ParticipantOptions options;
+  options.name = role;
+  options.domain = 40 + static_cast<std::uint32_t>(getpid() % 150);
+  options.security = keys;
+  options.role = role;
+  return options;
+}
+
+template <class Condition>
+bool eventually(Condition condition, std::chrono::nanoseconds timeout = seconds(20)) {
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::yield();
+  }
+  return true;
+}
+
+/// The keys of one authority for all tests.
+class Security : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { keys_ = new Keys(); }
+  static void TearDownTestSuite() {
+    delete keys_;
+    keys_ = nullptr;
+  }
+  void SetUp() override { ASSERT_TRUE(keys_->made()) << "deploy/security/make-keys failed"; }
+
+  static Keys* keys_;
+};
+Keys* Security::keys_ = nullptr;
+
+TEST_F(Security, RolesExchangeWhatTheyMay) {
+  Participant server(options("inslab-trajectory-server", keys_->path()));
+  Participant logger(options("inslab-truth-logger", keys_->path()));
+  std::atomic<int> received{0};
+  Reader<TruthState> reader(logger, topics::truth(), [&](const TruthState&, const SampleOrigin&) { ++received; });
+  Writer<TruthState> writer(server, topics::truth());
+  ASSERT_TRUE(eventually([&] { return writer.matched_readers() == 1 && reader.matched_writers() == 1; }));
+  EXPECT_TRUE(writer.write(TruthState()));
+  EXPECT_TRUE(eventually([&] { return received == 1; }));
+}
+
+TEST_F(Security, WithoutACertificateNothingIsSeenAndNothingIsInjected) {
+  Participant server(options("inslab-trajectory-server", keys_->path()));
+  Participant operator_(options("operator", keys_->path()));
+  Participant stranger(options("stranger", ""));
+  std::atomic<int> requests{0};
+  std::atomic<int> overheard{0};
+  Reader<FaultProfile> request_reader(server, topics::request<FaultProfile>(),
+                                      [&](const FaultProfile&, const SampleOrigin&) { ++requests; });
+  Writer<SimStatus> status(server, topics::sim_status());
+  Reader<SimStatus> eavesdropper(stranger, topics::sim_status(),
+                                 [&](const SimStatus&, const SampleOrigin&) { ++overheard; });
+  Writer<FaultProfile> injector(stranger, topics::request<FaultProfile>());
+  Writer<FaultProfile> rightful(operator_, topics::request<FaultProfile>());
+  // Once the rightful writer has come through, the stranger, who started before it, has had its time too.
+  ASSERT_TRUE(eventually([&] { return rightful.matched_readers() == 1; }));
+  status.write(SimStatus());
+  injector.write(FaultProfile());
+  rightful.write(FaultProfile());
+  ASSERT_TRUE(eventually([&] { return requests >= 1; }));
+  EXPECT_EQ(requests, 1);
+  EXPECT_EQ(overheard, 0);
+  EXPECT_EQ(injector.matched_readers(), 0);
+  EXPECT_EQ(eavesdropper.matched_writers(), 0);
+}
+
+TEST_F(Security, ALoggerMayNotWriteProfiles) {
+  Participant logger(options("inslab-truth-logger", keys_->path()));
+  EXPECT_THROW(Writer<FaultProfile>(logger, topics::request<FaultProfile>()), std::runtime_error);
+}
+
+TEST_F(Security, AnAppUnderTestMayNotReadTheTruth) {
+  Participant app(options("nav-app", keys_->path()));
+  EXPECT_THROW(Reader<TruthState>(app, topics::truth(), [](const TruthState&, const SampleOrigin&) {}),
+               std::runtime_error);
+}
+
+TEST_F(Security, AForeignCertificateIsRefusedByName) {
+  const Keys others;
+  ASSERT_TRUE(others.made());
+  std::filesystem::copy_file(others.path() + "/operator.cert.pem", keys_->path() + "/intruder.cert.pem",
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_THAT([this] { Participant participant(options("intruder", keys_->path())); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("intruder.cert.pem: ")));
+}
+
+TEST_F(Security, APeerOfAnotherAuthorityIsNotHeard) {
+  const Keys others;
+  ASSERT_TRUE(others.made());
+  Participant server(options("inslab-trajectory-server", keys_->path()));
+  Participant stranger(options("operator", others.path()));
+  Participant rightful(options("operator", keys_->path()));
+  std::atomic<int> requests{0};
+  Reader<FaultProfile> reader(server, topics::request<FaultProfile>(),
+                              [&](const FaultProfile&, const SampleOrigin&) { ++requests; });
+  Writer<FaultProfile> intruding(stranger, topics::request<FaultProfile>());
+  Writer<FaultProfile> writer(rightful, topics::request<FaultProfile>());
+  ASSERT_TRUE(eventually([&] { return writer.matched_readers() == 1; }));
+  intruding.write(FaultProfile());
+  writer.write(FaultProfile());
+  ASSERT_TRUE(eventually([&] { return requests >= 1; }));
+  EXPECT_EQ(requests, 1);
+  EXPECT_EQ(intruding.matched_readers(), 0);
+}
+
+/// Signs a certificate anew with its authority's key, as one that ended yesterday.
+void let_expire(const std::string& keys, const std::string& role) {
+  const auto open = [](const std::string& path, const char* mode) {
+    return std::unique_ptr<std::FILE, int (*)(std::FILE*)>(std::fopen(path.c_str(), mode), &std::fclose);
+  };
+  const std::string path = keys + "/" + role + ".cert.pem";
+  const std::unique_ptr<X509, decltype(&X509_free)> certificate(
+      PEM_read_X509(open(path, "r").get(), nullptr, nullptr, nullptr), &X509_free);
+  const std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)> key(
+      PEM_read_PrivateKey(open(keys + "/ca.key.pem", "r").get(), nullptr, nullptr, nullptr), &EVP_PKEY_free);
+  constexpr long kDay_s = 86400;
+  X509_gmtime_adj(X509_getm_notBefore(certificate.get()), -2 * kDay_s);
+  X509_gmtime_adj(X509_getm_notAfter(certificate.get()), -kDay_s);
+  X509_sign(certificate.get(), key.get(), EVP_sha256());
+  PEM_write_X509(open(path, "w").get(), certificate.get());
+}
+
+TEST(SecurityFiles, AnExpiredCertificateIsRefusedByNameAndReason) {
+  const Keys keys;
+  ASSERT_TRUE(keys.made());
+  let_expire(keys.path(), "operator");
+  EXPECT_THAT([&] { Participant participant(options("operator", keys.path())); },
+              ThrowsMessage<std::runtime_error>(testing::AllOf(HasSubstr("operator.cert.pem"), HasSubstr("expired"))));
+}
+
+TEST(SecurityFiles, AMissingFileIsNamed) {
+  EXPECT_THAT([] { Participant participant(options("operator", "/nowhere")); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("/nowhere/ca.cert.pem is not there")));
+}
+
+}  // namespace
+}  // namespace inslab::dds

@@ -1,0 +1,19 @@
+// Logs: any bytes give messages or an io::ReadError, nothing else.
+#include "io/error.hpp"
+#include "io/log_info.hpp"
+#include "io/mcap_reader.hpp"
+#include "tests/fuzz/memory_file.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace inslab;
+  const fuzz::MemoryFile file(data, size, "fuzz.mcap");
+  io::McapReader::Options options;
+  options.max_chunk_bytes = 1 << 20;  // the fuzzer's own limit of memory is the tighter one otherwise
+  options.max_open_bytes = 1 << 22;
+  try {
+    const io::McapReader reader(file.path(), options);
+    reader.for_each([](const io::mcap::Message&) { return true; }, io::McapReader::Order::LogTime);
+  } catch (const io::ReadError&) {
+  }
+  return 0;
+}
