@@ -10,6 +10,7 @@
 #include "dds/writer.hpp"
 #include "samples/any_profile.hpp"
 #include "samples/run_control.hpp"
+#include "time/gps_time.hpp"
 
 namespace inslab::cli {
 
