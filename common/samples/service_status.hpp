@@ -78,7 +78,7 @@ struct ServiceStatus {
     visit(Field("refused_messages"), self.refused_messages);
     visit(Field("queue_depth_max"), self.queue_depth_max);
     visit(Field("rss_bytes"), self.rss_bytes);
-    visit(Field("streams").at_most(16), self.streams);
+    visit(Field("streams").at_most(32), self.streams);
     visit(Field("message").at_most(256), self.message);
   }
 };

@@ -27,7 +27,7 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
              }),
       credits_(context.participant(), dds::topics::credit()) {
   // Callbacks hold indices into the list, and the worker looks them up: it must not move once readers exist.
-  channels_.reserve(64);
+  channels_.reserve(128);
   const scenario::LoadedScenario& scenario = context.scenario();
   add_stream(context, dds::topics::truth(rate_hz(scenario.truth_rate)));
   for (const auto& imu : scenario.imus) {
@@ -79,9 +79,9 @@ LoggerOnBus::Channel& LoggerOnBus::add_channel(app::Context& context, const dds:
   return channel;
 }
 
-/// A stream comes as single samples or in blocks, and goes to one channel of the log either way.
+/// A stream that comes as single samples alone.
 template <class T>
-void LoggerOnBus::add_stream(app::Context& context, const dds::Topic<T>& topic) {
+LoggerOnBus::Channel& LoggerOnBus::add_singles(app::Context& context, const dds::Topic<T>& topic) {
   app::StreamMonitor& monitor =
       streams_.emplace(topic.name, app::StreamMonitor(topic.name, StreamDirection::In)).first->second;
   Channel& singles = add_channel(context, topic);
@@ -90,6 +90,14 @@ void LoggerOnBus::add_stream(app::Context& context, const dds::Topic<T>& topic) 
     if (!wire::decode(message.bytes.data(), message.bytes.size(), sample)) return;
     if (note(monitor, sample.header, message)) log(singles, sample.header, message, message.bytes);
   };
+  return singles;
+}
+
+/// A stream that comes as single samples or in blocks, and goes to one channel of the log either way.
+template <class T>
+void LoggerOnBus::add_stream(app::Context& context, const dds::Topic<T>& topic) {
+  Channel& singles = add_singles(context, topic);
+  app::StreamMonitor& monitor = streams_.at(topic.name);
   Channel& blocks = add_reader<Block<T>>(context, dds::topics::block(topic), Writers::Ours);
   blocks.take = [this, &monitor, &singles](const Message& message) {
     Block<T> block;
@@ -156,7 +164,7 @@ void LoggerOnBus::add_profile_channels(app::Context& context) {
 void LoggerOnBus::add_vehicle_channels(app::Context& context) {
   const double nominal_hz = context.scenario().scenario.trajectory.vehicle.nominal_rate_hz;
   add_channel(context, dds::topics::vehicle_state(nominal_hz), Writers::Anybody);
-  add_stream(context, dds::topics::vehicle_state_used(nominal_hz));
+  add_singles(context, dds::topics::vehicle_state_used(nominal_hz));
   add_channel(context, dds::topics::vehicle_link());
 }
 

@@ -48,6 +48,8 @@ class LoggerOnBus {
   template <class T>
   Channel& add_channel(app::Context& context, const dds::Topic<T>& topic, Writers writers = Writers::Ours);
   template <class T>
+  Channel& add_singles(app::Context& context, const dds::Topic<T>& topic);
+  template <class T>
   void add_stream(app::Context& context, const dds::Topic<T>& topic);
   bool note(app::StreamMonitor& monitor, const StreamHeader& header, const Message& message);
   void log(const Channel& channel, const StreamHeader& header, const Message& message,
