@@ -67,7 +67,9 @@ int run_service(const char* name, const char* purpose, const ServiceTraits& trai
   install_signal_handlers();
   warn_of_environment();
   try {
-    scenario::LoadedScenario loaded = scenario::load(options.scenario, options.network.unit);
+    scenario::LoadedScenario loaded =
+        scenario::load(options.scenario, options.network.unit,
+                       traits.makes_truth ? scenario::TrajectoryRows::Read : scenario::TrajectoryRows::LeaveOut);
     override_clock(options.clock, loaded.scenario.clock);
     Context context(name, options, std::move(loaded));
     return body(context);

@@ -56,7 +56,7 @@ std::optional<int> parse(const char* name, const char* purpose, const ServiceTra
   options.network.add_to(app);
   if (traits.has_sensor) app.add_option("--sensor", options.sensor, "number of the sensor in the scenario");
   if (traits.has_log) app.add_option("--log", options.log_file, "file to write; default runs/NAME-TIME.mcap");
-  if (traits.has_clock) options.clock.add_to(app);
+  if (traits.makes_truth) options.clock.add_to(app);
   app.add_option("--log-level", options.log_level, "debug, info, warn or error")
       ->check(CLI::IsMember({"debug", "info", "warn", "error"}))
       ->capture_default_str();

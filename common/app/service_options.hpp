@@ -53,7 +53,7 @@ struct ServiceOptions {
 struct ServiceTraits {
   bool has_sensor = false;
   bool has_log = false;
-  bool has_clock = false;
+  bool makes_truth = false;  ///< it has the clock and the trajectory
 };
 
 /// Parses the command line; an exit code when there is nothing more to do (help, or an error that has been printed).

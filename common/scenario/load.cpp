@@ -167,7 +167,7 @@ AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, con
   return read_profile<FaultProfile>(file, target);
 }
 
-LoadedScenario load(const std::filesystem::path& file, const std::string& unit) {
+LoadedScenario load(const std::filesystem::path& file, const std::string& unit, TrajectoryRows rows) {
   LoadedScenario loaded;
   loaded.file = file;
   loaded.unit = unit;
@@ -179,7 +179,7 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit) 
   loaded.truth_samples =
       1 + static_cast<std::uint64_t>(time::from_seconds(scenario.duration_s) / loaded.truth_rate.period());
   const std::filesystem::path folder = file.parent_path();
-  if (scenario.trajectory.source == TrajectorySource::File) {
+  if (scenario.trajectory.source == TrajectorySource::File && rows == TrajectoryRows::Read) {
     loaded.trajectory_file = load_rows(folder / scenario.trajectory.file.path, scenario.trajectory.file);
     check_rows_cover_run(loaded);
   }

@@ -56,9 +56,13 @@ struct LoadedScenario {
   const LoadedGnss& gnss_number(std::uint32_t number) const;
 };
 
+/// The rows of a trajectory file: hours of them take hundreds of megabytes, and only who makes the truth needs them.
+enum class TrajectoryRows { Read, LeaveOut };
+
 /// Reads a scenario and everything it names, for the vehicle called `unit`. Throws config::Error naming file, path in
 /// it and reason.
-LoadedScenario load(const std::filesystem::path& file, const std::string& unit = {});
+LoadedScenario load(const std::filesystem::path& file, const std::string& unit = {},
+                    TrajectoryRows rows = TrajectoryRows::Read);
 
 /// Reads a profile file of that kind, checks its limits and rules for the given target. Throws config::Error.
 AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target);
