@@ -15,6 +15,11 @@
 
 namespace inslab::app {
 
+/// What is left until a deadline on CLOCK_MONOTONIC, never below 0.
+inline std::chrono::nanoseconds time_left(time::Nanoseconds deadline) {
+  return std::max(time::Nanoseconds(0), deadline - monotonic_now());
+}
+
 /// One stream as its producer sends it. In real time each sample goes out as one message; in lockstep samples go out in
 /// blocks, and the producer stays a window ahead of the slowest consumer's credit. In both, what a consumer asks for
 /// again is sent again in blocks, from the samples that are kept.
@@ -110,9 +115,11 @@ class StreamOutput {
                                   : "waits for " + std::to_string(foreign_missing()) + " more subscribers of " + topic_;
   }
   StreamStatus status() const { return sent_.status(); }
-  void wait_for_acknowledgments(std::chrono::nanoseconds timeout) {
-    samples_.wait_for_acknowledgments(timeout);
-    blocks_.wait_for_acknowledgments(timeout);
+  /// Waits until every reader has everything, at the latest until `deadline` (CLOCK_MONOTONIC): one that is stuck must
+  /// not keep the process from ending.
+  void wait_for_acknowledgments(time::Nanoseconds deadline) {
+    samples_.wait_for_acknowledgments(time_left(deadline));
+    blocks_.wait_for_acknowledgments(time_left(deadline));
   }
 
  private:

@@ -205,7 +205,7 @@ int TruthFollower::run() {
 
 int TruthFollower::end() {
   consumer_.flush_blocks();
-  consumer_.flush(seconds(5));
+  consumer_.flush(monotonic_now() + seconds(2));
   const bool complete = run_ended_ && mailbox_.dropped() == 0 && next_ == truth_samples_of_run_;
   if (shutdown_requested() && !run_ended_) {
     board_.enter(ServiceState::Finished, "ended by a signal");

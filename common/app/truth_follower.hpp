@@ -45,8 +45,8 @@ class TruthConsumer {
   virtual std::string missing_readers() const = 0;
   /// Adds the counters of the outputs.
   virtual void report(ServiceStatus& status) const = 0;
-  /// Waits until the readers of the outputs have everything.
-  virtual void flush(std::chrono::nanoseconds timeout) = 0;
+  /// Waits until the readers of the outputs have everything, at the latest until `deadline` (CLOCK_MONOTONIC).
+  virtual void flush(time::Nanoseconds deadline) = 0;
 };
 
 /// Follows one run: reads truth, journal and run state, holds a truth sample back until the journal is complete for it

@@ -38,9 +38,9 @@ class EmulatorOnBus : public app::TruthConsumer {
     return acks_.matched_readers() > 0 ? "" : "waits for a reader of inslab/profile_ack";
   }
   void report(ServiceStatus& status) const override { status.streams.push_back(fixes_.status()); }
-  void flush(std::chrono::nanoseconds timeout) override {
-    fixes_.wait_for_acknowledgments(timeout);
-    acks_.wait_for_acknowledgments(timeout);
+  void flush(time::Nanoseconds deadline) override {
+    fixes_.wait_for_acknowledgments(deadline);
+    acks_.wait_for_acknowledgments(app::time_left(deadline));
   }
 
  private:

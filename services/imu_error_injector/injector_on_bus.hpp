@@ -62,10 +62,10 @@ class InjectorOnBus : public app::TruthConsumer {
     status.streams.push_back(samples_.status());
     status.streams.push_back(truths_.status());
   }
-  void flush(std::chrono::nanoseconds timeout) override {
-    samples_.wait_for_acknowledgments(timeout);
-    truths_.wait_for_acknowledgments(timeout);
-    acks_.wait_for_acknowledgments(timeout);
+  void flush(time::Nanoseconds deadline) override {
+    samples_.wait_for_acknowledgments(deadline);
+    truths_.wait_for_acknowledgments(deadline);
+    acks_.wait_for_acknowledgments(app::time_left(deadline));
   }
 
  private:

@@ -307,13 +307,13 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   status_.state = state;
   status_.message = message.substr(0, 256);
   truth_.flush_block();
-  truth_.wait_for_acknowledgments(seconds(5));
+  truth_.wait_for_acknowledgments(monotonic_now() + seconds(2));
   if (vehicle_) {
     vehicle_->report(*source_, run_id_, status_.sim_time_ns);
     vehicle_->flush(seconds(5));
   }
   sim_status_.write(status_);
-  sim_status_.wait_for_acknowledgments(seconds(5));
+  sim_status_.wait_for_acknowledgments(seconds(2));
   serve_stragglers();
   const bool good = state == RunState::Finished || (state == RunState::Stopped && source_->taken() > 0);
   board_.enter(good ? ServiceState::Finished : ServiceState::Fault, message);

@@ -146,8 +146,14 @@ int main(int argc, char** argv) {
   uint64_t published = 0;
   uint64_t truth_sent = 0;
   bool ended = false;
-  const dds_time_t deadline = dds_time() + (dds_duration_t)(seconds * 1e9);
-  while (dds_time() < deadline && !(ended && truth.next >= truth_sent)) {
+  dds_time_t deadline = dds_time() + (dds_duration_t)(seconds * 1e9);
+  bool closing = false;
+  while (dds_time() < deadline) {
+    if (ended && truth.next >= truth_sent && !closing) {
+      closing = true; /* what is still on its way on the other topics has this long to come */
+      const dds_time_t soon = dds_time() + DDS_MSECS(500);
+      deadline = soon < deadline ? soon : deadline;
+    }
     dds_waitset_wait(waitset, NULL, 0, DDS_MSECS(100));
     memset(samples, 0, sizeof(samples));
     int32_t n = dds_take(gnss.reader, samples, infos, kBatch, kBatch);

@@ -186,8 +186,14 @@ int navigate(const Options& options) {
   std::optional<inslab::GnssFix> fix;
   std::uint64_t published = 0;
   std::optional<std::uint64_t> truth_sent;  // when the run has ended
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
-  while (std::chrono::steady_clock::now() < end && !(truth_sent && truth.next >= *truth_sent)) {
+  using Clock = std::chrono::steady_clock;
+  auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.seconds));
+  bool closing = false;
+  while (Clock::now() < end) {
+    if (truth_sent && truth.next >= *truth_sent && !closing) {
+      closing = true;  // what is still on its way on the other topics has this long to come
+      end = std::min(end, Clock::now() + std::chrono::milliseconds(500));
+    }
     imu_reader->wait_for_unread_message(Duration_t(0, 50'000'000));
     take_all<inslab::GnssFix>(*gnss_reader, [&](const inslab::GnssFix& sample) {
       gnss.add(sample.header().sequence_number());
