@@ -166,10 +166,12 @@ bool accepts_with(const T& value, std::uint32_t old_number, std::uint32_t new_nu
 TEST(CdrBounds, RefuseAnEnumeratorOutsideItsEnum) {
   SimCommand command;
   command.request_id = ~std::uint64_t{0};
+  command.kind = CommandKind::Step;
+  constexpr auto kStep = static_cast<std::uint32_t>(CommandKind::Step);
   constexpr auto kEnd = static_cast<std::uint32_t>(EnumNames<CommandKind>::values.size());
-  EXPECT_TRUE(accepts_with(command, 0, kEnd - 1));
-  EXPECT_FALSE(accepts_with(command, 0, kEnd));
-  EXPECT_FALSE(accepts_with(command, 0, 0xffffffffU));
+  EXPECT_TRUE(accepts_with(command, kStep, kEnd - 1));
+  EXPECT_FALSE(accepts_with(command, kStep, kEnd));
+  EXPECT_FALSE(accepts_with(command, kStep, 0xffffffffU));
 }
 
 TEST(CdrBounds, RefuseATextOverItsBoundAndOneWithoutItsEnd) {
