@@ -76,8 +76,11 @@ TEST_F(TimeModes, ARunThatStartsPausedSendsTheStepsAskedForAndNoMore) {
   const auto stepped = [&] { return command({"step", "50"}); };
   ASSERT_TRUE(eventually([&] { return stepped().first == 0; }, seconds(40))) << run->output();
   EXPECT_EQ(command({"step", "0"}).first, 3);
-  EXPECT_TRUE(eventually([&] { return command({"pause"}).second.find(" 50 truth samples") != std::string::npos; },
-                         seconds(20)));
+  const auto paused_after_fifty = [&] {
+    const std::string status = command({"status"}).second;
+    return status.find("short paused") != std::string::npos && status.find(" 50 truth samples") != std::string::npos;
+  };
+  EXPECT_TRUE(eventually(paused_after_fifty, seconds(20)));
   EXPECT_EQ(command({"stop"}).first, 0);
   run->wait(seconds(30));
   EXPECT_EQ(truth_logged(), 50U);
