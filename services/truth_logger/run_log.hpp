@@ -10,9 +10,9 @@ namespace inslab::logger {
 
 /// The log of one run, live or offline: what every channel and metadata record is called and holds.
 ///
-/// Metadata: "scenario" (the scenario as read, with every default written out, and the unit), "build" (version, instruction set),
-/// "profile/KIND/SENSOR/NUMBER" (number 0: what the scenario began with; else the journal's; its "json" is a profile
-/// file that can be used again), "ack/NUMBER".
+/// Metadata: "scenario" (the scenario as read, with every default written out, and the unit), "build" (version,
+/// instruction set), "profile/KIND/SENSOR/NUMBER" (number 0: what the scenario began with; else the journal's; its
+/// "json" is a profile file that can be used again), "ack/NUMBER".
 class RunLog {
  public:
   /// Creates the file and describes the scenario in it. Throws io::WriteError.
