@@ -73,6 +73,10 @@ std::vector<AnyProfile> ProfileDesk::take_due(std::int64_t sim_time_ns) {
     std::vector<std::uint8_t>& in_use = parameters_in_use_[kind];
     // Asked to reset or redraw, the same parameters still change the states.
     const bool unchanged = parameters == in_use && request_of(entry).continuity == Continuity::Keep;
+    // No sample came out under what took effect before this and waits still, as from a receiver without a fix.
+    for (ProfileAck& waiting : to_acknowledge_) {
+      if (!unchanged && waiting.kind == kind) waiting.outcome = AckOutcome::Superseded;
+    }
     to_acknowledge_.push_back(ack_of(entry, unchanged ? AckOutcome::Unchanged : AckOutcome::Applied));
     if (!unchanged) due.push_back(entry);
     in_use = std::move(parameters);

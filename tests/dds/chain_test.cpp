@@ -169,7 +169,8 @@ TEST_P(Chain, UnitsDoNotHearEachOther) {
   Reader<TruthState> beta_reader(beta, topics::truth(),
                                  [&](const TruthState& s, const SampleOrigin&) { heard_by_beta.add(s); });
   Writer<TruthState> writer(alpha, topics::truth());
-  ASSERT_TRUE(eventually([&] { return alpha_reader.matched_writers() == 1; }));
+  // The writer must know its reader too: what it sends before is for nobody.
+  ASSERT_TRUE(eventually([&] { return alpha_reader.matched_writers() == 1 && writer.matched_readers() == 1; }));
   ASSERT_TRUE(writer.write({}));
   ASSERT_TRUE(heard_by_alpha.wait_for(1));
   EXPECT_EQ(beta_reader.matched_writers(), 0);

@@ -144,6 +144,18 @@ TEST(ProfileDesk, ALaterEntryOfOneInstantSupersedesTheEarlierOfItsKind) {
   EXPECT_EQ(acks[2].outcome, AckOutcome::Applied);
 }
 
+TEST(ProfileDesk, AnEntryUnderWhichNoSampleCameOutIsSupersededToo) {
+  ProfileDesk d = desk();
+  d.add(entry(1, 10 * kMs, errors(1.0)));
+  d.add(entry(2, 20 * kMs, errors(2.0)));
+  EXPECT_EQ(numbers_of(d.take_due(15 * kMs)), Numbers{1});  // no sample: a receiver without a fix
+  EXPECT_EQ(numbers_of(d.take_due(25 * kMs)), Numbers{2});
+  const auto acks = d.acknowledge(sample(25 * kMs, 4));
+  ASSERT_EQ(acks.size(), 2U);
+  EXPECT_EQ(acks[0].outcome, AckOutcome::Superseded);
+  EXPECT_EQ(acks[1].outcome, AckOutcome::Applied);
+}
+
 TEST(ProfileDesk, TheSameParametersAreUnchangedUnlessStatesAreToBeginAfresh) {
   ProfileDesk d = desk();
   d.add(entry(1, 10 * kMs, errors(0.1)));
