@@ -70,6 +70,13 @@ class Flicker {
     add_up();
   }
 
+  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    for (auto& term : self.terms_) visit(term.x);
+    visit(self.sum_);
+  }
+
  private:
   struct Term {
     Term(double dt_s, double correlation_time_s, const Stream& stream)

@@ -28,6 +28,12 @@ class RandomConstant {
   /// Another constant, as after switching the sensor off and on. Depends on (stream, k) alone.
   void redraw(std::uint64_t k) { x_over_sigma_ = redraws_.normal(k); }
 
+  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.x_over_sigma_);
+  }
+
  private:
   double sigma_ = 0.0;
   Stream redraws_;

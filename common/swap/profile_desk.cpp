@@ -24,20 +24,27 @@ std::vector<std::uint8_t> parameters_of(const AnyProfile& profile) {
 
 ProfileDesk::ProfileDesk(SensorAddress sensor, std::string service, const std::vector<AnyProfile>& in_use)
     : sensor_(sensor), service_(std::move(service)) {
-  for (const AnyProfile& profile : in_use) parameters_in_use_[kind_of(profile)] = parameters_of(profile);
+  for (const AnyProfile& profile : in_use) {
+    parameters_in_use_.at(static_cast<std::size_t>(kind_of(profile))) = parameters_of(profile);
+  }
 }
 
 void ProfileDesk::add(const AnyProfile& entry) {
   const ProfileRequest& head = request_of(entry);
   if (!known_.insert(head.journal_number).second) return;
   apply_times_.insert(std::upper_bound(apply_times_.begin(), apply_times_.end(), head.apply_at_ns), head.apply_at_ns);
-  if (target_of(entry) == sensor_) waiting_.emplace(std::make_pair(head.apply_at_ns, head.journal_number), entry);
+  if (target_of(entry) == sensor_ && head.apply_at_ns >= taken_until_ns_)
+    waiting_.emplace(std::make_pair(head.apply_at_ns, head.journal_number), entry);
 }
 
 bool ProfileDesk::complete_for(const TruthState& truth) const {
   if (truth.journal_in_effect == 0) return true;
   const auto before = std::lower_bound(apply_times_.begin(), apply_times_.end(), truth.header.sim_time_ns);
   return static_cast<std::uint64_t>(before - apply_times_.begin()) >= truth.journal_in_effect;
+}
+
+void ProfileDesk::forget_taken() {
+  while (!waiting_.empty() && waiting_.begin()->first.first < taken_until_ns_) waiting_.erase(waiting_.begin());
 }
 
 ProfileAck ProfileDesk::ack_of(const AnyProfile& entry, AckOutcome outcome) const {
@@ -56,6 +63,7 @@ ProfileAck ProfileDesk::ack_of(const AnyProfile& entry, AckOutcome outcome) cons
 }
 
 std::vector<AnyProfile> ProfileDesk::take_due(std::int64_t sim_time_ns) {
+  taken_until_ns_ = sim_time_ns;
   std::map<ProfileKind, AnyProfile> latest;
   while (!waiting_.empty() && waiting_.begin()->first.first < sim_time_ns) {
     const AnyProfile entry = waiting_.begin()->second;
@@ -70,7 +78,7 @@ std::vector<AnyProfile> ProfileDesk::take_due(std::int64_t sim_time_ns) {
   std::vector<AnyProfile> due;
   for (const auto& [kind, entry] : latest) {
     std::vector<std::uint8_t> parameters = parameters_of(entry);
-    std::vector<std::uint8_t>& in_use = parameters_in_use_[kind];
+    std::vector<std::uint8_t>& in_use = parameters_in_use_.at(static_cast<std::size_t>(kind));
     // Asked to reset or redraw, the same parameters still change the states.
     const bool unchanged = parameters == in_use && request_of(entry).continuity == Continuity::Keep;
     // No sample came out under what took effect before this and waits still, as from a receiver without a fix.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -33,15 +36,24 @@ class ProfileDesk {
   /// The acknowledgements that wait for the first sample under the new profiles, which is the one with this header.
   std::vector<ProfileAck> acknowledge(const StreamHeader& first_sample);
 
+  /// What it needs to go on from here; the entries themselves come again with the journal (recovery/state_stream.hpp).
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.taken_until_ns_, self.parameters_in_use_, self.to_acknowledge_);
+    if constexpr (!std::is_const_v<Self>) self.forget_taken();
+  }
+
  private:
+  void forget_taken();
   ProfileAck ack_of(const AnyProfile& entry, AckOutcome outcome) const;
 
   SensorAddress sensor_;
   std::string service_;
   std::set<std::uint32_t> known_;
-  std::vector<std::int64_t> apply_times_;                                 // of all sensors' entries, sorted
-  std::map<std::pair<std::int64_t, std::uint32_t>, AnyProfile> waiting_;  // by apply time and number
-  std::map<ProfileKind, std::vector<std::uint8_t>> parameters_in_use_;    // CDR without the request
+  std::vector<std::int64_t> apply_times_;                                   // of all sensors' entries, sorted
+  std::map<std::pair<std::int64_t, std::uint32_t>, AnyProfile> waiting_;    // by apply time and number
+  std::int64_t taken_until_ns_ = std::numeric_limits<std::int64_t>::min();  // entries before it have been taken
+  std::array<std::vector<std::uint8_t>, 5> parameters_in_use_;              // by kind, CDR without the request
   std::vector<ProfileAck> to_acknowledge_;
 };
 

@@ -22,6 +22,12 @@ class Emulator {
   /// Truth samples come in order, each once, when ready_for() says so.
   Result process(const TruthState& truth);
 
+  /// What it needs to go on from here (recovery/state_stream.hpp).
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.model_, self.desk_);
+  }
+
  private:
   GnssModel model_;
   swap::ProfileDesk desk_;

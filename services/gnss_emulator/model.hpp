@@ -49,6 +49,15 @@ class GnssModel {
   /// come in order, and every epoch's among them. Fixes are numbered from 0 without gaps.
   std::optional<GnssFix> observe(const TruthState& truth);
 
+  /// What a model of the same setup needs to go on from here (recovery/state_stream.hpp).
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.errors_, self.installation_, self.fault_);
+    if constexpr (!std::is_const_v<Self>) self.ladder_.retune(self.errors_, Continuity::Reset);
+    visit(self.ladder_, self.position_noise_, self.velocity_noise_, self.rung_, self.epoch_, self.fixes_);
+    if constexpr (!std::is_const_v<Self>) self.take_errors_of(self.rung_);
+  }
+
  private:
   /// Satellites and DOPs: stated by the profile, or from its constellation.
   Geometry geometry(const TruthState& truth, const SensorSite& antenna) const;

@@ -45,6 +45,12 @@ class NedNoise {
     return error;
   }
 
+  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.gauss_markov_);
+  }
+
  private:
   std::array<random::NormalCursor, 3> white_;
   std::array<random::GaussMarkov, 3> gauss_markov_;

@@ -41,6 +41,12 @@ class AxisFaults {
 
   bool is_off() const { return is_off_; }
 
+  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.last_);
+  }
+
  private:
   std::array<AxisFault, 3> faults_{};
   bool is_off_ = true;

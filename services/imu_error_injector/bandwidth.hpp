@@ -50,6 +50,12 @@ class Bandwidth {
     return out;
   }
 
+  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    for (auto& axis : self.axes_) visit(axis.starts, axis.y, axis.slope);
+  }
+
  private:
   struct Axis {
     int order = 0;

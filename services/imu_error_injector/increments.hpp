@@ -9,6 +9,11 @@ struct Increments {
   Vector3 dtheta = Vector3::Zero();  ///< rad
   Vector3 dv = Vector3::Zero();      ///< m/s
 
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.dtheta, self.dv);
+  }
+
   Increments& operator+=(const Increments& other) {
     dtheta += other.dtheta;
     dv += other.dv;

@@ -27,6 +27,8 @@ ImuModel::ImuModel(const Setup& setup)
       imu_period_ns_(setup.imu_rate.multiple_of(setup.truth_rate) * truth_period_ns_),
       dt_s_(setup.imu_rate.period_s()),
       gravity_(setup.gravity),
+      errors_(setup.errors),
+      installation_profile_(setup.installation),
       installation_(checked(setup.installation), setup.gravity),
       vibration_(checked(setup.vibration), {dt_s_, setup.seed, sensor_name(setup.sensor_number)}),
       temperature_(checked(setup.errors).temperature),
@@ -76,8 +78,23 @@ void ImuModel::begin_interval() {
   pending_.clear();
 }
 
+void ImuModel::use_profiles() {
+  tune(errors_, Continuity::Keep, 0);
+  installation_ = Installation(installation_profile_, gravity_);
+  take(fault_, 0);
+}
+
+void ImuModel::find_start() {
+  if (previous_) start_ = installation_.at(*previous_);
+}
+
 void ImuModel::take(const ImuErrorProfile& profile, std::uint64_t k) {
-  const Continuity continuity = profile.request.continuity;
+  errors_ = profile;
+  tune(profile, profile.request.continuity, k);
+  revisions_.imu_error = profile.request.journal_number;
+}
+
+void ImuModel::tune(const ImuErrorProfile& profile, Continuity continuity, std::uint64_t k) {
   const TriadParameters gyro = in_si(profile.gyro);
   const TriadParameters accel = in_si(profile.accel);
   temperature_ = Temperature(profile.temperature);
@@ -88,7 +105,6 @@ void ImuModel::take(const ImuErrorProfile& profile, std::uint64_t k) {
   accel_limits_.retune(accel, continuity);
   drops_.retune(profile.drop_probability);
   latency_ns_ = time::from_seconds(profile.latency_s).count();
-  revisions_.imu_error = profile.request.journal_number;
 }
 
 void ImuModel::take(const VibrationProfile& profile, std::uint64_t) {
@@ -99,13 +115,15 @@ void ImuModel::take(const VibrationProfile& profile, std::uint64_t) {
 void ImuModel::take(const InstallationProfile& profile, std::uint64_t) {
   const Vector3 old_arm_v_m = installation_.lever_arm_v_m();
   const Quaternion old_q_vb = installation_.q_vb();
+  installation_profile_ = profile;
   installation_ = Installation(profile, gravity_);
-  start_ = installation_.at(*previous_);
+  find_start();
   if (installation_.lever_arm_v_m() != old_arm_v_m || installation_.q_vb().coeffs() != old_q_vb.coeffs()) relocated();
   revisions_.installation = profile.request.journal_number;
 }
 
 void ImuModel::take(const FaultProfile& profile, std::uint64_t) {
+  fault_ = profile;
   gyro_.set_fault(profile.gyro_bias_jump_deg_per_h * units::kDegPerH,
                   profile.gyro_noise_burst_deg_per_sqrt_h * units::kDegPerSqrtH);
   accel_.set_fault(profile.accel_bias_jump_mgal * units::kMGal,

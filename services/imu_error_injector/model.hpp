@@ -60,9 +60,22 @@ class ImuModel {
   /// then as it was.
   std::optional<Output> measure(const TruthState& truth);
 
+  /// What a model of the same setup needs to go on from here (recovery/state_stream.hpp).
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.errors_, self.installation_profile_, self.fault_);
+    if constexpr (!std::is_const_v<Self>) self.use_profiles();
+    visit(self.vibration_, self.gyro_, self.accel_, self.gyro_limits_, self.accel_limits_, self.previous_,
+          self.perfect_, self.discontinuity_, self.revisions_, self.pending_);
+    if constexpr (!std::is_const_v<Self>) self.find_start();
+  }
+
  private:
   using Profile = std::variant<ImuErrorProfile, VibrationProfile, InstallationProfile, FaultProfile>;
 
+  void use_profiles();
+  void find_start();
+  void tune(const ImuErrorProfile& profile, Continuity continuity, std::uint64_t k);
   void begin_interval();
   void take(const ImuErrorProfile& profile, std::uint64_t k);
   void take(const VibrationProfile& profile, std::uint64_t k);
@@ -81,6 +94,9 @@ class ImuModel {
   double dt_s_;
   nav::Gravity gravity_;
 
+  ImuErrorProfile errors_;  ///< in use, as the two others
+  InstallationProfile installation_profile_;
+  FaultProfile fault_;
   Installation installation_;
   Vibration vibration_;
   Temperature temperature_;

@@ -40,6 +40,12 @@ class Quantization {
     return out;
   }
 
+  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.remainder_);
+  }
+
  private:
   Vector3 count_ = Vector3::Zero();      ///< rad | m/s
   Vector3 remainder_ = Vector3::Zero();  ///< rad | m/s

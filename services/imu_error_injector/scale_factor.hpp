@@ -54,6 +54,12 @@ class ScaleFactor {
     return scale_factor.cwiseProduct(sensed);
   }
 
+  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.constant_, self.turn_on_, self.gauss_markov_);
+  }
+
  private:
   void take(const TriadParameters& parameters) {
     constant_ = parameters.scale_factor;

@@ -50,6 +50,12 @@ class TriadErrors {
     budget.noise = noise_.error(k);
   }
 
+  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.scale_factor_, self.bias_);
+  }
+
  private:
   double dt_s_;
   ScaleFactor scale_factor_;

@@ -52,6 +52,12 @@ class TriadLimits {
     return out;
   }
 
+  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.bandwidth_, self.quantization_, self.faults_);
+  }
+
  private:
   double dt_s_;
   Bandwidth bandwidth_;

@@ -35,6 +35,7 @@ Vibration::Layer Vibration::layer_of(const VibrationProfile& profile) const {
   };
   const bool moves = profile.domain == VibrationDomain::Motion;
   Layer layer;
+  layer.profile = profile;
   auto& linear = moves ? layer.mount_linear : layer.linear;
   auto& angular = moves ? layer.mount_angular : layer.angular;
   for (const auto& s : profile.linear) linear.push_back(tone(s.amplitude_m_per_s2, s.frequency_hz, s.phase_deg));
@@ -72,6 +73,12 @@ bool Vibration::swap(const VibrationProfile& profile, std::int64_t time_ns, doub
   layers_.push_back(layer_of(profile));
   note_motion();
   return jumps || (length_ns <= 0 && mount_moves());
+}
+
+void Vibration::use(const std::vector<VibrationProfile>& profiles) {
+  layers_.clear();
+  for (const VibrationProfile& profile : profiles) layers_.push_back(layer_of(profile));
+  note_motion();
 }
 
 void Vibration::drop_layers_until(std::size_t count) {

@@ -60,6 +60,15 @@ class Vibration {
   /// The mount at `time_ns` + `offset_s`.
   MountState mount(std::int64_t time_ns, double offset_s) const;
 
+  /// What is in use and fading (recovery/state_stream.hpp).
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    std::vector<VibrationProfile> profiles;
+    for (const Layer& layer : self.layers_) profiles.push_back(layer.profile);
+    visit(profiles, self.fades_);
+    if constexpr (!std::is_const_v<Self>) self.use(profiles);
+  }
+
  private:
   struct Tone {
     /// dt sinc(pi f dt), s: the part of an interval's integral that depends on its length alone, which seldom changes.
@@ -72,6 +81,7 @@ class Vibration {
     double cached_gain_s = 0.0;
   };
   struct Layer {
+    VibrationProfile profile;
     std::vector<Tone> linear;
     std::vector<Tone> angular;
     std::vector<Tone> mount_linear;
@@ -85,8 +95,13 @@ class Vibration {
   };
   /// Layer i + 1 rises and all layers before it fall with fade i.
   struct Fade {
-    std::int64_t start_ns;
-    std::int64_t length_ns;
+    std::int64_t start_ns = 0;
+    std::int64_t length_ns = 0;
+
+    template <class Self, class Visitor>
+    static void state(Self& self, Visitor& visit) {
+      visit(self.start_ns, self.length_ns);
+    }
   };
   struct Gate {
     Fade fade;
@@ -108,6 +123,7 @@ class Vibration {
   static Vector3 integral(std::vector<Tone>& tones, const Span& span, const std::vector<Gate>& gates);
   Increments random_increments(std::int64_t from_ns, std::int64_t to_ns);
   Weight weight(std::size_t layer, std::int64_t time_ns, double offset_s) const;
+  void use(const std::vector<VibrationProfile>& profiles);
   void drop_layers_until(std::size_t count);
   void note_motion();
 

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace inslab::recovery {
+
+/// A file mapped into memory for reading and writing; what is written survives the process. Private to the user.
+class MappedFile {
+ public:
+  /// Opens `path`, or creates it with zeros, at least `size` bytes. Throws std::runtime_error naming the file.
+  MappedFile(const std::string& path, std::size_t size);
+  ~MappedFile();
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  std::uint8_t* data() { return data_; }
+  std::size_t size() const { return size_; }
+  /// Makes it at least `size` bytes long; data() may move. Throws std::runtime_error.
+  void grow(std::size_t size);
+
+ private:
+  void map(std::size_t size);
+  void unmap();
+
+  std::string path_;
+  int descriptor_ = -1;
+  std::uint8_t* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+}  // namespace inslab::recovery

@@ -1,0 +1,85 @@
+#include "recovery/checkpoint_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace inslab::recovery {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+class Checkpoint : public testing::Test {
+ protected:
+  Checkpoint() { std::filesystem::remove(path_); }
+  ~Checkpoint() override { std::filesystem::remove(path_); }
+
+  /// Changes one byte of the file, as a process does that is killed while it writes.
+  void spoil(std::streamoff at) {
+    std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekg(at);
+    const int before = file.get();
+    file.seekp(at);
+    file.put(static_cast<char>(before ^ 0x55));
+  }
+
+  std::string path_ = (std::filesystem::temp_directory_path() / ("inslab_checkpoint_" + std::to_string(getpid())));
+};
+
+TEST_F(Checkpoint, HasNothingAtFirst) { EXPECT_FALSE(CheckpointFile(path_).last()); }
+
+TEST_F(Checkpoint, GivesBackTheNewestState) {
+  {
+    CheckpointFile file(path_);
+    for (std::uint8_t i = 1; i <= 9; ++i) file.keep(Bytes(100u + i, i));
+  }
+  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(109, 9));
+}
+
+TEST_F(Checkpoint, AHalfWrittenStateLeavesTheOneBeforeIt) {
+  {
+    CheckpointFile file(path_);
+    file.keep(Bytes(100, 1));  // into the second slot
+    file.keep(Bytes(100, 2));  // into the first
+  }
+  spoil(50);
+  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(100, 1));
+}
+
+TEST_F(Checkpoint, GoesOnAfterItWasOpenedAgain) {
+  for (std::uint8_t i = 1; i <= 5; ++i) CheckpointFile(path_).keep(Bytes(10, i));
+  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(10, 5));
+}
+
+TEST_F(Checkpoint, GrowsForALargeStateAndKeepsTheOther) {
+  {
+    CheckpointFile file(path_);
+    file.keep(Bytes(100, 1));
+    file.keep(Bytes(1'000'000, 2));
+  }
+  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(1'000'000, 2));
+  spoil(100);
+  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(100, 1));
+}
+
+TEST_F(Checkpoint, OfGarbageIsNothing) {
+  std::ofstream(path_) << std::string(300'000, 'x');
+  EXPECT_FALSE(CheckpointFile(path_).last());
+}
+
+TEST_F(Checkpoint, BelongsToTheUserAlone) {
+  const CheckpointFile file(path_);
+  struct stat status {};
+  ASSERT_EQ(stat(path_.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777u, 0600u);
+}
+
+TEST_F(Checkpoint, InAFolderThatIsNotThereSaysWhich) {
+  EXPECT_THROW(CheckpointFile("/no/such/folder/state"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace inslab::recovery
