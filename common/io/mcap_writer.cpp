@@ -131,6 +131,19 @@ McapWriter::McapWriter(const std::string& path, Options options)
   append(record_);
 }
 
+McapWriter::McapWriter(const std::string& path, Options options, mcap::UnfinishedLog unfinished)
+    : options_(std::move(options)),
+      file_(path, unfinished.end),
+      compressor_(new Compressor(options_.compression_level)),
+      schemas_(std::move(unfinished.schemas)),
+      chunks_(std::move(unfinished.chunks)),
+      metadata_(std::move(unfinished.metadata)),
+      statistics_(std::move(unfinished.statistics)),
+      data_crc_known_(false) {
+  for (mcap::Channel& channel : unfinished.channels) channels_.push_back({std::move(channel), 0, {}});
+  chunk_.resize(options_.chunk_bytes);
+}
+
 McapWriter::~McapWriter() {
   try {
     close();
@@ -156,6 +169,10 @@ std::uint16_t McapWriter::add_schema(std::string_view name, std::string_view enc
 std::uint16_t McapWriter::add_channel(std::uint16_t schema_id, std::string_view topic,
                                       std::string_view message_encoding, const mcap::StringMap& metadata) {
   if (schema_id > schemas_.size()) throw std::out_of_range(file_.path() + ": no such type for " + std::string(topic));
+  for (const OpenChannel& known : channels_) {
+    if (!data_crc_known_ && known.channel.topic == topic && known.channel.schema_id == schema_id)
+      return known.channel.id;
+  }
   if (channels_.size() >= 65535) throw std::length_error(file_.path() + ": more than 65535 topics");
   const auto id = static_cast<std::uint16_t>(channels_.size());
   channels_.push_back({{id, schema_id, std::string(topic), std::string(message_encoding), metadata}, 0, {}});
@@ -343,7 +360,7 @@ void McapWriter::write_end() {
   Bytes end;
   ByteWriter writer(end);
   const std::size_t data_end = writer.begin_record(mcap::kDataEnd);
-  writer.number(data_crc_);
+  writer.number(data_crc_known_ ? data_crc_ : 0);
   writer.end_record(data_end);
   write_summary(end);
   append(end);

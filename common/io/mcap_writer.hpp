@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/mcap_format.hpp"
+#include "io/mcap_unfinished.hpp"
 #include "io/output_file.hpp"
 
 namespace inslab::io {
@@ -33,6 +34,10 @@ class McapWriter {
   explicit McapWriter(const std::string& path);
   McapWriter(const std::string& path, Options options);
 
+  /// Goes on with what a killed writer left at `path`; see mcap::read_unfinished(). Types and topics that are added
+  /// again keep their ids. Throws WriteError.
+  McapWriter(const std::string& path, Options options, mcap::UnfinishedLog unfinished);
+
   /// Closes; an error is lost here, so call close() first.
   ~McapWriter();
   McapWriter(const McapWriter&) = delete;
@@ -42,8 +47,8 @@ class McapWriter {
   /// 65535 types.
   std::uint16_t add_schema(std::string_view name, std::string_view encoding, std::string_view text);
 
-  /// Adds a topic of the type `schema_id` (0: none); the id is for write(). Throws WriteError, std::out_of_range for a
-  /// schema that was not added, std::length_error above 65535 topics.
+  /// Adds a topic of the type `schema_id` (0: none), unless a log that goes on has it; the id is for write(). Throws
+  /// WriteError, std::out_of_range for a schema that was not added, std::length_error above 65535 topics.
   std::uint16_t add_channel(std::uint16_t schema_id, std::string_view topic, std::string_view message_encoding,
                             const mcap::StringMap& metadata = {});
 
@@ -104,6 +109,7 @@ class McapWriter {
   std::vector<std::uint8_t> record_;  ///< what is appended next
   mcap::Statistics statistics_;
   std::uint32_t data_crc_ = 0;
+  bool data_crc_known_ = true;  ///< of a log that goes on it would take reading the whole file
   std::uint64_t messages_lost_ = 0;
   std::string failure_;
   bool closed_ = false;

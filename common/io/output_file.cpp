@@ -16,6 +16,16 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (descriptor_ < 0) throw WriteError(path_, "create", errno);
 }
 
+OutputFile::OutputFile(const std::string& path, std::uint64_t keep) : path_(path), size_(keep) {
+  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor_ < 0) throw WriteError(path_, "open", errno);
+  const auto end = static_cast<off_t>(keep);
+  if (::ftruncate(descriptor_, end) == 0 && ::lseek(descriptor_, end, SEEK_SET) == end) return;
+  const int error_number = errno;
+  ::close(descriptor_);
+  throw WriteError(path_, "cut", error_number);
+}
+
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }

@@ -14,6 +14,8 @@ class OutputFile {
  public:
   /// Creates or empties the file. Throws WriteError.
   explicit OutputFile(const std::string& path);
+  /// Goes on with a file that is there, after its first `keep` bytes; the rest is cut off. Throws WriteError.
+  OutputFile(const std::string& path, std::uint64_t keep);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
