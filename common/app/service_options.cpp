@@ -56,6 +56,11 @@ std::optional<int> parse(const char* name, const char* purpose, const ServiceTra
   options.network.add_to(app);
   if (traits.has_sensor) app.add_option("--sensor", options.sensor, "number of the sensor in the scenario");
   if (traits.has_log) app.add_option("--log", options.log_file, "file to write; default runs/NAME-TIME.mcap");
+  if (!traits.makes_truth) {
+    app.add_option("--state", options.state_folder,
+                   "folder for what this service needs to go on when it is killed and started again; default: inslab "
+                   "in the user's runtime folder");
+  }
   if (traits.makes_truth) options.clock.add_to(app);
   app.add_option("--log-level", options.log_level, "debug, info, warn or error")
       ->check(CLI::IsMember({"debug", "info", "warn", "error"}))

@@ -16,9 +16,16 @@ class StreamMonitor {
 
   /// A sample received at `received_realtime_ns`; another run id starts the counts afresh. False when it came before.
   bool received(const StreamHeader& header, std::int64_t received_realtime_ns);
+  /// Goes on from where another process of the same service stopped: `samples` so far, the next one `next_sequence`.
+  void go_on(const RunId& run, std::uint64_t samples, std::uint64_t next_sequence) {
+    run_id_ = run;
+    samples_ = samples;
+    next_sequence_ = next_sequence;
+  }
   /// A sample sent.
   void sent() { ++samples_; }
 
+  const std::string& topic() const { return topic_; }
   std::uint64_t samples() const { return samples_; }
   std::uint64_t lost() const { return lost_; }
   std::uint64_t next_sequence() const { return next_sequence_; }

@@ -11,6 +11,7 @@
 #include "app/stream_monitor.hpp"
 #include "dds/topics.hpp"
 #include "dds/writer.hpp"
+#include "recovery/state_stream.hpp"
 #include "samples/run_control.hpp"
 
 namespace inslab::app {
@@ -57,6 +58,16 @@ class StreamOutput {
     lockstep_ = clock == ClockMode::Lockstep;
   }
 
+  /// What it needs to go on from here in another process (recovery/state_stream.hpp); call begin_run() before.
+  void save(recovery::StateWriter& writer) const { writer(next_, sent_.samples()); }
+  void load(recovery::StateReader& reader) {
+    std::uint64_t samples = 0;
+    reader(next_, samples);
+    sent_.go_on(run_, samples, next_);
+    // Consumers may have more than this process knows of: what the other one sent after it saved its state.
+    ahead_ = window_samples_ + kBlockSamples;
+  }
+
   /// Sends a sample, with the clocks of this moment in its header; in lockstep, once its block is full.
   void put(Sample& sample) {
     stamped(sample);
@@ -67,6 +78,7 @@ class StreamOutput {
       return;
     }
     sent_.sent();
+    if (ledger_.lowest().value_or(0) > sample.header.sequence_number) return;  // all had it of the process before
     // An app that reads single samples takes part in lockstep too: its imu_sequence paces it.
     if (foreign_readers() > 0) samples_.write(sample);
     gathered_.samples.push_back(sample);
@@ -87,9 +99,9 @@ class StreamOutput {
 
   /// Takes a credit for this stream, and sends again what it asks for.
   void take(const Credit& credit) {
-    if (credit.next_sequence > next_ || !ledger_.take(credit, run_)) return;
+    if (credit.next_sequence > next_ + ahead_ || !ledger_.take(credit, run_)) return;
     if (lockstep_) window_.forget_before(ledger_.lowest().value_or(0));
-    if (!credit.resend || credit.next_sequence == next_ || window_.empty()) return;
+    if (!credit.resend || credit.next_sequence >= next_ || window_.empty()) return;
     flush_block();
     std::uint64_t from = credit.next_sequence;
     for (std::uint64_t sent = 0; sent < kWindowSamples;) {
@@ -137,6 +149,7 @@ class StreamOutput {
   RunId run_;
   bool lockstep_ = false;
   std::uint64_t next_ = 0;
+  std::uint64_t ahead_ = 0;  ///< how far beyond next_ a credit may be
   CreditLedger ledger_;
   SentWindow<Sample> window_;
   Block<Sample> gathered_;

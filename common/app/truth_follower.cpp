@@ -15,6 +15,7 @@ TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, Trut
       sensor_number_(sensor_number),
       consumer_(consumer),
       truth_monitor_(dds::topics::truth().name, StreamDirection::In),
+      checkpoint_(context),
       board_(context.participant(), context.service(), sensor_number,
              [this](ServiceStatus& status) {
                status.streams.push_back(truth_monitor_.status());
@@ -90,17 +91,45 @@ void TruthFollower::handle(Message message) {
 }
 
 void TruthFollower::handle(const SimStatus& status) {
-  if (status.run_id != run_id_) {
-    run_id_ = status.run_id;
-    clock_ = status.clock;
-    board_.set_run(run_id_);
-    consumer_.begin_run(run_id_, clock_);
-    give_credit(true);
-  }
+  // Once a run has begun this process serves no other: a second trajectory server must not turn its head.
+  if (status.run_id != run_id_ && run_began_) return;
+  if (status.run_id != run_id_) begin_run(status);
+  run_began_ = run_began_ || next_ > 0 || status.state != RunState::Waiting;
   if (!has_ended(status.state)) return;
   run_ended_ = true;
   run_ended_at_ = monotonic_now();
   truth_samples_of_run_ = status.truth_samples;
+  if (status.state == RunState::Fault) fault_ = status.message;
+}
+
+void TruthFollower::begin_run(const SimStatus& status) {
+  run_id_ = status.run_id;
+  clock_ = status.clock;
+  board_.set_run(run_id_);
+  consumer_.begin_run(run_id_, clock_);
+  if (!has_ended(status.state) && resume()) board_.enter(ServiceState::Running);
+  give_credit(true);
+}
+
+/// Goes on where a process before this one stopped in the same run. False when there was none.
+bool TruthFollower::resume() {
+  const auto head = checkpoint_.resume(run_id_, [this](recovery::StateReader& reader) {
+    reader(next_);
+    consumer_.load(reader);
+  });
+  if (!head) return false;
+  delivered_ = next_;
+  truth_monitor_.go_on(run_id_, next_, next_);
+  spdlog::warn("goes on with truth sample {}, {:.3f} s after the last sign of life", next_,
+               static_cast<double>(realtime_now().count() - head->kept_realtime_ns) * 1e-9);
+  return true;
+}
+
+std::vector<std::uint8_t> TruthFollower::checkpoint() const {
+  return checkpoint_.state(run_id_, [this](recovery::StateWriter& writer) {
+    writer(next_);
+    consumer_.save(writer);
+  });
 }
 
 void TruthFollower::add_truth(const Arrived& arrived) {
@@ -112,6 +141,7 @@ void TruthFollower::add_truth(const Arrived& arrived) {
     const std::uint64_t sequence = state.header.sequence_number;
     if (sequence >= next_) pending_.insert_or_assign(sequence, Pending{state, &state == &arrived.samples.back()});
   }
+  truth_came_at_ = monotonic_now();
   board_.enter(ServiceState::Running);
 }
 
@@ -130,9 +160,12 @@ void TruthFollower::process_pending() {
     ++next_;
     waiting_since_ = monotonic_now();
     stalled_ = false;
-    if (!ends_block || clock_ != ClockMode::Lockstep) continue;
-    consumer_.flush_blocks();
-    marks_.push_back({next_, consumer_.outputs_end()});
+    if (clock_ != ClockMode::Lockstep) {
+      checkpoint_.keep(checkpoint());
+    } else if (ends_block) {
+      consumer_.flush_blocks();
+      marks_.push_back({next_, consumer_.outputs_end(), checkpoint()});
+    }
   }
   if (clock_ != ClockMode::Lockstep) return;
   if (!consumer_.has_room()) consumer_.flush_blocks();
@@ -140,6 +173,7 @@ void TruthFollower::process_pending() {
   while (undelivered != marks_.end() && consumer_.outputs_delivered(undelivered->outputs_end)) ++undelivered;
   if (undelivered == marks_.begin()) return;
   delivered_ = std::prev(undelivered)->truth_end;
+  checkpoint_.keep(std::prev(undelivered)->checkpoint);
   marks_.erase(marks_.begin(), undelivered);
   give_credit(false);
 }
@@ -154,17 +188,27 @@ void TruthFollower::give_credit(bool resend) {
   credit.consumer = service_;
   credit.consumer_number = sensor_number_;
   credit.topic = dds::topics::truth().name;
-  credit.next_sequence = resend ? next_ : delivered_;
+  // What lies between the two is needed again if this process is killed before its outputs are delivered.
+  credit.next_sequence = clock_ == ClockMode::Lockstep ? delivered_ : next_;
   credit.resend = resend;
   if (!credits_.write(credit)) spdlog::warn("a credit could not be sent");
 }
 
 /// Truth that was sent and has not come is asked for again.
 void TruthFollower::watch_for_gaps() {
-  if (run_id_ == RunId{} || monotonic_now() < next_credit_) return;
+  if (run_id_ == RunId{}) return;
   const bool gap = !pending_.empty() && pending_.begin()->first > next_;
+  if (!gap) gap_since_ = time::Nanoseconds(0);
+  // What was asked for has come and is not all: ask for the rest at once.
+  const bool answered = gap && gap_since_ != time::Nanoseconds(0) && next_ > asked_from_;
+  if (!answered && monotonic_now() < next_credit_) return;
+  if (gap && (answered || gap_since_ == time::Nanoseconds(0))) gap_since_ = monotonic_now();
+  asked_from_ = next_;
   const bool tail_is_missing = run_ended_ && pending_.empty() && next_ < truth_samples_of_run_;
-  if (gap || tail_is_missing) {
+  // In lockstep the next block follows upon a credit; one that was sent before this process listened is sent again.
+  const bool silence = clock_ == ClockMode::Lockstep && pending_.empty() && marks_.empty() && !run_ended_ &&
+                       monotonic_now() - truth_came_at_ > milliseconds(400);
+  if (gap || tail_is_missing || silence) {
     give_credit(true);
   } else if (clock_ == ClockMode::Lockstep) {
     give_credit(false);
@@ -181,6 +225,19 @@ void TruthFollower::watch_the_journal() {
                 front.journal_in_effect);
 }
 
+/// Truth that was asked for again and again and does not come is no longer kept: without it there is no going on.
+bool TruthFollower::gave_up() {
+  constexpr time::Nanoseconds kPatience = seconds(8);
+  if (gap_since_ == time::Nanoseconds(0) || monotonic_now() - gap_since_ < kPatience) return false;
+  const std::string reason = "truth samples " + std::to_string(next_) + " to " +
+                             std::to_string(pending_.begin()->first - 1) +
+                             " cannot be had: there is no checkpoint of this run to go on from, or it is too old";
+  spdlog::error("{}", reason);
+  board_.enter(ServiceState::Fault, reason);
+  board_.flush(seconds(2));
+  return true;
+}
+
 bool TruthFollower::finished() const {
   if (!run_ended_) return false;
   // What has not come some seconds after the end, asked for again and again, will not come.
@@ -193,6 +250,7 @@ int TruthFollower::run() {
     if (auto message = mailbox_.take(milliseconds(50))) handle(std::move(*message));
     process_pending();
     watch_for_gaps();
+    if (gave_up()) return kFailed;
     watch_the_journal();
     if (board_.state() == ServiceState::Starting) {
       const std::string waits_for = missing();
@@ -204,11 +262,15 @@ int TruthFollower::run() {
 }
 
 int TruthFollower::end() {
+  checkpoint_.forget();
   consumer_.flush_blocks();
   consumer_.flush(monotonic_now() + seconds(2));
-  const bool complete = run_ended_ && mailbox_.dropped() == 0 && next_ == truth_samples_of_run_;
+  const bool complete = run_ended_ && fault_.empty() && mailbox_.dropped() == 0 && next_ == truth_samples_of_run_;
   if (shutdown_requested() && !run_ended_) {
     board_.enter(ServiceState::Finished, "ended by a signal");
+  } else if (!fault_.empty()) {
+    board_.enter(ServiceState::Fault, "the run ended as a fault: " + fault_);
+    spdlog::error("the run ended as a fault: {}", fault_);
   } else if (!complete) {
     board_.enter(ServiceState::Fault, "truth samples are missing");
     spdlog::error("{} of {} truth samples came", truth_monitor_.samples(), truth_samples_of_run_);

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/checkpoint.hpp"
 #include "app/mailbox.hpp"
 #include "app/service.hpp"
 #include "app/status_board.hpp"
@@ -43,6 +44,9 @@ class TruthConsumer {
   virtual std::string paced_by_nav_app() const { return ""; }
   /// What the outputs still wait for before the run may begin; empty when each has its readers.
   virtual std::string missing_readers() const = 0;
+  /// What it needs to go on in another process, and going on from that.
+  virtual void save(recovery::StateWriter& writer) const = 0;
+  virtual void load(recovery::StateReader& reader) = 0;
   /// Adds the counters of the outputs.
   virtual void report(ServiceStatus& status) const = 0;
   /// Waits until the readers of the outputs have everything, at the latest until `deadline` (CLOCK_MONOTONIC).
@@ -52,6 +56,10 @@ class TruthConsumer {
 /// Follows one run: reads truth, journal and run state, holds a truth sample back until the journal is complete for it
 /// and the outputs have room, and ends when the run has ended and its last sample is processed. Truth is processed in
 /// order, each sample once: what is missing is asked for again. Callbacks enqueue; run() is the one worker.
+///
+/// After each truth sample, in lockstep after each block that has been delivered, it keeps a checkpoint. Killed and
+/// started again in the same run it goes on from there: it asks for the truth since, and its outputs continue with the
+/// same bits.
 class TruthFollower {
  public:
   TruthFollower(Context& context, std::uint32_t sensor_number, TruthConsumer& consumer);
@@ -73,12 +81,16 @@ class TruthFollower {
   struct Mark {
     std::uint64_t truth_end;
     std::vector<std::uint64_t> outputs_end;
+    std::vector<std::uint8_t> checkpoint;
   };
 
   template <class Profile>
   void read_journal(dds::Participant& participant);
   void handle(Message message);
   void handle(const SimStatus& status);
+  void begin_run(const SimStatus& status);
+  bool resume();
+  std::vector<std::uint8_t> checkpoint() const;
   void add_truth(const Arrived& arrived);
   void process_pending();
   void give_credit(bool resend);
@@ -87,6 +99,7 @@ class TruthFollower {
   bool can_process() const;
   std::string missing() const;
   bool finished() const;
+  bool gave_up();
   int end();
 
   std::string service_;
@@ -95,15 +108,21 @@ class TruthFollower {
   StreamMonitor truth_monitor_;
   Mailbox<Message> mailbox_;
   std::map<std::uint64_t, Pending> pending_;  ///< truth samples not processed yet, by sequence number
-  std::uint64_t next_ = 0;                    ///< the truth sample to process next
-  std::vector<Mark> marks_;                   ///< processed, but not yet delivered
-  std::uint64_t delivered_ = 0;               ///< truth samples before this one are never needed again
+  Checkpoint checkpoint_;
+  std::uint64_t next_ = 0;              ///< the truth sample to process next
+  std::uint64_t asked_from_ = 0;        ///< next_ when truth was last asked for again
+  time::Nanoseconds gap_since_{0};      ///< CLOCK_MONOTONIC, the sample next_ is missing; 0: it is not
+  std::vector<Mark> marks_;             ///< processed, but not yet delivered
+  std::uint64_t delivered_ = 0;         ///< truth samples before this one are never needed again
+  time::Nanoseconds truth_came_at_{0};  ///< CLOCK_MONOTONIC, the newest
   time::Nanoseconds waiting_since_{0};
   time::Nanoseconds next_credit_{0};
   bool stalled_ = false;
   RunId run_id_;
   ClockMode clock_ = ClockMode::RealTime;
+  bool run_began_ = false;
   bool run_ended_ = false;
+  std::string fault_;  ///< why the run ended as a fault; empty: it did not
   std::uint64_t truth_samples_of_run_ = 0;
   time::Nanoseconds run_ended_at_{0};
   StatusBoard board_;

@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <fastdds/dds/subscriber/DataReader.hpp>
@@ -27,6 +28,14 @@ struct SampleOrigin {
     return a.number != b.number ? a.number < b.number : a.writer < b.writer;
   }
 };
+
+/// What the writers of one participant have in common.
+using ParticipantKey = std::array<std::uint8_t, 12>;
+inline ParticipantKey participant_of(const SampleOrigin& origin) {
+  ParticipantKey key{};
+  std::copy_n(origin.writer.begin(), key.size(), key.begin());
+  return key;
+}
 
 enum class Reliability { Reliable, BestEffort };
 

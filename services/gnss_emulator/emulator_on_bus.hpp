@@ -37,6 +37,14 @@ class EmulatorOnBus : public app::TruthConsumer {
     if (const std::string missing = fixes_.missing_readers(); !missing.empty()) return missing;
     return acks_.matched_readers() > 0 ? "" : "waits for a reader of inslab/profile_ack";
   }
+  void save(recovery::StateWriter& writer) const override {
+    writer(emulator_);
+    fixes_.save(writer);
+  }
+  void load(recovery::StateReader& reader) override {
+    reader(emulator_);
+    fixes_.load(reader);
+  }
   void report(ServiceStatus& status) const override { status.streams.push_back(fixes_.status()); }
   void flush(time::Nanoseconds deadline) override {
     fixes_.wait_for_acknowledgments(deadline);

@@ -58,6 +58,16 @@ class InjectorOnBus : public app::TruthConsumer {
     }
     return acks_.matched_readers() > 0 ? "" : "waits for a reader of inslab/profile_ack";
   }
+  void save(recovery::StateWriter& writer) const override {
+    writer(injector_);
+    samples_.save(writer);
+    truths_.save(writer);
+  }
+  void load(recovery::StateReader& reader) override {
+    reader(injector_);
+    samples_.load(reader);
+    truths_.load(reader);
+  }
   void report(ServiceStatus& status) const override {
     status.streams.push_back(samples_.status());
     status.streams.push_back(truths_.status());

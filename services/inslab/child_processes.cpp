@@ -22,6 +22,31 @@ ChildProcesses::~ChildProcesses() {
 }
 
 void ChildProcesses::start(const std::string& program, const std::vector<std::string>& arguments) {
+  children_.push_back({program, arguments, spawn(program, arguments), false, 0});
+}
+
+std::vector<std::string> ChildProcesses::restart_killed_except(const std::string& program) {
+  std::vector<std::string> lines;
+  for (Child& child : children_) {
+    if (!child.ended || child.exit_code <= 128 || child.program == program) continue;
+    lines.push_back(child.program + " was ended by signal " + std::to_string(child.exit_code - 128) +
+                    " and started again");
+    child.pid = spawn(child.program, child.arguments);
+    child.ended = false;
+    child.exit_code = 0;
+  }
+  return lines;
+}
+
+std::vector<std::pair<std::string, pid_t>> ChildProcesses::running() const {
+  std::vector<std::pair<std::string, pid_t>> running;
+  for (const Child& child : children_) {
+    if (!child.ended) running.emplace_back(child.program, child.pid);
+  }
+  return running;
+}
+
+pid_t ChildProcesses::spawn(const std::string& program, const std::vector<std::string>& arguments) {
   const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / program;
   if (access(path.c_str(), X_OK) != 0) throw std::runtime_error(path.string() + ": " + std::strerror(errno));
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
@@ -36,7 +61,7 @@ void ChildProcesses::start(const std::string& program, const std::vector<std::st
     execv(path.c_str(), argv.data());
     _exit(127);
   }
-  children_.push_back({program, pid, false, 0});
+  return pid;
 }
 
 void ChildProcesses::poll() {

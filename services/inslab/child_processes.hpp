@@ -28,6 +28,10 @@ class ChildProcesses {
   std::optional<std::string> failure() const;
   /// Whether the program has ended already.
   bool has_ended(const std::string& program) const;
+  /// Starts again those that a signal ended, except `program`. Returns what it did, in words, one line for each.
+  std::vector<std::string> restart_killed_except(const std::string& program);
+  /// The pids of those that run.
+  std::vector<std::pair<std::string, pid_t>> running() const;
   /// Sends SIGTERM to all that run.
   void terminate();
   void wait_for_end(std::chrono::nanoseconds timeout);
@@ -35,10 +39,12 @@ class ChildProcesses {
  private:
   struct Child {
     std::string program;
+    std::vector<std::string> arguments;
     pid_t pid = 0;
     bool ended = false;
     int exit_code = 0;  ///< 128 + signal when a signal ended it
   };
+  static pid_t spawn(const std::string& program, const std::vector<std::string>& arguments);
   void signal_all(int signal) const;
 
   std::vector<Child> children_;

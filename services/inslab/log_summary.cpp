@@ -97,6 +97,7 @@ void read_initial(const io::McapReader& log, const SensorAddress& sensor, LogSum
 
 void read_metadata(const io::McapReader& log, LogSummary& summary) {
   for (const auto& record : log.metadata()) {
+    if (record.name.rfind("recovery/", 0) == 0) summary.recoveries.push_back(record.values);
     if (record.name != "scenario") continue;
     const std::string place = log.path() + " (metadata scenario)";
     summary.scenario =

@@ -34,7 +34,8 @@ struct LogSummary {
   std::vector<ServiceStatus> services;           ///< the last report of each
   std::optional<VehicleLink> vehicle_link;       ///< the last report; of a live vehicle only
   std::vector<ProfileAck> acks;
-  std::vector<ProfileInUse> profiles;  ///< what the scenario began with, and the journal in its order
+  std::vector<io::mcap::StringMap> recoveries;  ///< see logger::RunLog
+  std::vector<ProfileInUse> profiles;           ///< what the scenario began with, and the journal in its order
 
   /// The profile of that kind and sensor in use for a sample of sim time `t`; null when there is none.
   const AnyProfile* in_use(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const;

@@ -30,4 +30,8 @@ void Progress::show(time::Nanoseconds sim_time) {
   }
 }
 
+void Progress::say(const std::string& line) const {
+  std::fprintf(stderr, "%s%s\n", terminal_ ? "\r\033[K" : "", line.c_str());
+}
+
 }  // namespace inslab::cli

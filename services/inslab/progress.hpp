@@ -15,6 +15,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void show(time::Nanoseconds sim_time);
+  /// A line of its own, above the bar.
+  void say(const std::string& line) const;
 
  private:
   std::string name_;

@@ -73,6 +73,7 @@ class LiveRun {
     bool told_to_stop = false;
     while (!children_.all_ended()) {
       children_.poll();
+      if (!told_to_stop && client_.status() && in_progress(*client_.status())) restart_killed(progress);
       const auto status = client_.status();
       if (status) {
         progress.show(time::Nanoseconds(status->sim_time_ns));
@@ -90,6 +91,8 @@ class LiveRun {
       }
       if (children_.has_ended(app::kTrajectoryServer) && !stop_deadline_) {
         stop_deadline_ = app::monotonic_now() + seconds(15);
+        // Without the clock nobody ends by itself.
+        if (children_.failure() && !told_to_stop) children_.terminate();
       }
       if (stop_deadline_ && app::monotonic_now() > *stop_deadline_) return;
       std::this_thread::sleep_for(milliseconds(20));
@@ -104,6 +107,15 @@ class LiveRun {
   }
 
  private:
+  static bool in_progress(const SimStatus& status) {
+    return status.state == RunState::Running || status.state == RunState::Paused;
+  }
+
+  /// A service that was killed goes on from its checkpoint, but not the one that is the clock.
+  void restart_killed(Progress& progress) {
+    for (const std::string& line : children_.restart_killed_except(app::kTrajectoryServer)) progress.say(line);
+  }
+
   /// A request goes out a second before it takes effect: ample for the journal, and still while the run goes on. In
   /// lockstep a second holds minutes of sim time, so all of them go out while the run is still held at its start.
   void send_due_swaps(const SimStatus& status) {

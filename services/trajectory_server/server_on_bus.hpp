@@ -19,6 +19,10 @@ namespace inslab::trajectory {
 /// The trajectory server on the bus: waits until every service that the scenario needs is ready, then sends the truth,
 /// on a grid of absolute deadlines or as fast as its consumers give credit, journals the requests for swaps, obeys the
 /// commands, and says how the run goes. The only clock of the run.
+///
+/// A unit has one trajectory server, and a run has one from its start to its end. One that finds another at work ends
+/// itself. One that finds services still in a run whose server is gone (killed, and started again) ends that run as a
+/// fault, so that every log is closed, and then itself: a run is never gone on with by another clock, nor run twice.
 class ServerOnBus {
  public:
   explicit ServerOnBus(app::Context& context);
@@ -27,7 +31,7 @@ class ServerOnBus {
   int run();
 
  private:
-  using Message = std::variant<AnyProfile, SimCommand, ServiceStatus, Credit, VehicleState>;
+  using Message = std::variant<AnyProfile, SimCommand, ServiceStatus, Credit, VehicleState, SimStatus>;
   struct Heard {
     ServiceState state;
     std::string message;
@@ -41,6 +45,10 @@ class ServerOnBus {
   std::vector<std::string> missing_services() const;
   std::string missing_peers() const;
   bool wait_until_ready();
+  void hear_other_server(const SimStatus& status);
+  std::optional<int> yield_to_other_run();
+  bool orphaned() const;
+  int end_orphans();
   void begin();
   int run_to_end();
   void serve_stragglers();
@@ -65,6 +73,9 @@ class ServerOnBus {
   time::Nanoseconds blocked_since_{0};  ///< CLOCK_MONOTONIC since no consumer gave credit; 0: not blocked
   std::uint64_t time_marks_ = 0;
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
+  std::optional<SimStatus> other_server_;  ///< of another run of this unit, as its server says
+  std::optional<ServiceStatus> orphan_;    ///< a service in a run that is not ours
+  time::Nanoseconds orphan_heard_at_{0};   ///< CLOCK_MONOTONIC, the first time
 
   app::Mailbox<Message> mailbox_;
   std::unique_ptr<VehicleOnBus> vehicle_;  ///< null when the scenario has no live vehicle
@@ -78,6 +89,7 @@ class ServerOnBus {
   std::map<ProfileKind, std::function<void(const AnyProfile&)>> write_journal_;
   dds::OpenReader<SimCommand> commands_;
   dds::Reader<ServiceStatus> service_status_;
+  dds::Reader<SimStatus> other_servers_;
   dds::Reader<Credit> credits_;
 };
 

@@ -1,5 +1,7 @@
 #include "services/truth_logger/logger_on_bus.hpp"
 
+#include <fmt/format.h>
+
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service_names.hpp"
@@ -13,13 +15,19 @@ using std::chrono::seconds;
 
 namespace {
 
+/// More than a tail grows to: chunks end with a flush of the tail, so that a message is either in the file or there.
+constexpr std::size_t kChunkBytes = std::size_t{2} << 20;
+
 double rate_hz(const time::Rate& rate) { return 1.0 / rate.period_s(); }
 
 }  // namespace
 
 LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
     : context_(context),
-      log_(path, context.scenario(), app::cpu_features()),
+      checkpoint_(context),
+      interrupted_(interrupted(context, checkpoint_)),
+      log_(interrupted_ ? RunLog(interrupted_->path, kChunkBytes)
+                        : RunLog(path, context.scenario(), app::cpu_features(), kChunkBytes)),
       board_(context.participant(), context.service(), 0,
              [this](ServiceStatus& status) {
                for (const auto& [topic, monitor] : streams_) status.streams.push_back(monitor.status());
@@ -43,6 +51,76 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
   add_profile_channels<GnssErrorProfile>(context);
   add_profile_channels<FaultProfile>(context);
   add_control_channels(context);
+  try {
+    tail_ = std::make_unique<LogTail>(app::Checkpoint::path(context, "tail"));
+  } catch (const std::exception& error) {
+    spdlog::warn("killed, this service would lose what it has not written yet: {}", error.what());
+  }
+  if (interrupted_) go_on();
+  if (tail_) tail_->begin(generation_);
+}
+
+/// What a process before this one left of the run that is going on. Only after one that did not end in order is there
+/// anything to find out, and then the run's status, if any, is there within a moment.
+std::optional<LoggerState> LoggerOnBus::interrupted(app::Context& context, app::Checkpoint& checkpoint) {
+  if (!checkpoint.has_any()) return std::nullopt;
+  app::Mailbox<SimStatus> mailbox;
+  const dds::Reader<SimStatus> reader(context.participant(), dds::topics::sim_status(),
+                                      [&](const SimStatus& status, const dds::SampleOrigin&) { mailbox.put(status); });
+  const auto status = mailbox.take(seconds(2));
+  if (!status) return std::nullopt;
+  LoggerState state;
+  const auto head = checkpoint.resume(status->run_id, [&](recovery::StateReader& from) { from(state); });
+  if (!head) return std::nullopt;
+  spdlog::warn("goes on with {}, {:.3f} s after its last flush", state.path,
+               static_cast<double>(app::realtime_now().count() - head->kept_realtime_ns) * 1e-9);
+  state.run_id = status->run_id;
+  return state;
+}
+
+void LoggerOnBus::go_on() {
+  run_id_ = interrupted_->run_id;
+  run_began_ = true;
+  for (const LoggedStream& stream : interrupted_->streams) {
+    const auto monitor = streams_.find(stream.topic);
+    if (monitor != streams_.end()) monitor->second.go_on(run_id_, stream.samples, stream.next_sequence);
+  }
+  for (std::size_t i = 0; i < std::min(channels_.size(), interrupted_->channel_counts.size()); ++i) {
+    channels_[i].count = interrupted_->channel_counts[i];
+  }
+  std::uint64_t rescued = 0;
+  replaying_ = true;
+  if (tail_) {
+    tail_->for_each(interrupted_->generation, [&](const LogTail::Message& message) {
+      if (message.channel >= channels_.size()) return;
+      take({message.channel, {message.data, message.data + message.size}, message.received_realtime_ns});
+      ++rescued;
+    });
+  }
+  replaying_ = false;
+  generation_ = interrupted_->generation + 1;
+  log_.add_recovery("log", {{"rescued_messages", std::to_string(rescued)}});
+  flush();
+}
+
+/// Everything taken so far is in the file, and the next process would know it.
+void LoggerOnBus::flush() {
+  try {
+    log_.file().flush();
+  } catch (const io::WriteError& error) {
+    note_failure(error.what());
+    return;
+  }
+  if (run_id_ == RunId{}) return;
+  LoggerState state;
+  state.path = log_.path();
+  state.generation = ++generation_;
+  for (const auto& [topic, monitor] : streams_) {
+    state.streams.push_back({topic, monitor.samples(), monitor.first_missing()});
+  }
+  for (const Channel& channel : channels_) state.channel_counts.push_back(channel.count);
+  checkpoint_.keep(checkpoint_.state(run_id_, [&](recovery::StateWriter& to) { to(state); }));
+  if (tail_) tail_->begin(generation_);
 }
 
 template <class T>
@@ -51,8 +129,8 @@ LoggerOnBus::Channel& LoggerOnBus::add_reader(app::Context& context, const dds::
   channels_.emplace_back();
   Channel& channel = channels_.back();
   channel.topic = topic.name;
-  const auto enqueue = [this, index](const dds::Received<T>& sample, const dds::SampleOrigin&) {
-    mailbox_.put({index, sample.cdr, app::realtime_now().count()});
+  const auto enqueue = [this, index](const dds::Received<T>& sample, const dds::SampleOrigin& origin) {
+    mailbox_.put({index, sample.cdr, app::realtime_now().count(), dds::participant_of(origin)});
   };
   if (writers == Writers::Anybody) {
     channel.reader = std::make_shared<dds::OpenReader<T>>(context.participant(), topic, enqueue);
@@ -111,9 +189,26 @@ void LoggerOnBus::add_stream(app::Context& context, const dds::Topic<T>& topic) 
   };
 }
 
+/// A stream that comes from another participant than before comes from a service that was started again.
+void LoggerOnBus::watch_the_sender(const std::string& topic, const StreamHeader& header, const Message& message) {
+  Source& source = sources_[topic];
+  const bool another = source.sender != dds::ParticipantKey{} && message.sender != source.sender && !replaying_;
+  if (another) {
+    const double silence_s = static_cast<double>(message.received_realtime_ns - source.received_realtime_ns) * 1e-9;
+    spdlog::warn("{}: its service was started again; sample {} came {:.3f} s after sample {}", topic,
+                 header.sequence_number, silence_s, source.sequence_number);
+    log_.add_recovery(topic, {{"last_sequence_before", std::to_string(source.sequence_number)},
+                              {"first_sequence_after", std::to_string(header.sequence_number)},
+                              {"first_sim_time_after_ns", std::to_string(header.sim_time_ns)},
+                              {"silence_s", fmt::format("{:.3f}", silence_s)}});
+  }
+  if (!replaying_) source = {message.sender, message.received_realtime_ns, header.sequence_number};
+}
+
 /// Counts a sample; false when it came before.
 bool LoggerOnBus::note(app::StreamMonitor& monitor, const StreamHeader& header, const Message& message) {
   if (!monitor.received(header, message.received_realtime_ns)) return false;
+  watch_the_sender(monitor.topic(), header, message);
   board_.set_run(header.run_id);
   board_.set_sim_time(header.sim_time_ns);
   if (failure_.empty()) board_.enter(ServiceState::Running);
@@ -146,7 +241,10 @@ void LoggerOnBus::repeat_credits() {
   next_credits_ = app::monotonic_now() + kPeriod;
   for (const auto& [topic, monitor] : streams_) {
     const auto sent = sent_.find(topic);
-    const bool lacks = monitor.first_missing() < monitor.next_sequence() ||
+    // In lockstep the next block follows upon a credit; one that was sent before this process listened is sent again.
+    const auto silence_ns = app::realtime_now().count() - sources_[topic].received_realtime_ns;
+    const bool silent = clock_ == ClockMode::Lockstep && silence_ns > time::Nanoseconds(milliseconds(400)).count();
+    const bool lacks = silent || monitor.first_missing() < monitor.next_sequence() ||
                        (sent != sent_.end() && monitor.next_sequence() < sent->second);
     if (lacks || clock_ == ClockMode::Lockstep) give_credit(topic, monitor.first_missing(), lacks);
   }
@@ -173,12 +271,15 @@ void LoggerOnBus::add_control_channels(app::Context& context) {
   add_channel(context, dds::topics::time_mark());
   add_channel(context, dds::topics::profile_ack()).on_message = [this](const Message& message) {
     ProfileAck ack;
-    if (wire::decode(message.bytes.data(), message.bytes.size(), ack)) log_.add_ack(ack);
+    if (!replaying_ && wire::decode(message.bytes.data(), message.bytes.size(), ack)) log_.add_ack(ack);
   };
   add_channel(context, dds::topics::sim_status()).on_message = [this](const Message& message) {
     SimStatus status;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), status)) return;
+    // Once a run has begun this process logs no other.
+    if (run_id_ != RunId{} && status.run_id != run_id_ && run_began_) return;
     run_id_ = status.run_id;
+    run_began_ = run_began_ || status.state != RunState::Waiting;
     clock_ = status.clock;
     if (!has_ended(status.state) || run_ended_) return;
     run_ended_ = true;
@@ -205,6 +306,15 @@ void LoggerOnBus::note_failure(const std::string& what) {
 }
 
 void LoggerOnBus::handle(const Message& message) {
+  if (tail_ && failure_.empty()) {
+    if (tail_->is_long()) flush();
+    tail_->add({static_cast<std::uint32_t>(message.channel), message.received_realtime_ns, message.bytes.data(),
+                message.bytes.size()});
+  }
+  take(message);
+}
+
+void LoggerOnBus::take(const Message& message) {
   try {
     channels_[message.channel].take(message);
   } catch (const io::WriteError& error) {
@@ -266,11 +376,7 @@ int LoggerOnBus::run() {
     board_.tick();
     if (app::monotonic_now() < next_flush || !failure_.empty()) continue;
     next_flush = app::monotonic_now() + milliseconds(500);
-    try {
-      log_.file().flush();
-    } catch (const io::WriteError& error) {
-      note_failure(error.what());
-    }
+    flush();
   }
   return end();
 }
@@ -293,6 +399,7 @@ int LoggerOnBus::end() {
   } catch (const io::WriteError& error) {
     note_failure(error.what());
   }
+  checkpoint_.forget();
   board_.flush(seconds(2));
   spdlog::info("log {} ({:.1f} MB)", log_.path(), static_cast<double>(log_.file().file_size()) * 1e-6);
   if (!failure_.empty()) spdlog::error("{}", failure_);

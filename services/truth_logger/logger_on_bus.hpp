@@ -3,14 +3,18 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "app/checkpoint.hpp"
 #include "app/mailbox.hpp"
 #include "app/service.hpp"
 #include "app/status_board.hpp"
 #include "app/stream_monitor.hpp"
 #include "dds/reader.hpp"
 #include "dds/writer.hpp"
+#include "services/truth_logger/log_tail.hpp"
+#include "services/truth_logger/logger_state.hpp"
 #include "services/truth_logger/run_log.hpp"
 
 namespace inslab::logger {
@@ -18,6 +22,9 @@ namespace inslab::logger {
 /// The logger on the bus: writes everything it hears to the log as it came over the wire, counts every stream, and ends
 /// when the run has ended and what the services say they sent is there. A full disk is said in its status and its exit
 /// code; it goes on reading, so the streams never wait for it.
+///
+/// Killed and started again in the same run it goes on with the same file: what it had taken and not written yet lies
+/// in its LogTail, and what has been sent since is asked for again.
 class LoggerOnBus {
  public:
   LoggerOnBus(app::Context& context, const std::string& path);
@@ -30,6 +37,13 @@ class LoggerOnBus {
     std::size_t channel;
     std::vector<std::uint8_t> bytes;
     std::int64_t received_realtime_ns;
+    dds::ParticipantKey sender{};
+  };
+  /// Whom a stream came from last.
+  struct Source {
+    dds::ParticipantKey sender{};
+    std::int64_t received_realtime_ns = 0;
+    std::uint64_t sequence_number = 0;
   };
   struct Channel {
     std::uint16_t log_id = 0;
@@ -43,6 +57,10 @@ class LoggerOnBus {
 
   enum class Writers { Ours, Anybody };
 
+  static std::optional<LoggerState> interrupted(app::Context& context, app::Checkpoint& checkpoint);
+  void go_on();
+  void flush();
+
   template <class T>
   Channel& add_reader(app::Context& context, const dds::Topic<T>& topic, Writers writers);
   template <class T>
@@ -51,6 +69,7 @@ class LoggerOnBus {
   Channel& add_singles(app::Context& context, const dds::Topic<T>& topic);
   template <class T>
   void add_stream(app::Context& context, const dds::Topic<T>& topic);
+  void watch_the_sender(const std::string& topic, const StreamHeader& header, const Message& message);
   bool note(app::StreamMonitor& monitor, const StreamHeader& header, const Message& message);
   void log(const Channel& channel, const StreamHeader& header, const Message& message,
            const std::vector<std::uint8_t>& cdr);
@@ -62,6 +81,7 @@ class LoggerOnBus {
   void add_control_channels(app::Context& context);
 
   void handle(const Message& message);
+  void take(const Message& message);
   void note_failure(const std::string& what);
   bool matched() const;
   std::string unfinished_services() const;
@@ -71,7 +91,13 @@ class LoggerOnBus {
   int end();
 
   app::Context& context_;
+  app::Checkpoint checkpoint_;
+  std::optional<LoggerState> interrupted_;  ///< what another process of this run left
   RunLog log_;
+  std::unique_ptr<LogTail> tail_;  ///< null: there is no place for it
+  std::uint64_t generation_ = 1;
+  bool replaying_ = false;  ///< what lay in the tail is being logged
+  std::map<std::string, Source> sources_;
   std::string failure_;
   app::Mailbox<Message> mailbox_{200'000};
   std::vector<Channel> channels_;
@@ -86,6 +112,7 @@ class LoggerOnBus {
     time::Nanoseconds at;  ///< CLOCK_MONOTONIC
   };
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
+  bool run_began_ = false;
   bool run_ended_ = false;
   time::Nanoseconds run_ended_at_{0};
   app::StatusBoard board_;

@@ -8,8 +8,9 @@ namespace {
 
 constexpr const char* kVersion = INSLAB_VERSION;
 
-io::McapWriter::Options log_options() {
+io::McapWriter::Options log_options(std::size_t chunk_bytes) {
   io::McapWriter::Options options;
+  options.chunk_bytes = chunk_bytes;
   options.library = std::string("inslab ") + kVersion;
   return options;
 }
@@ -20,8 +21,9 @@ std::string profile_record(ProfileKind kind, const SensorAddress& sensor, std::u
   return "profile/" + std::string(enum_name(kind)) + "/" + sensor_name(sensor) + "/" + std::to_string(journal_number);
 }
 
-RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario, const std::string& cpu_features)
-    : path_(path), file_(path, log_options()) {
+RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario, const std::string& cpu_features,
+               std::size_t chunk_bytes)
+    : path_(path), file_(path, log_options(chunk_bytes)) {
   file_.metadata("scenario", {{"file", scenario.file.filename().string()},
                               {"name", scenario.scenario.name},
                               {"unit", scenario.unit},
@@ -38,9 +40,29 @@ RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario
   }
 }
 
+RunLog::RunLog(const std::string& path, std::size_t chunk_bytes)
+    : RunLog(path, io::mcap::read_unfinished(path), chunk_bytes) {}
+
+RunLog::RunLog(const std::string& path, const io::mcap::UnfinishedLog& unfinished, std::size_t chunk_bytes)
+    : path_(path), file_(path, log_options(chunk_bytes), unfinished) {
+  for (const io::mcap::MetadataIndex& record : unfinished.metadata) {
+    if (record.name.rfind("ack/", 0) == 0) ++acks_;
+    if (record.name.rfind("recovery/", 0) == 0) ++recoveries_;
+    if (record.name.rfind("profile/", 0) == 0) profiles_.insert(record.name);
+  }
+}
+
+void RunLog::add_recovery(const std::string& what, const io::mcap::StringMap& details) {
+  io::mcap::StringMap record = details;
+  record["what"] = what;
+  file_.metadata("recovery/" + std::to_string(++recoveries_), record);
+}
+
 void RunLog::add_profile(const AnyProfile& entry) {
   const ProfileRequest& request = request_of(entry);
-  file_.metadata(profile_record(kind_of(entry), target_of(entry), request.journal_number),
+  const std::string record = profile_record(kind_of(entry), target_of(entry), request.journal_number);
+  if (!profiles_.insert(record).second) return;
+  file_.metadata(record,
                  {{"name", name_of(entry)},
                   {"journal_number", std::to_string(request.journal_number)},
                   {"apply_at_ns", std::to_string(request.apply_at_ns)},

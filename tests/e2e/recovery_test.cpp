@@ -1,0 +1,197 @@
+// Services that are killed in the middle of a run and started again.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <memory>
+
+#include "app/service.hpp"
+#include "services/inslab/run_client.hpp"
+#include "tests/e2e/logged_samples.hpp"
+#include "tests/e2e/process.hpp"
+
+namespace inslab::e2e {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using testing::HasSubstr;
+
+using Names = std::vector<std::string>;
+
+/// The processes that `parent` has started and that run a program of this name.
+std::vector<pid_t> children_named(pid_t parent, const std::string& program) {
+  std::ifstream list("/proc/" + std::to_string(parent) + "/task/" + std::to_string(parent) + "/children");
+  std::vector<pid_t> found;
+  for (pid_t pid = 0; list >> pid;) {
+    std::string command;
+    std::getline(std::ifstream("/proc/" + std::to_string(pid) + "/cmdline"), command, '\0');
+    if (command == program) found.push_back(pid);
+  }
+  return found;
+}
+
+class Recovery : public testing::Test {
+ protected:
+  std::string scenario(const std::string& name) const { return source("tests/data/" + name + ".json"); }
+
+  /// What the scenario gives when nobody is killed.
+  std::string offline(const std::string& name) const {
+    Process run("inslab", {"simulate", scenario(name), "-o", folder_ / "offline"});
+    EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
+    return folder_ / ("offline/" + name + ".mcap");
+  }
+  std::unique_ptr<Process> service(const std::string& program, const std::string& name, Names more = {}) const {
+    Names all{"--scenario", scenario(name), "--domain", own_domain()};
+    if (program != "inslab-trajectory-server") all.insert(all.end(), {"--state", folder_ / "state"});
+    all.insert(all.end(), more.begin(), more.end());
+    return std::make_unique<Process>(program, all);
+  }
+  /// Ends a service of a running set as a crash does.
+  static void kill_child(const Process& set, const std::string& program) {
+    const auto pids = children_named(set.pid(), program);
+    ASSERT_FALSE(pids.empty()) << program;
+    kill(pids.front(), SIGKILL);
+  }
+  std::optional<SimStatus> status() { return client_.status(); }
+  bool reaches(double sim_time_s) {
+    return eventually([&] { return status() && static_cast<double>(status()->sim_time_ns) > sim_time_s * 1e9; },
+                      seconds(60));
+  }
+
+  static dds::ParticipantOptions network() {
+    app::NetworkOptions options;
+    options.domain = static_cast<std::uint32_t>(std::stoul(own_domain()));
+    return app::participant_options(options, "bench");
+  }
+
+  TestFolder folder_;
+  std::string log_ = folder_ / "live.mcap";
+  dds::Participant participant_{network()};
+  cli::RunClient client_{participant_};
+};
+
+TEST_F(Recovery, EachServiceThatIsKilledGoesOnAndNoBitIsLost) {
+  const std::string reference = offline("recovery");
+  Process run("inslab", {"run", scenario("recovery"), "--log", log_, "--domain", own_domain()});
+  // In the middle of a fade; right after a fault; while a swap is on its way.
+  ASSERT_TRUE(reaches(2.7)) << run.output();
+  kill_child(run, "inslab-imu-injector");
+  ASSERT_TRUE(reaches(5.2)) << run.output();
+  kill_child(run, "inslab-gnss-emulator");
+  ASSERT_TRUE(reaches(6.5)) << run.output();
+  kill_child(run, "inslab-truth-logger");
+  run.wait(seconds(60));
+  EXPECT_THAT(run.output(), HasSubstr("inslab-imu-injector was ended by signal 9 and started again"));
+  EXPECT_THAT(run.output(), HasSubstr("recovered: inslab/imu/0: its service was started again"));
+  EXPECT_THAT(run.output(), HasSubstr("recovered: inslab/gnss/0: its service was started again"));
+  EXPECT_THAT(run.output(), HasSubstr("recovered: the logger was started again and went on with this log"));
+  expect_same_bits<TruthState>(log_, reference, "inslab/truth", 2001);
+  expect_same_bits<ImuSample>(log_, reference, "inslab/imu/0", 2000);
+  expect_same_bits<ImuTruth>(log_, reference, "inslab/imu_truth/0", 2000);
+  expect_same_bits<ImuSample>(log_, reference, "inslab/imu/1", 500);
+  expect_same_bits<GnssFix>(log_, reference, "inslab/gnss/0", samples_of<GnssFix>(reference, "inslab/gnss/0").size());
+  const io::McapReader log(log_);
+  EXPECT_TRUE(log.closed_properly());
+  for (const io::mcap::Metadata& record : log.metadata()) {
+    if (record.values.count("silence_s") > 0 && record.values.at("what") == "inslab/imu/0") {
+      RecordProperty("imu_silence_s", record.values.at("silence_s"));
+    }
+  }
+}
+
+TEST_F(Recovery, InLockstepAKilledConsumerStopsTheClockUntilItIsBack) {
+  const std::string reference = offline("recovery_long");
+  const auto logger = [this] { return service("inslab-truth-logger", "recovery_long", {"--log", log_}); };
+  auto log = logger();
+  auto imu = service("inslab-imu-injector", "recovery_long");
+  auto gnss = service("inslab-gnss-emulator", "recovery_long");
+  const auto truth = service("inslab-trajectory-server", "recovery_long");
+  ASSERT_TRUE(reaches(20.0)) << truth->output();
+  log->send(SIGKILL);
+  ASSERT_EQ(log->wait(seconds(10)), 128 + SIGKILL);
+  // The window of a stream runs full; from then on the same status comes again and again.
+  std::int64_t stands_at_ns = -1;
+  EXPECT_TRUE(eventually(
+      [&] {
+        const auto statuses = client_.statuses();
+        const std::int64_t before_ns = status()->sim_time_ns;
+        EXPECT_TRUE(eventually([&] { return client_.statuses() > statuses + 5; }, seconds(20)));
+        stands_at_ns = status()->sim_time_ns;
+        return stands_at_ns == before_ns;
+      },
+      seconds(30)));
+  EXPECT_LT(stands_at_ns, 300'000'000'000);
+  log = logger();
+  ASSERT_TRUE(reaches(static_cast<double>(stands_at_ns) * 1e-9 + 10.0)) << log->output() << truth->output();
+  imu->send(SIGKILL);
+  ASSERT_EQ(imu->wait(seconds(10)), 128 + SIGKILL);
+  imu = service("inslab-imu-injector", "recovery_long");
+  EXPECT_EQ(truth->wait(seconds(60)), 0) << truth->output();
+  EXPECT_EQ(imu->wait(seconds(20)), 0) << imu->output();
+  EXPECT_EQ(gnss->wait(seconds(20)), 0) << gnss->output();
+  EXPECT_EQ(log->wait(seconds(20)), 0) << log->output();
+  expect_same_bits<TruthState>(log_, reference, "inslab/truth", 60001);
+  expect_same_bits<ImuSample>(log_, reference, "inslab/imu/0", 60000);
+  expect_same_bits<ImuTruth>(log_, reference, "inslab/imu_truth/0", 60000);
+  expect_same_bits<GnssFix>(log_, reference, "inslab/gnss/0", samples_of<GnssFix>(reference, "inslab/gnss/0").size());
+}
+
+TEST_F(Recovery, ARunWhoseTrajectoryServerWasKilledIsEndedByTheNextOneAndNotRunAgain) {
+  const auto log = service("inslab-truth-logger", "recovery", {"--log", log_});
+  const auto imu0 = service("inslab-imu-injector", "recovery");
+  const auto imu1 = service("inslab-imu-injector", "recovery", {"--sensor", "1"});
+  const auto gnss = service("inslab-gnss-emulator", "recovery");
+  auto truth = service("inslab-trajectory-server", "recovery");
+  ASSERT_TRUE(reaches(1.0)) << truth->output();
+  truth->send(SIGKILL);
+  ASSERT_EQ(truth->wait(seconds(10)), 128 + SIGKILL);
+  truth = service("inslab-trajectory-server", "recovery");
+  EXPECT_EQ(truth->wait(seconds(40)), 1) << truth->output();
+  EXPECT_THAT(truth->output(), HasSubstr("it ends as a fault"));
+  for (const auto* process : {&imu0, &imu1, &gnss}) {
+    EXPECT_EQ((*process)->wait(seconds(30)), 1) << (*process)->output();
+    EXPECT_THAT((*process)->output(), HasSubstr("the run ended as a fault"));
+  }
+  log->wait(seconds(30));
+  const io::McapReader reader(log_);
+  EXPECT_TRUE(reader.closed_properly());
+  const auto logged = samples_of<TruthState>(log_, "inslab/truth");
+  ASSERT_GT(logged.size(), 200u);
+  for (std::size_t i = 0; i < logged.size(); ++i) {
+    ASSERT_EQ(logged[i].header.sequence_number, i);
+    ASSERT_EQ(logged[i].header.run_id, logged[0].header.run_id);
+  }
+}
+
+TEST_F(Recovery, ASecondTrajectoryServerEndsAndDisturbsNothing) {
+  const std::string reference = offline("recovery");
+  Process run("inslab", {"run", scenario("recovery"), "--log", log_, "--domain", own_domain()});
+  ASSERT_TRUE(reaches(1.0)) << run.output();
+  const auto second = service("inslab-trajectory-server", "recovery");
+  EXPECT_EQ(second->wait(seconds(30)), 1) << second->output();
+  EXPECT_THAT(second->output(), HasSubstr("another trajectory server runs 'recovery'"));
+  run.wait(seconds(60));
+  expect_same_bits<TruthState>(log_, reference, "inslab/truth", 2001);
+  expect_same_bits<ImuSample>(log_, reference, "inslab/imu/0", 2000);
+}
+
+TEST_F(Recovery, AServiceThatComesTooLateAndKnowsNothingSaysSo) {
+  const auto log = service("inslab-truth-logger", "recovery_long", {"--log", log_});
+  const auto imu = service("inslab-imu-injector", "recovery_long");
+  auto gnss = service("inslab-gnss-emulator", "recovery_long");
+  const auto truth = service("inslab-trajectory-server", "recovery_long", {"--clock", "real_time", "--rate", "20"});
+  ASSERT_TRUE(reaches(1.0)) << truth->output();
+  gnss->send(SIGKILL);
+  ASSERT_EQ(gnss->wait(seconds(10)), 128 + SIGKILL);
+  std::remove((folder_ / ("state/inslab-gnss-emulator-" + own_domain() + "-0.state")).c_str());
+  ASSERT_TRUE(reaches(45.0)) << truth->output();  // the truth keeps half a minute
+  gnss = service("inslab-gnss-emulator", "recovery_long");
+  EXPECT_EQ(gnss->wait(seconds(60)), 1) << gnss->output();
+  EXPECT_THAT(gnss->output(), HasSubstr("cannot be had: there is no checkpoint of this run to go on from"));
+}
+
+}  // namespace
+}  // namespace inslab::e2e
