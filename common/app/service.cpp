@@ -71,6 +71,7 @@ int run_service(const char* name, const char* purpose, const ServiceTraits& trai
         scenario::load(options.scenario, options.network.unit,
                        traits.makes_truth ? scenario::TrajectoryRows::Read : scenario::TrajectoryRows::LeaveOut);
     override_clock(options.clock, loaded.scenario.clock);
+    if (const auto broken = scenario::violation(loaded.scenario)) throw config::Error(options.scenario, *broken);
     Context context(name, options, std::move(loaded));
     return body(context);
   } catch (const config::Error& error) {

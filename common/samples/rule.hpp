@@ -41,6 +41,7 @@ enum class Rule : std::uint32_t {
   MotionMatrix,          ///< a file of segments has the rows of the thesis's matrix
   TrajectoryLength,      ///< at most 1e9 s
   VehicleLatency,        ///< the latency of a live vehicle holds a period of its states
+  VehicleClock,          ///< a live vehicle keeps real time
   WaypointCount,         ///< at least two
   WaypointsApart,        ///< neighbours are neither one place nor too far apart
   WaypointSpeeds,        ///< no leg begins and ends at rest
@@ -81,7 +82,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 61> values{"readable",
+  static constexpr std::array<std::string_view, 62> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -111,6 +112,7 @@ struct EnumNames<Rule> {
                                                            "motion_matrix",
                                                            "trajectory_length",
                                                            "vehicle_latency",
+                                                           "vehicle_clock",
                                                            "waypoint_count",
                                                            "waypoints_apart",
                                                            "waypoint_speeds",

@@ -171,6 +171,12 @@ std::optional<Violation> violation(const Scenario& scenario) {
   if (auto broken = violation(scenario.trajectory)) {
     return Violation{broken->rule, "trajectory." + broken->path, broken->reason};
   }
+  if (scenario.trajectory.source == TrajectorySource::VehicleState &&
+      (scenario.clock.mode == ClockMode::Lockstep || scenario.clock.rate != 1.0)) {
+    return Violation{Rule::VehicleClock, scenario.clock.rate != 1.0 ? "clock.rate" : "clock.mode",
+                     "does not fit a live vehicle (trajectory.source vehicle_state), whose states come in real time: "
+                     "expected real_time at rate 1"};
+  }
   if (auto broken = route_violation(scenario)) return broken;
   if (auto broken = sensors_violation("imu", scenario.imu, *truth)) return broken;
   if (auto broken = sensors_violation("gnss", scenario.gnss, *truth)) return broken;

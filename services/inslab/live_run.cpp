@@ -1,0 +1,116 @@
+#include "services/inslab/live_run.hpp"
+
+#include <algorithm>
+#include <thread>
+
+#include "app/host.hpp"
+#include "app/service_names.hpp"
+#include "app/shutdown.hpp"
+
+namespace inslab::cli {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+namespace {
+
+bool in_progress(const SimStatus& status) {
+  return status.state == RunState::Running || status.state == RunState::Paused;
+}
+
+}  // namespace
+
+LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& loaded)
+    : options_(options),
+      loaded_(loaded),
+      participant_(app::participant_options(options.network, "inslab-run")),
+      client_(participant_),
+      lockstep_(options.clock.mode.empty() ? loaded.scenario.clock.mode == ClockMode::Lockstep
+                                           : options.clock.mode == "lockstep"),
+      holds_the_start_(lockstep_ && !loaded.swaps.empty()) {}
+
+void LiveRun::start_services() {
+  std::vector<std::string> common{"--scenario", options_.scenario, "--log-level", options_.verbose ? "info" : "warn"};
+  const std::vector<std::string> network = options_.network.as_arguments();
+  common.insert(common.end(), network.begin(), network.end());
+  const auto with = [&](std::initializer_list<std::string> more) {
+    std::vector<std::string> arguments = common;
+    arguments.insert(arguments.end(), more);
+    if (!options_.state_folder.empty()) arguments.insert(arguments.end(), {"--state", options_.state_folder});
+    return arguments;
+  };
+  children_.start(app::kTruthLogger, with({"--log", options_.log_file}));
+  for (const auto& imu : loaded_.imus) {
+    children_.start(app::kImuInjector, with({"--sensor", std::to_string(imu.number)}));
+  }
+  for (const auto& gnss : loaded_.gnss) {
+    children_.start(app::kGnssEmulator, with({"--sensor", std::to_string(gnss.number)}));
+  }
+  app::ClockOptions clock = options_.clock;
+  clock.paused = clock.paused || holds_the_start_;
+  const std::vector<std::string> arguments = clock.as_arguments();
+  common.insert(common.end(), arguments.begin(), arguments.end());
+  children_.start(app::kTrajectoryServer, common);
+}
+
+void LiveRun::follow(const std::function<void()>& meanwhile) {
+  Progress progress(loaded_.scenario.name, time::from_seconds(loaded_.scenario.duration_s));
+  bool told_to_stop = false;
+  while (!children_.all_ended()) {
+    children_.poll();
+    meanwhile();
+    if (!told_to_stop && client_.status() && in_progress(*client_.status())) restart_killed(progress);
+    const auto status = client_.status();
+    if (status) {
+      progress.show(time::Nanoseconds(status->sim_time_ns));
+      send_due_swaps(*status);
+    }
+    if (app::shutdown_requested() && !told_to_stop) {
+      told_to_stop = true;
+      stop_deadline_ = app::monotonic_now() + seconds(10);
+      if (!client_.connected() || !client_.send({1, CommandKind::Stop, 0.0})) children_.terminate();
+    }
+    if (!told_to_stop && children_.failure() && (!status || status->state == RunState::Waiting)) {
+      told_to_stop = true;  // the barrier will not open without it
+      stop_deadline_ = app::monotonic_now() + seconds(10);
+      children_.terminate();
+    }
+    if (children_.has_ended(app::kTrajectoryServer) && !stop_deadline_) {
+      stop_deadline_ = app::monotonic_now() + seconds(15);
+      // Without the clock nobody ends by itself.
+      if (children_.failure() && !told_to_stop) children_.terminate();
+    }
+    if (stop_deadline_ && app::monotonic_now() > *stop_deadline_) return;
+    std::this_thread::sleep_for(milliseconds(20));
+  }
+}
+
+std::optional<std::string> LiveRun::failure() const {
+  if (app::shutdown_requested()) return "stopped by a signal";
+  if (!children_.all_ended()) return "a service did not end";
+  if (next_swap_ < loaded_.swaps.size()) return "the run ended before all swaps were sent";
+  return children_.failure();
+}
+
+/// A service that was killed goes on from its checkpoint, but not the one that is the clock.
+void LiveRun::restart_killed(const Progress& progress) {
+  for (const std::string& line : children_.restart_killed_except(app::kTrajectoryServer)) progress.say(line);
+}
+
+/// A request goes out a second before it takes effect: ample for the journal, and still while the run goes on. In
+/// lockstep a second holds minutes of sim time, so all of them go out while the run is still held at its start.
+void LiveRun::send_due_swaps(const SimStatus& status) {
+  const auto lead_ns = static_cast<std::int64_t>(1e9 * std::max(1.0, status.rate));
+  while (next_swap_ < loaded_.swaps.size() && client_.connected()) {
+    const AnyProfile& request = loaded_.swaps[next_swap_];
+    const bool early = !lockstep_ && request_of(request).apply_at_ns > status.sim_time_ns + lead_ns;
+    if (early || !client_.send(request)) return;
+    ++next_swap_;
+  }
+  const bool journalled = status.journal_entries >= loaded_.swaps.size();
+  if (holds_the_start_ && !released_ && !options_.clock.paused && journalled) {
+    released_ = client_.send({1, CommandKind::Resume, 0.0});
+  }
+}
+
+}  // namespace inslab::cli
