@@ -28,6 +28,7 @@ namespace {
 // overrun and each hole costs a repair round.
 constexpr std::uint32_t kReceiveBufferBytes = 4u << 20;
 constexpr std::uint32_t kSendBufferBytes = 1u << 20;
+constexpr std::uint32_t kParticipantsOfAPeer = 24;
 constexpr std::uint32_t kShmSegmentBytes = 16u << 20;
 constexpr std::uint32_t kShmQueueCapacity = 4096;
 
@@ -63,6 +64,8 @@ std::shared_ptr<efr::UDPv4TransportDescriptor> udp_transport(const std::string& 
   udp->receiveBufferSize = kReceiveBufferBytes;
   udp->sendBufferSize = kSendBufferBytes;
   udp->non_blocking_send = false;
+  // How many participants of a host that is named as a peer are looked for; 4 would miss the fifth service.
+  udp->maxInitialPeersRange = kParticipantsOfAPeer;
   if (!interface_address.empty()) udp->interfaceWhiteList.push_back(interface_address);
   return udp;
 }

@@ -11,6 +11,7 @@ class App;
 namespace inslab::cli {
 
 void add_run(CLI::App& app, std::function<int()>& action);
+void add_summary(CLI::App& app, std::function<int()>& action);
 void add_soak(CLI::App& app, std::function<int()>& action);
 void add_simulate(CLI::App& app, std::function<int()>& action);
 void add_status(CLI::App& app, std::function<int()>& action);

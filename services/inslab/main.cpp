@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", INSLAB_VERSION);
   std::function<int()> action;
   cli::add_run(app, action);
+  cli::add_summary(app, action);
   cli::add_soak(app, action);
   cli::add_simulate(app, action);
   cli::add_status(app, action);

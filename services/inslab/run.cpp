@@ -47,4 +47,13 @@ void add_run(CLI::App& app, std::function<int()>& action) {
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
+void add_summary(CLI::App& app, std::function<int()>& action) {
+  auto log = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "summary", "What a log says about its live run: streams, services, swaps with their evidence, checks");
+  command->add_option("log", *log, "log (MCAP)")->required();
+  command->callback(
+      [log, &action] { action = [log] { return print_run_summary(*log, {}) ? app::kOk : app::kFailed; }; });
+}
+
 }  // namespace inslab::cli

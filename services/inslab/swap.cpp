@@ -19,6 +19,7 @@ namespace {
 struct SwapOptions {
   std::string kind;
   std::string profile;
+  bool is_scenario = false;
   std::string sensor_kind;
   std::uint32_t sensor_number = 0;
   double at_s = -1.0;
@@ -135,13 +136,16 @@ void add_schedule(CLI::App& app, std::function<int()>& action) {
   CLI::App* command =
       app.add_subcommand("schedule", "Play a list of swaps on a running set; waits for every acknowledgement");
   command->add_option("file", options->profile, "schedule (JSON): {\"swaps\": [...]} as in a scenario")->required();
+  command->add_flag("--scenario", options->is_scenario, "the file is a scenario: play its swaps");
   command->add_option("--timeout", options->timeout_s, "seconds to wait after the last word of the set")
       ->capture_default_str();
   options->network.add_to(*command);
   command->callback([options, &action] {
     action = [options] {
-      return send_all(scenario::load_schedule(options->profile, app::random_id()), options->timeout_s,
-                      options->network);
+      const std::vector<AnyProfile> swaps = options->is_scenario
+                                                ? scenario::load(options->profile).swaps
+                                                : scenario::load_schedule(options->profile, app::random_id());
+      return send_all(swaps, options->timeout_s, options->network);
     };
   });
 }

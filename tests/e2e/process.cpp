@@ -28,7 +28,8 @@ Process::Process(const std::string& program, const std::vector<std::string>& arg
   output_path_ = temporary_name("inslab-output-XXXXXX");
   const int output = mkstemp(output_path_.data());
   if (output < 0) throw std::runtime_error("no temporary file");
-  const std::string path = std::string(INSLAB_BINARY_DIR) + "/bin/" + program;
+  const std::string ours = std::string(INSLAB_BINARY_DIR) + "/bin/" + program;
+  const std::string path = access(ours.c_str(), X_OK) == 0 ? ours : program;
   std::vector<char*> argv{const_cast<char*>(path.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
@@ -40,7 +41,7 @@ Process::Process(const std::string& program, const std::vector<std::string>& arg
       const rlimit limit{*limits.file_size_bytes, *limits.file_size_bytes};
       setrlimit(RLIMIT_FSIZE, &limit);
     }
-    execv(path.c_str(), argv.data());
+    execvp(path.c_str(), argv.data());
     _exit(127);
   }
   close(output);

@@ -10,7 +10,7 @@
 
 namespace inslab::e2e {
 
-/// A program of build/bin, started for a test: its output goes to a file, every wait has a deadline, and it is gone
+/// A program of build/bin, else of the path, started for a test: its output goes to a file, every wait has a deadline, and it is gone
 /// when the test is.
 class Process {
  public:
