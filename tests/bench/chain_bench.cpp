@@ -2,6 +2,8 @@
 // beside them, in alternating blocks of the same run, a bare writer and a bare callback with the same type and
 // settings: with one reader, and with three, as many as the truth has in the chain.
 //
+// Beside the whole chain runs one whose injector and emulator copy bytes: what the chain takes more its models take.
+//
 // The machine's own noise changes by a factor within minutes, so each block of the chain is divided by the bare block
 // right before it, and the medians of these ratios are what to quote.
 
@@ -15,6 +17,7 @@
 #include "app/service.hpp"
 #include "tests/bench/bare_hop.hpp"
 #include "tests/bench/chain_block.hpp"
+#include "tests/bench/swap_latency.hpp"
 
 namespace {
 
@@ -26,6 +29,8 @@ struct Options {
   double duration_s = 5.0;
   int repetitions = 5;
   std::uint32_t domain = 90;
+  int swaps = 0;
+  double lockstep_s = 0.0;
   int readers = 1;          // of a child process: those the bare writer waits for
   std::string body;         // of a child process: what it does
   std::string result_file;  // of a child process
@@ -43,13 +48,15 @@ double median(const std::vector<double>& values) { return quantile(values, 0.5);
 /// One row of figures a block.
 struct Rows {
   std::vector<double> bare_p50, bare_p99, fan_p50, fan_p99, one_over_fan, one_p50, one_p99, two_p50, two_p99,
-      one_over_bare, two_over_bare;
+      one_over_bare, two_over_bare, copy_p50, copy_p99, two_over_copy;
   std::map<std::string, std::vector<double>> truth_receipt_p50;
   std::map<std::string, std::vector<double>> cpu_percent;
   std::map<std::string, double> peak_rss_mb;
 
-  void add(const std::vector<double>& bare, const std::vector<double>& fan, const bench::ChainBlock& chain,
-           double duration_s) {
+  void add(const std::vector<double>& bare, const std::vector<double>& fan, const bench::ChainBlock& copying,
+           const bench::ChainBlock& chain, double duration_s) {
+    copy_p50.push_back(quantile(copying.two_hops_s, 0.5));
+    copy_p99.push_back(quantile(copying.two_hops_s, 0.99));
     fan_p50.push_back(quantile(fan, 0.5));
     fan_p99.push_back(quantile(fan, 0.99));
     bare_p50.push_back(quantile(bare, 0.5));
@@ -61,6 +68,7 @@ struct Rows {
     one_over_bare.push_back(one_p50.back() / bare_p50.back());
     one_over_fan.push_back(one_p50.back() / fan_p50.back());
     two_over_bare.push_back(two_p50.back() / bare_p50.back());
+    two_over_copy.push_back(two_p50.back() / copy_p50.back());
     for (const auto& [service, p50] : chain.truth_receipt_p50_s) truth_receipt_p50[service].push_back(p50);
     for (const auto& [service, end] : chain.services) {
       cpu_percent[service].push_back(100.0 * end.cpu_s / duration_s);
@@ -84,6 +92,9 @@ void print(double rate_hz, const std::string& transport, const Rows& rows) {
   line("truth to the IMU's subscriber", rows.two_p50, rows.two_p99);
   std::printf("   p50 over bare %.2f (%.2f to %.2f)\n", median(rows.two_over_bare), quantile(rows.two_over_bare, 0.0),
               quantile(rows.two_over_bare, 1.0));
+  line("the same, models that copy bytes", rows.copy_p50, rows.copy_p99);
+  std::printf("   p50 of the chain over it %.2f (%.2f to %.2f)\n", median(rows.two_over_copy),
+              quantile(rows.two_over_copy, 0.0), quantile(rows.two_over_copy, 1.0));
   for (const auto& [service, p50] : rows.truth_receipt_p50) {
     std::printf("  truth to %-25s p50 %6.0f us, in its callback\n", service.c_str(), 1e6 * median(p50));
   }
@@ -101,13 +112,49 @@ void measure(const Options& options, double rate_hz, const std::string& transpor
   const bench::BareHop hop{app::participant_options(network, "bench"), rate_hz, options.duration_s, 1};
   const bench::BareHop fan{hop.network, rate_hz, options.duration_s, 3};
   const bench::ChainSettings settings{rate_hz, options.duration_s, transport, options.domain, folder};
+  bench::ChainSettings copying = settings;
+  copying.copying = true;
   Rows rows;
   for (int i = 0; i < options.repetitions; ++i) {
     const std::vector<double> bare = bench::measure_bare_hop(hop, transport, folder);
     const std::vector<double> three = bench::measure_bare_hop(fan, transport, folder);
-    rows.add(bare, three, bench::run_chain(settings), options.duration_s);
+    const bench::ChainBlock copied = bench::run_chain(copying);
+    rows.add(bare, three, copied, bench::run_chain(settings), options.duration_s);
   }
   print(rate_hz, transport, rows);
+}
+
+/// Lockstep: sim seconds a second of the whole set, of the set whose models copy bytes, and with the example client as
+/// the app under test.
+void measure_lockstep(const Options& options, const std::string& folder) {
+  bench::ChainSettings settings{200.0, options.lockstep_s, "udp", options.domain, folder};
+  settings.lockstep = true;
+  std::vector<double> chain, copying, with_app, over_copying;
+  for (int i = 0; i < options.repetitions; ++i) {
+    const auto speed = [&](bool copies, bool app) {
+      settings.copying = copies;
+      settings.nav_app = app;
+      return options.lockstep_s / bench::run_chain(settings).wall_s;
+    };
+    copying.push_back(speed(true, false));
+    chain.push_back(speed(false, false));
+    over_copying.push_back(chain.back() / copying.back());
+    with_app.push_back(speed(false, true));
+  }
+  std::printf("lockstep, %.0f s of sim time at 200 Hz, medians of %d\n", options.lockstep_s, options.repetitions);
+  std::printf("  models that copy bytes          %6.0f x real time\n", median(copying));
+  std::printf("  the whole set                   %6.0f x real time   %.2f of the copying one (%.2f to %.2f)\n",
+              median(chain), median(over_copying), quantile(over_copying, 0.0), quantile(over_copying, 1.0));
+  std::printf("  and a nav app on single samples %6.0f x real time\n", median(with_app));
+}
+
+void measure_swaps(const Options& options, const std::string& folder) {
+  const std::vector<double> waits =
+      bench::measure_swap_latency({200.0, 0.05 * options.swaps + 5.0, "udp", options.domain, folder}, options.swaps);
+  std::printf(
+      "swap command to receipt of the first sample under it, 200 Hz, %zu swaps: p50 %.3f ms, p99 %.3f ms, max "
+      "%.3f ms\n",
+      waits.size(), 1e3 * median(waits), 1e3 * quantile(waits, 0.99), 1e3 * quantile(waits, 1.0));
 }
 
 int run_body(const Options& options) {
@@ -135,6 +182,10 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--domain", options.domain, "DDS domain")->capture_default_str();
+  app.add_option("--swaps", options.swaps, "instead: how long this many swaps take to show")
+      ->check(CLI::Range(1, 100'000));
+  app.add_option("--lockstep", options.lockstep_s, "instead: how fast lockstep is over this much sim time, s")
+      ->check(CLI::Range(10.0, 1e5));
   app.add_option("--body", options.body, "what a process of the bench does itself")->group("");
   app.add_option("--readers", options.readers)->group("");
   app.add_option("--result", options.result_file)->group("");
@@ -143,6 +194,9 @@ int main(int argc, char** argv) {
     if (!options.body.empty()) return run_body(options);
     const auto folder = std::filesystem::temp_directory_path() / ("inslab_bench_chain_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
+    if (options.swaps > 0) measure_swaps(options, folder.string());
+    if (options.lockstep_s > 0.0) measure_lockstep(options, folder.string());
+    if (options.swaps > 0 || options.lockstep_s > 0.0) options.transports.clear();
     for (const std::string& transport : options.transports) {
       for (const double rate_hz : options.rates_hz) measure(options, rate_hz, transport, folder.string());
     }

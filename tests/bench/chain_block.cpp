@@ -1,5 +1,6 @@
 #include "tests/bench/chain_block.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -28,7 +29,12 @@ std::string write_scenario(const ChainSettings& settings) {
   json["imu"][0]["rate_hz"] = settings.rate_hz;
   json.erase("swaps");
   // A hiccup of the machine belongs into the figures, not to end the run.
-  json["clock"] = {{"max_lag_ms", 1000.0}};
+  json["clock"] = {{"max_lag_ms", 1000.0}, {"mode", settings.lockstep ? "lockstep" : "real_time"}};
+  if (settings.nav_app) {
+    json["require_nav_app"] = true;
+    json["require_subscribers"] = {{{"topic", "inslab/imu/0"}}, {{"topic", "inslab/gnss/0"}}};
+  }
+  json["trajectory"]["segments"].push_back({{"duration_s", settings.duration_s}});
   for (const char* kind : {"imu", "gnss"}) {
     for (auto& sensor : json[kind]) {
       for (auto& [key, value] : sensor.items()) {
@@ -72,6 +78,8 @@ void read_latencies(const std::string& log_file, ChainBlock& block) {
     truth[header.sim_time_ns] = header;
     return true;
   });
+  block.wall_s = 1e-9 * static_cast<double>(truth.rbegin()->second.publish_realtime_ns -
+                                            truth.begin()->second.publish_realtime_ns);
   constexpr std::int64_t kWarmUp_ns = 500'000'000;
   log.for_each([&](const io::mcap::Message& message) {
     if (topics[message.channel_id] != wire::topic_names::imu(0)) return true;
@@ -87,32 +95,42 @@ void read_latencies(const std::string& log_file, ChainBlock& block) {
 
 }  // namespace
 
-ChainBlock run_chain(const ChainSettings& settings) {
+ChainServices::ChainServices(const ChainSettings& settings) {
   const std::string scenario_file = write_scenario(settings);
-  const std::string log_file = settings.folder + "/chain.mcap";
   const std::vector<std::string> common{
       "--scenario",  scenario_file,      "--domain",    std::to_string(settings.domain),
       "--transport", settings.transport, "--log-level", "warn"};
-  std::vector<std::unique_ptr<Process>> processes;
   for (const auto& [service, sensor] : app::required_services(scenario::load(scenario_file))) {
     std::vector<std::string> arguments = common;
     if (service == app::kTruthLogger) {
-      arguments.insert(arguments.end(), {"--log", log_file});
+      arguments.insert(arguments.end(), {"--log", settings.folder + "/chain.mcap"});
     } else {
       arguments.insert(arguments.end(), {"--sensor", std::to_string(sensor)});
     }
-    processes.push_back(std::make_unique<Process>(service, arguments));
+    const bool copies = settings.copying && service != app::kTruthLogger;
+    if (copies) arguments.insert(arguments.begin(), service);
+    processes_.push_back(std::make_unique<Process>(copies ? "bench_copying_service" : service, arguments));
   }
-  processes.push_back(std::make_unique<Process>(app::kTrajectoryServer, common));
+  processes_.push_back(std::make_unique<Process>(app::kTrajectoryServer, common));
+  if (settings.nav_app) {
+    setenv("FASTRTPS_DEFAULT_PROFILES_FILE", INSLAB_SOURCE_DIR "/config/dds/loopback.xml", 1);
+    nav_app_ = std::make_unique<Process>(
+        "fastdds_nav_client",
+        std::vector<std::string>{"--domain", std::to_string(settings.domain), "--seconds", "600"});
+    unsetenv("FASTRTPS_DEFAULT_PROFILES_FILE");
+  }
+}
 
+ChainBlock run_chain(const ChainSettings& settings) {
+  const ChainServices services(settings);
   ChainBlock block;
   const auto longest = std::chrono::seconds(60) + time::from_seconds(settings.duration_s);
-  for (auto& process : processes) {
+  for (const auto& process : services.processes()) {
     const ProcessEnd end = process->wait(longest);
     if (!end.good) throw std::runtime_error(process->program() + " failed");
     block.services[process->program()] = end;
   }
-  read_latencies(log_file, block);
+  read_latencies(settings.folder + "/chain.mcap", block);
   return block;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,10 @@ struct ChainSettings {
   double duration_s = 5.0;
   std::string transport = "udp";
   std::uint32_t domain = 0;
-  std::string folder;  ///< for the scenario and the log
+  std::string folder;     ///< for the scenario and the log
+  bool copying = false;   ///< injector and emulator copy bytes instead of modelling sensors
+  bool lockstep = false;  ///< as fast as the consumers follow, instead of in real time
+  bool nav_app = false;   ///< lockstep: with the example client as the app under test, which paces the run
 };
 
 struct ChainBlock {
@@ -23,6 +27,18 @@ struct ChainBlock {
   /// Median from the publish time of truth to its receipt, in the callback, as each of its readers reports it.
   std::map<std::string, double> truth_receipt_p50_s;
   std::map<std::string, ProcessEnd> services;
+  double wall_s = 0.0;  ///< from the first to the last truth sample
+};
+
+/// The services of the demo scenario, without its swaps, one process each, from the constructor on; ended with this.
+class ChainServices {
+ public:
+  explicit ChainServices(const ChainSettings& settings);
+  const std::vector<std::unique_ptr<Process>>& processes() const { return processes_; }
+
+ private:
+  std::vector<std::unique_ptr<Process>> processes_;
+  std::unique_ptr<Process> nav_app_;
 };
 
 /// Runs the services of the demo scenario, without its swaps, for `duration_s`; the latencies leave out the first half

@@ -1,0 +1,144 @@
+// The injector and the emulator with models that only copy bytes: the same processes, topics, sizes, settings and
+// threads as the product's. What the product's chain takes beyond theirs its models take.
+//
+//   bench_copying_service inslab-imu-injector|inslab-gnss-emulator, then the service's own options
+
+#include <memory>
+#include <stdexcept>
+
+#include "app/service_names.hpp"
+#include "app/stream_output.hpp"
+#include "app/truth_follower.hpp"
+#include "samples/gnss_fix.hpp"
+#include "samples/imu_truth.hpp"
+
+namespace inslab::bench {
+namespace {
+
+/// What both have in common: no journal, no checkpoint, no acknowledgements.
+class Copier : public app::TruthConsumer {
+ public:
+  void add(const AnyProfile&) override {}
+  bool ready_for(const TruthState&) const override { return true; }
+  void save(recovery::StateWriter&) const override {}
+  void load(recovery::StateReader&) override {}
+};
+
+class CopyingInjector : public Copier {
+ public:
+  CopyingInjector(app::Context& context, const scenario::LoadedImu& imu)
+      : number_(imu.number),
+        samples_(context, dds::topics::imu(imu.number, 1.0 / imu.rate.period_s()), {{{app::kTruthLogger, 0u}}}),
+        truths_(context, dds::topics::imu_truth(imu.number, 1.0 / imu.rate.period_s()), {{{app::kTruthLogger, 0u}}}) {}
+
+  void begin_run(const RunId& run, ClockMode clock) override {
+    samples_.begin_run(run, clock);
+    truths_.begin_run(run, clock);
+  }
+  bool has_room() const override { return samples_.has_room() && truths_.has_room(); }
+  void process(const TruthState& truth) override {
+    if (truth.header.sequence_number == 0) return;
+    ImuSample sample;
+    sample.header = truth.header;
+    --sample.header.sequence_number;
+    sample.sensor_number = number_;
+    sample.dtheta_b = truth.dtheta_v;
+    sample.dv_b = truth.dv_v;
+    sample.interval_ns = truth.interval_ns;
+    ImuTruth perfect;
+    perfect.header = sample.header;
+    perfect.sensor_number = number_;
+    perfect.dtheta_b = truth.dtheta_v;
+    perfect.dv_b = truth.dv_v;
+    samples_.put(sample);
+    truths_.put(perfect);
+  }
+  void flush_blocks() override {
+    samples_.flush_block();
+    truths_.flush_block();
+  }
+  void take(const Credit& credit) override {
+    samples_.take(credit);
+    truths_.take(credit);
+  }
+  std::vector<std::uint64_t> outputs_end() const override {
+    return {samples_.next_sequence(), truths_.next_sequence()};
+  }
+  bool outputs_delivered(const std::vector<std::uint64_t>& ends) const override {
+    return samples_.lowest_wanted() >= ends[0] && truths_.lowest_wanted() >= ends[1];
+  }
+  std::string missing_readers() const override { return samples_.missing_readers() + truths_.missing_readers(); }
+  void report(ServiceStatus& status) const override {
+    status.streams.push_back(samples_.status());
+    status.streams.push_back(truths_.status());
+  }
+  void flush(time::Nanoseconds deadline) override {
+    samples_.wait_for_acknowledgments(deadline);
+    truths_.wait_for_acknowledgments(deadline);
+  }
+
+ private:
+  std::uint32_t number_;
+  app::StreamOutput<ImuSample> samples_;
+  app::StreamOutput<ImuTruth> truths_;
+};
+
+class CopyingEmulator : public Copier {
+ public:
+  CopyingEmulator(app::Context& context, const scenario::LoadedGnss& gnss)
+      : number_(gnss.number),
+        period_ns_(gnss.rate.period().count()),
+        fixes_(context, dds::topics::gnss(gnss.number, 1.0 / gnss.rate.period_s()), {{{app::kTruthLogger, 0u}}}) {}
+
+  void begin_run(const RunId& run, ClockMode clock) override { fixes_.begin_run(run, clock); }
+  bool has_room() const override { return fixes_.has_room(); }
+  void process(const TruthState& truth) override {
+    if (truth.header.sim_time_ns == 0 || truth.header.sim_time_ns % period_ns_ != 0) return;
+    GnssFix fix;
+    fix.header = truth.header;
+    fix.header.sequence_number = next_++;
+    fix.sensor_number = number_;
+    fix.latitude_rad = truth.latitude_rad;
+    fix.longitude_rad = truth.longitude_rad;
+    fix.height_m = truth.height_m;
+    fix.v_n = truth.v_n;
+    fixes_.put(fix);
+  }
+  void flush_blocks() override { fixes_.flush_block(); }
+  void take(const Credit& credit) override { fixes_.take(credit); }
+  std::vector<std::uint64_t> outputs_end() const override { return {fixes_.next_sequence()}; }
+  bool outputs_delivered(const std::vector<std::uint64_t>& ends) const override {
+    return fixes_.lowest_wanted() >= ends[0];
+  }
+  std::string missing_readers() const override { return fixes_.missing_readers(); }
+  void report(ServiceStatus& status) const override { status.streams.push_back(fixes_.status()); }
+  void flush(time::Nanoseconds deadline) override { fixes_.wait_for_acknowledgments(deadline); }
+
+ private:
+  std::uint32_t number_;
+  std::int64_t period_ns_;
+  app::StreamOutput<GnssFix> fixes_;
+  std::uint64_t next_ = 0;
+};
+
+}  // namespace
+}  // namespace inslab::bench
+
+int main(int argc, char** argv) {
+  using namespace inslab;
+  const std::string service = argc > 1 ? argv[1] : "";
+  if (service == app::kImuInjector) {
+    return app::run_service(app::kImuInjector, "Copies truth to an IMU's topics", {true, false}, argc - 1, argv + 1,
+                            [](app::Context& context) {
+                              const std::uint32_t sensor = context.options().sensor;
+                              bench::CopyingInjector bus(context, context.scenario().imu_number(sensor));
+                              return app::TruthFollower(context, sensor, bus).run();
+                            });
+  }
+  return app::run_service(app::kGnssEmulator, "Copies truth to a receiver's topic", {true, false}, argc - 1, argv + 1,
+                          [](app::Context& context) {
+                            const std::uint32_t sensor = context.options().sensor;
+                            bench::CopyingEmulator bus(context, context.scenario().gnss_number(sensor));
+                            return app::TruthFollower(context, sensor, bus).run();
+                          });
+}

@@ -1,0 +1,20 @@
+// NovAtel logs: any text gives samples, lines that are counted as bad, or a refusal that names the place.
+#include <cstdlib>
+
+#include "io/error.hpp"
+#include "io/novatel_imu.hpp"
+#include "tests/fuzz/memory_file.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace inslab;
+  const fuzz::MemoryFile file(data, size, "fuzz.asc");
+  try {
+    io::NovatelImuReader reader(file.path());
+    io::NovatelImuRecord record;
+    while (reader.next(record)) {
+      if (!record.dtheta_b.allFinite() || !record.dv_b.allFinite()) std::abort();  // a good line has numbers
+    }
+  } catch (const io::ReadError&) {
+  }
+  return 0;
+}
