@@ -140,7 +140,11 @@ class StreamOutput {
     if (settings.paced_by_nav_app) consumers.emplace_back(kNavApp, 0u);
     return consumers;
   }
-  int foreign_missing() const { return std::max(0, foreign_needed_ - std::max(0, foreign_readers())); }
+  /// A foreign app reads the single samples, or in lockstep the blocks.
+  int foreign_missing() const {
+    const int on_blocks = blocks_.matched_readers() - own_readers_;
+    return std::max(0, foreign_needed_ - std::max(0, foreign_readers()) - std::max(0, on_blocks));
+  }
 
   std::string topic_;
   int own_readers_;

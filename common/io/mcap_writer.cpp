@@ -10,95 +10,17 @@
 
 #include "io/byte_writer.hpp"
 #include "io/error.hpp"
+#include "io/mcap_put.hpp"
 
 namespace inslab::io {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::string_view kCompression = "zstd";
+constexpr std::string_view kCompression = mcap::kCompression;
 // Chunk: three 8-byte numbers, CRC, compression, length of the records.
 constexpr std::size_t kChunkHeadSize = mcap::kRecordHeadSize + 3 * 8 + 4 + 4 + kCompression.size() + 8;
 constexpr std::size_t kIndexEntrySize = 16;
-
-void put_header(const McapWriter::Options& options, Bytes& out) {
-  ByteWriter writer(out);
-  out.insert(out.end(), mcap::kMagic.begin(), mcap::kMagic.end());
-  const std::size_t at = writer.begin_record(mcap::kHeader);
-  writer.text(options.profile);
-  writer.text(options.library);
-  writer.end_record(at);
-}
-
-void put_schema(const mcap::Schema& schema, Bytes& out) {
-  ByteWriter writer(out);
-  const std::size_t at = writer.begin_record(mcap::kSchema);
-  writer.number(schema.id);
-  writer.text(schema.name);
-  writer.text(schema.encoding);
-  writer.text(schema.text);
-  writer.end_record(at);
-}
-
-void put_channel(const mcap::Channel& channel, Bytes& out) {
-  ByteWriter writer(out);
-  const std::size_t at = writer.begin_record(mcap::kChannel);
-  writer.number(channel.id);
-  writer.number(channel.schema_id);
-  writer.text(channel.topic);
-  writer.text(channel.message_encoding);
-  writer.text_map(channel.metadata);
-  writer.end_record(at);
-}
-
-void put_statistics(const mcap::Statistics& statistics, std::size_t schemas, std::size_t channels, Bytes& out) {
-  ByteWriter writer(out);
-  const std::size_t at = writer.begin_record(mcap::kStatistics);
-  writer.number(statistics.message_count);
-  writer.number(static_cast<std::uint16_t>(schemas));
-  writer.number(static_cast<std::uint32_t>(channels));
-  writer.number(std::uint32_t{0});  // attachments
-  writer.number(statistics.metadata_count);
-  writer.number(statistics.chunk_count);
-  writer.number(statistics.message_start_time_ns);
-  writer.number(statistics.message_end_time_ns);
-  const std::size_t counts = writer.begin_block();
-  for (const auto& [channel, count] : statistics.channel_message_counts) {
-    writer.number(channel);
-    writer.number(count);
-  }
-  writer.end_block(counts);
-  writer.end_record(at);
-}
-
-void put_chunk_index(const mcap::ChunkIndex& chunk, Bytes& out) {
-  ByteWriter writer(out);
-  const std::size_t at = writer.begin_record(mcap::kChunkIndex);
-  writer.number(chunk.start_time_ns);
-  writer.number(chunk.end_time_ns);
-  writer.number(chunk.offset);
-  writer.number(chunk.length);
-  const std::size_t offsets = writer.begin_block();
-  for (const auto& [channel, offset] : chunk.message_index_offsets) {
-    writer.number(channel);
-    writer.number(offset);
-  }
-  writer.end_block(offsets);
-  writer.number(chunk.message_index_length);
-  writer.text(kCompression);
-  writer.number(chunk.compressed_size);
-  writer.number(chunk.uncompressed_size);
-  writer.end_record(at);
-}
-
-void put_metadata_index(const mcap::MetadataIndex& metadata, Bytes& out) {
-  ByteWriter writer(out);
-  const std::size_t at = writer.begin_record(mcap::kMetadataIndex);
-  writer.number(metadata.offset);
-  writer.number(metadata.length);
-  writer.text(metadata.name);
-  writer.end_record(at);
-}
 
 std::uint32_t crc(std::uint32_t before, const std::uint8_t* data, std::size_t size) {
   return static_cast<std::uint32_t>(crc32_z(before, data, size));
@@ -127,7 +49,7 @@ McapWriter::McapWriter(const std::string& path, Options options)
     : options_(std::move(options)), file_(path), compressor_(new Compressor(options_.compression_level)) {
   chunk_.resize(options_.chunk_bytes);
   record_.clear();
-  put_header(options_, record_);
+  mcap::put_header(options_.profile, options_.library, record_);
   append(record_);
 }
 
@@ -161,7 +83,7 @@ std::uint16_t McapWriter::add_schema(std::string_view name, std::string_view enc
   const auto id = static_cast<std::uint16_t>(schemas_.size() + 1);
   schemas_.push_back({id, std::string(name), std::string(encoding), std::string(text)});
   record_.clear();
-  put_schema(schemas_.back(), record_);
+  mcap::put_schema(schemas_.back(), record_);
   append(record_);
   return id;
 }
@@ -177,7 +99,7 @@ std::uint16_t McapWriter::add_channel(std::uint16_t schema_id, std::string_view 
   const auto id = static_cast<std::uint16_t>(channels_.size());
   channels_.push_back({{id, schema_id, std::string(topic), std::string(message_encoding), metadata}, 0, {}});
   record_.clear();
-  put_channel(channels_.back().channel, record_);
+  mcap::put_channel(channels_.back().channel, record_);
   append(record_);
   return id;
 }
@@ -380,15 +302,15 @@ void McapWriter::write_summary(Bytes& out) const {
     offset_writer.end_record(at);
     group = out.size();
   };
-  for (const mcap::Schema& schema : schemas_) put_schema(schema, out);
+  for (const mcap::Schema& schema : schemas_) mcap::put_schema(schema, out);
   end_group(mcap::kSchema);
-  for (const OpenChannel& channel : channels_) put_channel(channel.channel, out);
+  for (const OpenChannel& channel : channels_) mcap::put_channel(channel.channel, out);
   end_group(mcap::kChannel);
-  put_statistics(statistics_, schemas_.size(), channels_.size(), out);
+  mcap::put_statistics(statistics_, schemas_.size(), channels_.size(), out);
   end_group(mcap::kStatistics);
-  for (const mcap::ChunkIndex& chunk : chunks_) put_chunk_index(chunk, out);
+  for (const mcap::ChunkIndex& chunk : chunks_) mcap::put_chunk_index(chunk, out);
   end_group(mcap::kChunkIndex);
-  for (const mcap::MetadataIndex& metadata : metadata_) put_metadata_index(metadata, out);
+  for (const mcap::MetadataIndex& metadata : metadata_) mcap::put_metadata_index(metadata, out);
   end_group(mcap::kMetadataIndex);
 
   const std::uint64_t offsets_start = file_.size() + out.size();

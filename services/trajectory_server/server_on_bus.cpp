@@ -30,6 +30,7 @@ ServerOnBus::ServerOnBus(app::Context& context)
     : context_(context),
       scenario_(context.scenario()),
       run_id_(app::random_run_id()),
+      others_(run_id_),
       control_(scenario_.scenario.clock.mode, scenario_.scenario.clock.start_paused),
       clock_(time::Nanoseconds(0), scenario_.scenario.clock.rate),
       truth_(context, dds::topics::truth(scenario_.scenario.truth_rate_hz),
@@ -136,107 +137,13 @@ void ServerOnBus::handle_messages(time::Nanoseconds patience) {
       // Before the run there is no time that a state could be of.
       if (status_.state == RunState::Running) vehicle_->take(*state, *source_);
     } else if (const auto* other = std::get_if<SimStatus>(&*message)) {
-      hear_other_server(*other);
+      others_.hear(*other);
     } else {
       const auto& status = std::get<ServiceStatus>(*message);
-      if (status.state == ServiceState::Running && status.run_id != run_id_ && status.run_id != RunId{}) {
-        if (!orphan_) orphan_heard_at_ = monotonic_now();
-        orphan_ = status;
-      } else if (orphan_ && orphan_->service == status.service && orphan_->sensor_number == status.sensor_number) {
-        orphan_.reset();  // it has ended
-      }
+      others_.hear(status, monotonic_now());
       services_[{status.service, status.sensor_number}] = {status.state, status.message};
     }
   }
-}
-
-std::vector<std::string> ServerOnBus::missing_services() const {
-  std::vector<std::string> missing;
-  for (const auto& [service, number] : app::required_services(scenario_)) {
-    const auto found = services_.find({service, number});
-    if (found != services_.end() && found->second.state == ServiceState::Ready) continue;
-    const std::string why =
-        found == services_.end() || found->second.message.empty() ? "" : ": " + found->second.message;
-    missing.push_back(service + " (sensor " + std::to_string(number) + why + ")");
-  }
-  return missing;
-}
-
-/// Names who else is not there yet; empty when everybody is.
-std::string ServerOnBus::missing_peers() const {
-  std::string names;
-  for (const std::string& name : missing_services()) names += (names.empty() ? "" : ", ") + name;
-  if (!names.empty()) return names;
-  if (const std::string readers = truth_.missing_readers(); !readers.empty()) return readers;
-  return vehicle_ && !vehicle_->connected() ? "a writer of inslab/vehicle_state" : "";
-}
-
-void ServerOnBus::hear_other_server(const SimStatus& status) {
-  if (has_ended(status.state)) return;
-  // Of two that wait the one with the smaller run id stays.
-  const bool it_stays = status.state != RunState::Waiting || status.run_id.bytes < run_id_.bytes;
-  if (it_stays) other_server_ = status;
-}
-
-/// Before the first sample: the exit code when this process must not run.
-std::optional<int> ServerOnBus::yield_to_other_run() {
-  if (other_server_) {
-    spdlog::error("another trajectory server runs '{}' for this unit; this one ends", other_server_->scenario);
-    board_.enter(ServiceState::Fault, "another trajectory server is at work");
-    board_.flush(seconds(2));
-    return app::kFailed;
-  }
-  if (orphaned()) return end_orphans();
-  return std::nullopt;
-}
-
-bool ServerOnBus::orphaned() const {
-  // A server that lives is heard within a moment of its services.
-  constexpr time::Nanoseconds kTimeToHearTheServer = milliseconds(1500);
-  return orphan_ && monotonic_now() - orphan_heard_at_ > kTimeToHearTheServer;
-}
-
-int ServerOnBus::end_orphans() {
-  const std::string reason = "the trajectory server of this run is gone; a run is not gone on with by another one";
-  spdlog::error("services are in a run whose trajectory server is gone: it ends as a fault. Start the set again");
-  status_.run_id = orphan_->run_id;
-  status_.state = RunState::Fault;
-  status_.message = reason;
-  status_.sim_time_ns = orphan_->sim_time_ns;
-  sim_status_.write(status_);
-  sim_status_.wait_for_acknowledgments(seconds(2));
-  board_.enter(ServiceState::Fault, reason);
-  const time::Nanoseconds deadline = monotonic_now() + seconds(10);
-  const auto still_running = [this] {
-    return std::any_of(services_.begin(), services_.end(),
-                       [](const auto& service) { return service.second.state == ServiceState::Running; });
-  };
-  while (still_running() && monotonic_now() < deadline && !app::shutdown_requested()) {
-    handle_messages(milliseconds(50));
-    board_.tick();
-  }
-  board_.flush(seconds(2));
-  return app::kFailed;
-}
-
-/// The barrier before the first sample. False when it timed out or a signal came.
-bool ServerOnBus::wait_until_ready() {
-  const double timeout_s = scenario_.scenario.clock.ready_timeout_s;
-  const auto deadline = monotonic_now() + time::from_seconds(timeout_s);
-  board_.enter(ServiceState::Ready);
-  for (std::string names = missing_peers(); !names.empty(); names = missing_peers()) {
-    if (app::shutdown_requested() || control_.stop_requested()) return false;
-    if (other_server_ || orphaned()) return false;
-    if (monotonic_now() > deadline) {
-      spdlog::error("not ready after {} s: {}", timeout_s, names);
-      status_.message = ("not ready: " + names).substr(0, 256);
-      return false;
-    }
-    handle_messages(milliseconds(2));
-    report_status();
-    board_.tick();
-  }
-  return true;
 }
 
 void ServerOnBus::begin() {

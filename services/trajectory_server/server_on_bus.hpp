@@ -9,6 +9,7 @@
 #include "app/status_board.hpp"
 #include "app/stream_output.hpp"
 #include "dds/reader.hpp"
+#include "services/trajectory_server/other_runs.hpp"
 #include "services/trajectory_server/run_clock.hpp"
 #include "services/trajectory_server/run_control.hpp"
 #include "services/trajectory_server/truth_source.hpp"
@@ -45,10 +46,8 @@ class ServerOnBus {
   std::vector<std::string> missing_services() const;
   std::string missing_peers() const;
   bool wait_until_ready();
-  void hear_other_server(const SimStatus& status);
   std::optional<int> yield_to_other_run();
-  bool orphaned() const;
-  int end_orphans();
+  int end_run_of(const ServiceStatus& orphan);
   void begin();
   int run_to_end();
   void serve_stragglers();
@@ -65,6 +64,7 @@ class ServerOnBus {
   app::Context& context_;
   const scenario::LoadedScenario& scenario_;
   RunId run_id_;
+  OtherRuns others_;
   std::unique_ptr<TruthSource> source_;
   SimStatus status_;
   RunControl control_;
@@ -73,10 +73,6 @@ class ServerOnBus {
   time::Nanoseconds blocked_since_{0};  ///< CLOCK_MONOTONIC since no consumer gave credit; 0: not blocked
   std::uint64_t time_marks_ = 0;
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
-  std::optional<SimStatus> other_server_;  ///< of another run of this unit, as its server says
-  std::optional<ServiceStatus> orphan_;    ///< a service in a run that is not ours
-  time::Nanoseconds orphan_heard_at_{0};   ///< CLOCK_MONOTONIC, the first time
-
   app::Mailbox<Message> mailbox_;
   std::unique_ptr<VehicleOnBus> vehicle_;  ///< null when the scenario has no live vehicle
   app::StreamOutput<TruthState> truth_;

@@ -129,23 +129,26 @@ void measure(const Options& options, double rate_hz, const std::string& transpor
 void measure_lockstep(const Options& options, const std::string& folder) {
   bench::ChainSettings settings{200.0, options.lockstep_s, "udp", options.domain, folder};
   settings.lockstep = true;
-  std::vector<double> chain, copying, with_app, over_copying;
+  std::vector<double> chain, copying, on_singles, on_blocks, over_copying;
   for (int i = 0; i < options.repetitions; ++i) {
-    const auto speed = [&](bool copies, bool app) {
+    const auto speed = [&](bool copies, bool app, bool reads_blocks = false) {
       settings.copying = copies;
       settings.nav_app = app;
+      settings.nav_app_reads_blocks = reads_blocks;
       return options.lockstep_s / bench::run_chain(settings).wall_s;
     };
     copying.push_back(speed(true, false));
     chain.push_back(speed(false, false));
     over_copying.push_back(chain.back() / copying.back());
-    with_app.push_back(speed(false, true));
+    on_blocks.push_back(speed(false, true, true));
+    on_singles.push_back(speed(false, true));
   }
   std::printf("lockstep, %.0f s of sim time at 200 Hz, medians of %d\n", options.lockstep_s, options.repetitions);
   std::printf("  models that copy bytes          %6.0f x real time\n", median(copying));
   std::printf("  the whole set                   %6.0f x real time   %.2f of the copying one (%.2f to %.2f)\n",
               median(chain), median(over_copying), quantile(over_copying, 0.0), quantile(over_copying, 1.0));
-  std::printf("  and a nav app on single samples %6.0f x real time\n", median(with_app));
+  std::printf("  and a nav app that reads blocks %6.0f x real time\n", median(on_blocks));
+  std::printf("  and a nav app on single samples %6.0f x real time\n", median(on_singles));
 }
 
 void measure_swaps(const Options& options, const std::string& folder) {

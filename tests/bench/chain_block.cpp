@@ -115,8 +115,8 @@ ChainServices::ChainServices(const ChainSettings& settings) {
   if (settings.nav_app) {
     setenv("FASTRTPS_DEFAULT_PROFILES_FILE", INSLAB_SOURCE_DIR "/config/dds/loopback.xml", 1);
     nav_app_ = std::make_unique<Process>(
-        "fastdds_nav_client",
-        std::vector<std::string>{"--domain", std::to_string(settings.domain), "--seconds", "600"});
+        "fastdds_nav_client", std::vector<std::string>{"--domain", std::to_string(settings.domain), "--seconds", "600",
+                                                       "--blocks", settings.nav_app_reads_blocks ? "1" : "0"});
     unsetenv("FASTRTPS_DEFAULT_PROFILES_FILE");
   }
 }

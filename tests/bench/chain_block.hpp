@@ -19,6 +19,7 @@ struct ChainSettings {
   bool copying = false;   ///< injector and emulator copy bytes instead of modelling sensors
   bool lockstep = false;  ///< as fast as the consumers follow, instead of in real time
   bool nav_app = false;   ///< lockstep: with the example client as the app under test, which paces the run
+  bool nav_app_reads_blocks = false;
 };
 
 struct ChainBlock {

@@ -8,6 +8,9 @@
 #include "dds/writer.hpp"
 
 namespace inslab::dds {
+
+void PrintTo(Transport transport, std::ostream* out) { *out << (transport == Transport::Udp ? "udp" : "shm"); }
+
 namespace {
 
 using std::chrono::seconds;

@@ -56,6 +56,8 @@ struct App {
   const char* program;
   const char* variable;
   const char* settings;
+
+  friend void PrintTo(const App& app, std::ostream* out) { *out << app.program; }
 };
 
 class ForeignApp : public testing::TestWithParam<App> {
@@ -122,6 +124,18 @@ INSTANTIATE_TEST_SUITE_P(Vendors, ForeignApp,
                                          App{"cyclone_nav_client", "CYCLONEDDS_URI",
                                              "file://" INSLAB_SOURCE_DIR "/deploy/clients/cyclone/cyclonedds.xml"}),
                          [](const auto& instance) { return std::string(instance.param.program); });
+
+TEST(ForeignAppOnBlocks, TakesPartInLockstepWithTheBlocksAlone) {
+  const TestFolder folder;
+  Process run("inslab", {"run", source("tests/data/foreign.json"), "--domain", own_domain(), "--log",
+                         folder / "log.mcap", "--clock", "lockstep"});
+  const Environment environment("FASTRTPS_DEFAULT_PROFILES_FILE", source("config/dds/loopback.xml"));
+  Process app("fastdds_nav_client", {"--domain", own_domain(), "--seconds", "90", "--blocks", "1"});
+  EXPECT_EQ(run.wait(seconds(90)), 0) << run.output();
+  EXPECT_EQ(app.wait(seconds(20)), 0) << app.output();
+  EXPECT_THAT(app.output(), HasSubstr("inslab/block/imu/0: 1200 samples, 0 missing"));
+  EXPECT_THAT(app.output(), HasSubstr("inslab/block/gnss/0: 60 samples, 0 missing"));
+}
 
 TEST(RequiredSubscribers, BarrierNamesWhatItWaitsFor) {
   const TestFolder folder;

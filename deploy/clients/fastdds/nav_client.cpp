@@ -2,7 +2,10 @@
 // It navigates by GNSS alone: the newest fix, carried on by its velocity to the time of the newest IMU sample, and
 // publishes one NavSolution for each IMU sample. A real app would put its mechanization and filter where solve() is.
 //
-//   fastdds_nav_client [--domain N] [--unit NAME] [--seconds S] [--values FILE]
+//   fastdds_nav_client [--domain N] [--unit NAME] [--seconds S] [--values FILE] [--blocks 1]
+//
+// With --blocks 1 it takes part in lockstep at full speed: it reads the block topics, leaves the truth alone, and
+// publishes one solution a block, whose imu_sequence is its credit.
 //
 // Ends after S seconds (default 60), or when the run that it has heard of has ended. Prints what came; --values writes
 // every sample's sequence number and first values as hexadecimal floating point, for comparison with the log. Exit code
@@ -26,6 +29,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "blockPubSubTypes.h"
 #include "controlPubSubTypes.h"
 #include "gnssPubSubTypes.h"
 #include "imuPubSubTypes.h"
@@ -42,6 +46,7 @@ struct Options {
   std::string unit;
   double seconds = 60.0;
   std::string values;
+  bool blocks = false;
 };
 
 Options parse(int argc, char** argv) {
@@ -56,6 +61,8 @@ Options parse(int argc, char** argv) {
       options.seconds = std::atof(argv[i + 1]);
     } else if (name == "--values") {
       options.values = argv[i + 1];
+    } else if (name == "--blocks") {
+      options.blocks = std::atoi(argv[i + 1]) != 0;
     } else {
       throw std::runtime_error("unknown option " + name);
     }
@@ -169,6 +176,43 @@ inslab::NavSolution solve(const std::optional<inslab::GnssFix>& fix, const insla
   return nav;
 }
 
+// Lockstep at full speed. Exit code 0 when nothing was missing.
+int navigate_in_blocks(const Options& options) {
+  Bus bus(options);
+  DataReader* imu_reader = bus.reader<inslab::ImuBlockPubSubType>("inslab/block/imu/0", 256);
+  DataReader* gnss_reader = bus.reader<inslab::GnssBlockPubSubType>("inslab/block/gnss/0", 256);
+  DataReader* status_reader = bus.reader<inslab::SimStatusPubSubType>("inslab/sim/status", 1, true);
+  DataWriter* nav_writer = bus.writer<inslab::NavSolutionPubSubType>("inslab/nav");
+  Count imu, gnss;
+  std::optional<inslab::GnssFix> fix;
+  bool ended = false;
+  using Clock = std::chrono::steady_clock;
+  auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.seconds));
+  while (Clock::now() < end) {
+    imu_reader->wait_for_unread_message(Duration_t(0, 50'000'000));
+    take_all<inslab::GnssBlock>(*gnss_reader, [&](const inslab::GnssBlock& block) {
+      for (const inslab::GnssFix& sample : block.samples()) {
+        gnss.add(sample.header().sequence_number());
+        if (sample.fix_type() != inslab::FIX_NONE) fix = sample;
+      }
+    });
+    take_all<inslab::ImuBlock>(*imu_reader, [&](const inslab::ImuBlock& block) {
+      for (const inslab::ImuSample& sample : block.samples()) imu.add(sample.header().sequence_number());
+      if (block.samples().empty()) return;
+      inslab::NavSolution nav = solve(fix, block.samples().back());
+      nav_writer->write(&nav);
+    });
+    take_all<inslab::SimStatus>(*status_reader, [&](const inslab::SimStatus& status) {
+      if (status.state() < inslab::RUN_FINISHED || ended) return;
+      ended = true;
+      end = std::min(end, Clock::now() + std::chrono::milliseconds(500));
+    });
+  }
+  const bool whole_imu = imu.print("inslab/block/imu/0");
+  const bool whole_gnss = gnss.print("inslab/block/gnss/0");
+  return whole_imu && whole_gnss ? 0 : 1;
+}
+
 int navigate(const Options& options) {
   std::FILE* values = options.values.empty() ? nullptr : std::fopen(options.values.c_str(), "w");
   if (!options.values.empty() && values == nullptr) throw std::runtime_error(options.values + ": cannot be written");
@@ -227,7 +271,8 @@ int navigate(const Options& options) {
 
 int main(int argc, char** argv) {
   try {
-    return navigate(parse(argc, argv));
+    const Options options = parse(argc, argv);
+    return options.blocks ? navigate_in_blocks(options) : navigate(options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "fastdds_nav_client: %s\n", error.what());
     return 2;

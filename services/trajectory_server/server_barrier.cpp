@@ -1,0 +1,95 @@
+// What ServerOnBus does before the first sample: it waits for everybody, and finds out whether it may run at all.
+
+#include <algorithm>
+
+#include "app/exit_code.hpp"
+#include "app/host.hpp"
+#include "app/service_names.hpp"
+#include "app/shutdown.hpp"
+#include "services/trajectory_server/server_on_bus.hpp"
+
+namespace inslab::trajectory {
+
+using app::monotonic_now;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+std::vector<std::string> ServerOnBus::missing_services() const {
+  std::vector<std::string> missing;
+  for (const auto& [service, number] : app::required_services(scenario_)) {
+    const auto found = services_.find({service, number});
+    if (found != services_.end() && found->second.state == ServiceState::Ready) continue;
+    const std::string why =
+        found == services_.end() || found->second.message.empty() ? "" : ": " + found->second.message;
+    missing.push_back(service + " (sensor " + std::to_string(number) + why + ")");
+  }
+  return missing;
+}
+
+/// Names who else is not there yet; empty when everybody is.
+std::string ServerOnBus::missing_peers() const {
+  std::string names;
+  for (const std::string& name : missing_services()) names += (names.empty() ? "" : ", ") + name;
+  if (!names.empty()) return names;
+  if (const std::string readers = truth_.missing_readers(); !readers.empty()) return readers;
+  return vehicle_ && !vehicle_->connected() ? "a writer of inslab/vehicle_state" : "";
+}
+
+/// Before the first sample: the exit code when this process must not run.
+std::optional<int> ServerOnBus::yield_to_other_run() {
+  if (const auto& other = others_.server()) {
+    spdlog::error("another trajectory server runs '{}' for this unit; this one ends", other->scenario);
+    board_.enter(ServiceState::Fault, "another trajectory server is at work");
+    board_.flush(seconds(2));
+    return app::kFailed;
+  }
+  const ServiceStatus* orphan = others_.orphan(monotonic_now());
+  if (orphan == nullptr) return std::nullopt;
+  return end_run_of(*orphan);
+}
+
+/// Everybody in the run of a server that is gone ends it as a fault.
+int ServerOnBus::end_run_of(const ServiceStatus& orphan) {
+  const std::string reason = "the trajectory server of this run is gone; a run is not gone on with by another one";
+  spdlog::error("services are in a run whose trajectory server is gone: it ends as a fault. Start the set again");
+  status_.run_id = orphan.run_id;
+  status_.state = RunState::Fault;
+  status_.message = reason;
+  status_.sim_time_ns = orphan.sim_time_ns;
+  sim_status_.write(status_);
+  sim_status_.wait_for_acknowledgments(seconds(2));
+  board_.enter(ServiceState::Fault, reason);
+  const time::Nanoseconds deadline = monotonic_now() + seconds(10);
+  const auto still_running = [this] {
+    return std::any_of(services_.begin(), services_.end(),
+                       [](const auto& service) { return service.second.state == ServiceState::Running; });
+  };
+  while (still_running() && monotonic_now() < deadline && !app::shutdown_requested()) {
+    handle_messages(milliseconds(50));
+    board_.tick();
+  }
+  board_.flush(seconds(2));
+  return app::kFailed;
+}
+
+/// The barrier before the first sample. False when it timed out or a signal came.
+bool ServerOnBus::wait_until_ready() {
+  const double timeout_s = scenario_.scenario.clock.ready_timeout_s;
+  const auto deadline = monotonic_now() + time::from_seconds(timeout_s);
+  board_.enter(ServiceState::Ready);
+  for (std::string names = missing_peers(); !names.empty(); names = missing_peers()) {
+    if (app::shutdown_requested() || control_.stop_requested()) return false;
+    if (others_.server() || others_.orphan(monotonic_now()) != nullptr) return false;
+    if (monotonic_now() > deadline) {
+      spdlog::error("not ready after {} s: {}", timeout_s, names);
+      status_.message = ("not ready: " + names).substr(0, 256);
+      return false;
+    }
+    handle_messages(milliseconds(2));
+    report_status();
+    board_.tick();
+  }
+  return true;
+}
+
+}  // namespace inslab::trajectory

@@ -1,0 +1,94 @@
+// What LoggerOnBus does so that a log goes on after its process was killed, and to note that others were.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/host.hpp"
+#include "io/error.hpp"
+#include "services/truth_logger/logger_on_bus.hpp"
+
+namespace inslab::logger {
+
+using std::chrono::seconds;
+
+/// What a process before this one left of the run that is going on. Only after one that did not end in order is there
+/// anything to find out, and then the run's status, if any, is there within a moment.
+std::optional<LoggerState> LoggerOnBus::interrupted(app::Context& context, app::Checkpoint& checkpoint) {
+  if (!checkpoint.has_any()) return std::nullopt;
+  app::Mailbox<SimStatus> mailbox;
+  const dds::Reader<SimStatus> reader(context.participant(), dds::topics::sim_status(),
+                                      [&](const SimStatus& status, const dds::SampleOrigin&) { mailbox.put(status); });
+  const auto status = mailbox.take(seconds(2));
+  if (!status) return std::nullopt;
+  LoggerState state;
+  const auto head = checkpoint.resume(status->run_id, [&](recovery::StateReader& from) { from(state); });
+  if (!head) return std::nullopt;
+  spdlog::warn("goes on with {}, {:.3f} s after its last flush", state.path,
+               static_cast<double>(app::realtime_now().count() - head->kept_realtime_ns) * 1e-9);
+  state.run_id = status->run_id;
+  return state;
+}
+
+void LoggerOnBus::go_on() {
+  run_id_ = interrupted_->run_id;
+  run_began_ = true;
+  for (const LoggedStream& stream : interrupted_->streams) {
+    const auto monitor = streams_.find(stream.topic);
+    if (monitor != streams_.end()) monitor->second.go_on(run_id_, stream.samples, stream.next_sequence);
+  }
+  for (std::size_t i = 0; i < std::min(channels_.size(), interrupted_->channel_counts.size()); ++i) {
+    channels_[i].count = interrupted_->channel_counts[i];
+  }
+  std::uint64_t rescued = 0;
+  replaying_ = true;
+  if (tail_) {
+    tail_->for_each(interrupted_->generation, [&](const LogTail::Message& message) {
+      if (message.channel >= channels_.size()) return;
+      take({message.channel, {message.data, message.data + message.size}, message.received_realtime_ns});
+      ++rescued;
+    });
+  }
+  replaying_ = false;
+  generation_ = interrupted_->generation + 1;
+  log_.add_recovery("log", {{"rescued_messages", std::to_string(rescued)}});
+  flush();
+}
+
+/// Everything taken so far is in the file, and the next process would know it.
+void LoggerOnBus::flush() {
+  try {
+    log_.file().flush();
+  } catch (const io::WriteError& error) {
+    note_failure(error.what());
+    return;
+  }
+  if (run_id_ == RunId{}) return;
+  LoggerState state;
+  state.path = log_.path();
+  state.generation = ++generation_;
+  for (const auto& [topic, monitor] : streams_) {
+    state.streams.push_back({topic, monitor.samples(), monitor.first_missing()});
+  }
+  for (const Channel& channel : channels_) state.channel_counts.push_back(channel.count);
+  checkpoint_.keep(checkpoint_.state(run_id_, [&](recovery::StateWriter& to) { to(state); }));
+  if (tail_) tail_->begin(generation_);
+}
+
+/// A stream that comes from another participant than before comes from a service that was started again.
+void LoggerOnBus::watch_the_sender(const std::string& topic, const StreamHeader& header, const Message& message) {
+  Source& source = sources_[topic];
+  const bool another = source.sender != dds::ParticipantKey{} && message.sender != source.sender && !replaying_;
+  if (another) {
+    const double silence_s = static_cast<double>(message.received_realtime_ns - source.received_realtime_ns) * 1e-9;
+    spdlog::warn("{}: its service was started again; sample {} came {:.3f} s after sample {}", topic,
+                 header.sequence_number, silence_s, source.sequence_number);
+    log_.add_recovery(topic, {{"last_sequence_before", std::to_string(source.sequence_number)},
+                              {"first_sequence_after", std::to_string(header.sequence_number)},
+                              {"first_sim_time_after_ns", std::to_string(header.sim_time_ns)},
+                              {"silence_s", fmt::format("{:.3f}", silence_s)}});
+  }
+  if (!replaying_) source = {message.sender, message.received_realtime_ns, header.sequence_number};
+}
+
+}  // namespace inslab::logger
