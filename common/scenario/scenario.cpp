@@ -59,13 +59,13 @@ std::optional<Violation> outages_violation(const GnssSensor& sensor, const std::
   return std::nullopt;
 }
 
-/// Topics on which a foreign reader can be demanded: those of the scenario's sensors.
-bool is_sensor_topic(const Scenario& scenario, const std::string& topic) {
+/// Topics on which a foreign reader can be demanded: the truth, and those of the scenario's sensors.
+bool is_stream(const Scenario& scenario, const std::string& topic) {
   const auto is_one_of = [&topic](const auto& sensors, const std::string& root) {
     return std::any_of(sensors.begin(), sensors.end(),
                        [&](const auto& sensor) { return topic == root + std::to_string(sensor.number); });
   };
-  return is_one_of(scenario.imu, "inslab/imu/") || is_one_of(scenario.imu, "inslab/imu_truth/") ||
+  return topic == "inslab/truth" || is_one_of(scenario.imu, "inslab/imu/") || is_one_of(scenario.imu, "inslab/imu_truth/") ||
          is_one_of(scenario.gnss, "inslab/gnss/");
 }
 
@@ -184,10 +184,10 @@ std::optional<Violation> violation(const Scenario& scenario) {
     if (auto broken = outages_violation(scenario.gnss[i], at("gnss", i, ""))) return broken;
   }
   for (std::size_t i = 0; i < scenario.require_subscribers.size(); ++i) {
-    if (is_sensor_topic(scenario, scenario.require_subscribers[i].topic)) continue;
+    if (is_stream(scenario, scenario.require_subscribers[i].topic)) continue;
     return Violation{
         Rule::SubscribedTopic, at("require_subscribers", i, "topic"),
-        "is '" + scenario.require_subscribers[i].topic + "'; expected a topic of a sensor of the scenario"};
+        "is '" + scenario.require_subscribers[i].topic + "'; expected inslab/truth or a topic of a sensor of the scenario"};
   }
   return swaps_violation(scenario);
 }

@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Vendors, ForeignApp,
 
 TEST(ForeignAppOnBlocks, TakesPartInLockstepWithTheBlocksAlone) {
   const TestFolder folder;
-  Process run("inslab", {"run", source("tests/data/foreign.json"), "--domain", own_domain(), "--log",
+  Process run("inslab", {"run", source("tests/data/foreign_blocks.json"), "--domain", own_domain(), "--log",
                          folder / "log.mcap", "--clock", "lockstep"});
   const Environment environment("FASTRTPS_DEFAULT_PROFILES_FILE", source("config/dds/loopback.xml"));
   Process app("fastdds_nav_client", {"--domain", own_domain(), "--seconds", "90", "--blocks", "1"});
@@ -135,6 +135,30 @@ TEST(ForeignAppOnBlocks, TakesPartInLockstepWithTheBlocksAlone) {
   EXPECT_EQ(app.wait(seconds(20)), 0) << app.output();
   EXPECT_THAT(app.output(), HasSubstr("inslab/block/imu/0: 1200 samples, 0 missing"));
   EXPECT_THAT(app.output(), HasSubstr("inslab/block/gnss/0: 60 samples, 0 missing"));
+}
+
+TEST(ForeignClient, OfAnotherVendorSwapsAProfileAndIsToldWhatBecameOfIt) {
+  const TestFolder folder;
+  Process run("inslab",
+              {"run", source("tests/data/short.json"), "--domain", own_domain(), "--log", folder / "log.mcap"});
+  const Environment environment("CYCLONEDDS_URI", "file://" + source("deploy/clients/cyclone/cyclonedds.xml"));
+  ASSERT_TRUE(run.prints("short: 0.0 of", seconds(60))) << run.output();
+  const auto swap = [](std::vector<std::string> words) {
+    words.insert(words.end(), {"--domain", own_domain()});
+    return std::make_unique<Process>("cyclone_swap_client", words);
+  };
+  const auto good = swap({"0.5", "-0.25", "-1.5", "--at", "7"});
+  const auto stranger = swap({"0.5", "0", "0", "--receiver", "4"});
+  EXPECT_EQ(good->wait(seconds(40)), 0) << good->output();
+  EXPECT_THAT(good->output(), HasSubstr("in effect from 7.000000000 s on"));
+  EXPECT_EQ(stranger->wait(seconds(40)), 3);
+  EXPECT_THAT(stranger->output(), HasSubstr("not in effect: target_number: names gnss4"));
+  run.wait(seconds(60));
+  const auto journal = samples_of_kind<InstallationProfile>(folder / "log.mcap", "inslab/journal/installation");
+  const auto entry = std::find_if(journal.begin(), journal.end(),
+                                  [](const auto& profile) { return profile.name == "from another vendor"; });
+  ASSERT_NE(entry, journal.end());
+  EXPECT_EQ(entry->lever_arm_v_m, Vector3(0.5, -0.25, -1.5));
 }
 
 TEST(RequiredSubscribers, BarrierNamesWhatItWaitsFor) {

@@ -29,6 +29,20 @@ std::vector<T> samples_of(const std::string& log_path, const std::string& topic)
   return samples;
 }
 
+/// All messages of one topic of a log, in the order of the file; for types without a header.
+template <class T>
+std::vector<T> samples_of_kind(const std::string& log_path, const std::string& topic) {
+  const io::McapReader log(log_path);
+  std::vector<T> samples;
+  log.for_each([&](const io::mcap::Message& message) {
+    T sample;
+    const bool of_it = log.channels().at(message.channel_id).topic == topic;
+    if (of_it && wire::decode(message.data, message.size, sample)) samples.push_back(sample);
+    return true;
+  });
+  return samples;
+}
+
 /// A sample's bytes without what may differ between two runs: run id, publish times and lateness.
 template <class T>
 std::vector<std::uint8_t> comparable_bytes(T sample) {

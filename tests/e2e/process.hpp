@@ -10,8 +10,8 @@
 
 namespace inslab::e2e {
 
-/// A program of build/bin, else of the path, started for a test: its output goes to a file, every wait has a deadline, and it is gone
-/// when the test is.
+/// A program of build/bin, else of the path, started for a test: its output goes to a file, every wait has a deadline,
+/// and it is gone when the test is.
 class Process {
  public:
   struct Limits {

@@ -122,7 +122,7 @@ TEST_F(Services, FullDiskIsSaidAndStopsNoStream) {
   const auto imu3 = injector("3");
   const auto gnss = emulator();
   const auto truth = server();
-  ASSERT_TRUE(log->prints("File too large", seconds(30))) << log->output() << truth->output();
+  ASSERT_TRUE(log->prints("cannot write: File too large", seconds(30))) << log->output() << truth->output();
   Process asking("inslab", {"status", source("tests/data/short.json"), "--domain", own_domain()});
   EXPECT_EQ(asking.wait(seconds(10)), 0) << asking.output();
   EXPECT_THAT(asking.output(), testing::ContainsRegex("inslab-truth-logger +0  fault .*File too large"));
