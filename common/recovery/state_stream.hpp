@@ -81,7 +81,7 @@ class StateWriter {
       }
     } else if constexpr (detail::IsVariant<T>::value) {
       put(static_cast<std::uint64_t>(value.index()));
-      std::visit([this](const auto& alternative) { put(alternative); }, value);
+      std::visit([this](const auto& alternative) { this->put(alternative); }, value);
     } else if constexpr (has_fields<T>) {
       wire::encode(value, encoded_);
       put(static_cast<std::uint64_t>(encoded_.size()));

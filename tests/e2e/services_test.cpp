@@ -148,7 +148,7 @@ TEST_F(Services, SwapByHandIsAcknowledgedOrRejectedWithItsField) {
   const auto gnss = emulator();
   const auto truth = server();
   ASSERT_TRUE(running()) << truth->output();
-  const auto swap = [this](std::vector<std::string> more) {
+  const auto swap = [](std::vector<std::string> more) {
     more.insert(more.begin(), "swap");
     more.insert(more.end(), {"--domain", own_domain()});
     return std::make_unique<Process>("inslab", more);

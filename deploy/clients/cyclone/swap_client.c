@@ -25,9 +25,22 @@ static dds_entity_t checked(dds_entity_t entity, const char* what) {
   return entity;
 }
 
-static bool matched(dds_entity_t writer) {
-  dds_publication_matched_status_t status;
-  return dds_get_publication_matched_status(writer, &status) == DDS_RETCODE_OK && status.current_count >= 1;
+/* Everybody who reads requests and writes acknowledgements is found one after the other, the logger perhaps before the
+ * trajectory server: all are there when both have some and nobody has come for a second. */
+static void wait_for_peers(dds_entity_t writer, dds_entity_t reader) {
+  uint32_t seen = 0;
+  int quiet = 0;
+  for (int tries = 0; tries < 2000 && quiet < 100; tries++) {
+    dds_publication_matched_status_t readers = {0};
+    dds_subscription_matched_status_t writers = {0};
+    dds_get_publication_matched_status(writer, &readers);
+    dds_get_subscription_matched_status(reader, &writers);
+    const uint32_t now = readers.current_count + writers.current_count;
+    const bool some = readers.current_count > 0 && writers.current_count > 0;
+    quiet = some && now == seen ? quiet + 1 : 0;
+    seen = now;
+    dds_sleepfor(DDS_MSECS(10));
+  }
 }
 
 /* What became of request `id`; false when nothing came in time. */
@@ -93,12 +106,7 @@ int main(int argc, char** argv) {
       dds_create_topic(participant, &inslab_ProfileAck_desc, "inslab/profile_ack", NULL, NULL), "inslab/profile_ack");
   const dds_entity_t reader = checked(dds_create_reader(subscriber, ack_topic, qos, NULL), "inslab/profile_ack");
   const dds_entity_t writer = checked(dds_create_writer(publisher, request_topic, qos, NULL), "request");
-  dds_subscription_matched_status_t acks;
-  for (int tries = 0; tries < 2000; tries++) {
-    const bool hears = dds_get_subscription_matched_status(reader, &acks) == DDS_RETCODE_OK && acks.current_count >= 1;
-    if (matched(writer) && hears) break;
-    dds_sleepfor(DDS_MSECS(10));
-  }
+  wait_for_peers(writer, reader);
 
   inslab_ProfileAck ack;
   int exit_code = 3;
