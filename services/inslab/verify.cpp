@@ -9,6 +9,7 @@
 #include "services/inslab/verify/closed_loop.hpp"
 #include "services/inslab/verify/gnss.hpp"
 #include "services/inslab/verify/increments.hpp"
+#include "services/inslab/verify/navigation.hpp"
 #include "services/inslab/verify/trajectory.hpp"
 #include "services/inslab/verify/vibration.hpp"
 
@@ -43,6 +44,8 @@ const std::vector<Verification>& verifications() {
        [](const Request&) { return verify::increments(60.0); }},
       {"gnss", "Errors of the receivers and the lever arm of their antenna (thesis tables 4-8, 4-9)",
        [](const Request& request) { return verify::gnss(request.full); }},
+      {"navigation", "Drift in GNSS outages and the filter's honesty (thesis tables 4-10 to 4-13)",
+       [](const Request& request) { return verify::navigation(request.full); }},
       {"vibration", "Increments, coning, sculling and spectra of vibration",
        [](const Request& request) { return verify::vibration_tables(request.full); }},
   };

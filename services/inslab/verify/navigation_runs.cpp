@@ -1,0 +1,212 @@
+#include "services/inslab/verify/navigation_runs.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "nav/attitude.hpp"
+#include "random/stream.hpp"
+#include "samples/units.hpp"
+#include "services/inslab/offline_run.hpp"
+#include "services/inslab/verify/catalogue.hpp"
+#include "services/inslab/verify/loop.hpp"
+#include "services/reference_nav/matching_parameters.hpp"
+
+namespace inslab::verify {
+
+namespace {
+
+namespace ref = reference_nav;
+
+GnssErrorProfile always_fixed_rtk() {
+  auto profile = catalogue_profile<GnssErrorProfile>("gnss/rtk");
+  profile.lesser_solutions.clear();
+  profile.latency_s = 0.0;
+  return profile;
+}
+
+nav::NavState state_of(const ImuTruth& truth) {
+  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb};
+}
+
+/// delta r, delta v, phi of an estimate.
+Eigen::Matrix<double, 9, 1> errors_of(const nav::NavState& estimate, const nav::NavState& truth) {
+  Eigen::Matrix<double, 9, 1> errors;
+  errors << nav::ned_from(truth.position, estimate.position), estimate.v_n - truth.v_n,
+      nav::rotation_vector_from_quaternion(truth.q_nb * estimate.q_nb.conjugate());
+  return errors;
+}
+
+/// A filter beside one IMU of the run, and its score.
+class Scored {
+ public:
+  Scored(const NavigationSetup& setup, std::size_t index, const ref::NavigationParameters& parameters,
+         const nav::Gravity& gravity)
+      : setup_(setup),
+        parameters_(parameters),
+        filter_(parameters, gravity),
+        draws_(setup.seed, "verify/navigation/" + std::to_string(index)) {}
+
+  void imu(const ImuSample& sample, const ImuTruth& truth) {
+    if (!begun_) {
+      begin(truth);
+      return;
+    }
+    filter_.add(sample);
+    score(sample.header.sim_time_ns, filter_.filter()->state(), state_of(truth));
+    if (setup_.nees_every_s > 0.0) consistency(sample.header.sim_time_ns, state_of(truth));
+  }
+  void gnss(GnssFix fix) {
+    if (!begun_) return;
+    if (!setup_.gnss_velocity) fix.velocity_sigma_ned_m_per_s.setZero();
+    filter_.add(fix);
+    for (const ref::FixResult& result : filter_.take_fix_results()) {
+      run_.innovations.push_back(result.position_nis);
+      if (setup_.gnss_velocity) run_.innovations.push_back(result.velocity_nis);
+      if (!result.position_accepted || (setup_.gnss_velocity && !result.velocity_accepted)) ++run_.rejected;
+    }
+  }
+  NavigationRun result() {
+    if (scored_ > 0) {
+      run_.attitude_rms_rad = (attitude_squares_ / static_cast<double>(scored_)).cwiseSqrt();
+      run_.horizontal_rms_m = std::sqrt(horizontal_squares_ / static_cast<double>(scored_));
+    }
+    return run_;
+  }
+
+ private:
+  /// Truth plus errors drawn from the filter's own initial covariance.
+  void begin(const ImuTruth& truth) {
+    const ref::Vector21 sigmas = ref::initial_sigmas(parameters_);
+    Eigen::Matrix<double, 9, 1> e;
+    for (int i = 0; i < 9; ++i) e[i] = sigmas[i] * draws_.normal(static_cast<std::uint64_t>(i));
+    nav::NavState start = state_of(truth);
+    start.position = nav::displaced(start.position, e.head<3>());
+    start.v_n += e.segment<3>(3);
+    start.q_nb = nav::quaternion_from_rotation_vector(-e.tail<3>()) * start.q_nb;
+    filter_.start(start, truth.header.sim_time_ns);
+    begun_ = true;
+  }
+
+  void score(std::int64_t time_ns, const nav::NavState& estimate, const nav::NavState& truth) {
+    const double t_s = static_cast<double>(time_ns) * 1e-9;
+    const bool has_outages = setup_.first_outage_s < setup_.duration_s;
+    if (has_outages && t_s < setup_.first_outage_s) return;
+    const Vector3 error_m = nav::ned_from(truth.position, estimate.position);
+    const nav::RollPitchYaw found = nav::rpy_from_quaternion(estimate.q_nb);
+    const nav::RollPitchYaw true_rpy = nav::rpy_from_quaternion(truth.q_nb);
+    const Vector3 angles(nav::wrapped_to_pi(found.roll_rad - true_rpy.roll_rad), found.pitch_rad - true_rpy.pitch_rad,
+                         nav::wrapped_to_pi(found.yaw_rad - true_rpy.yaw_rad));
+    ++scored_;
+    attitude_squares_ += angles.cwiseAbs2();
+    horizontal_squares_ += error_m.head<2>().squaredNorm();
+    if (!has_outages) return;
+    const double since_s = t_s - setup_.first_outage_s;
+    const auto outage = static_cast<std::size_t>(since_s / kOutageSpacing_s);
+    if (since_s - static_cast<double>(outage) * kOutageSpacing_s >= kOutage_s) return;
+    if (run_.outages.size() <= outage) run_.outages.resize(outage + 1);
+    OutageDrift& drift = run_.outages[outage];
+    drift.horizontal_m = std::max(drift.horizontal_m, error_m.head<2>().norm());
+    drift.vertical_m = std::max(drift.vertical_m, std::abs(error_m.z()));
+  }
+
+  void consistency(std::int64_t time_ns, const nav::NavState& truth) {
+    if (time_ns % static_cast<std::int64_t>(setup_.nees_every_s * 1e9) != 0) return;
+    ref::InertialFilter now = *filter_.filter();
+    now.settle();
+    const Eigen::Matrix<double, 9, 1> e = errors_of(now.state(), truth);
+    const Eigen::Matrix<double, 9, 9> P = now.covariance().matrix().topLeftCorner<9, 9>();
+    run_.nees.push_back(e.dot(P.llt().solve(e)));
+  }
+
+  NavigationSetup setup_;
+  ref::NavigationParameters parameters_;
+  ref::NavigationFilter filter_;
+  random::Stream draws_;
+  bool begun_ = false;
+  NavigationRun run_;
+  std::uint64_t scored_ = 0;
+  Vector3 attitude_squares_ = Vector3::Zero();
+  double horizontal_squares_ = 0.0;
+};
+
+class ScoringSink : public cli::RunSink {
+ public:
+  std::vector<Scored> filters;
+
+  void journal(const AnyProfile&) override {}
+  void truth(const TruthState&) override {}
+  void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override {
+    filters[index].imu(sample, truth);
+  }
+  void gnss(std::size_t, const GnssFix& fix) override {
+    for (Scored& filter : filters) filter.gnss(fix);
+  }
+  void ack(const ProfileAck&) override {}
+};
+
+}  // namespace
+
+scenario::LoadedScenario navigation_scenario(const NavigationSetup& setup) {
+  scenario::LoadedScenario loaded;
+  loaded.scenario = catalogue_scenario("vehicle");
+  loaded.scenario.seed = setup.seed;
+  loaded.scenario.duration_s = setup.duration_s;
+  loaded.scenario.imu.clear();
+  loaded.scenario.gnss.clear();
+  loaded.scenario.swaps.clear();
+  loaded.truth_rate = time::Rate(loaded.scenario.truth_rate_hz);
+  loaded.truth_samples = 1 + static_cast<std::uint64_t>(setup.duration_s * loaded.scenario.truth_rate_hz);
+  if (setup.file) {
+    loaded.scenario.trajectory.source = scenario::TrajectorySource::File;
+    loaded.scenario.trajectory.segments.clear();
+    loaded.trajectory_file = setup.file;
+  }
+  for (const ImuErrorProfile& errors : setup.imus) {
+    scenario::LoadedImu imu;
+    imu.number = static_cast<std::uint32_t>(loaded.imus.size());
+    imu.rate = loaded.truth_rate;
+    imu.errors = errors;
+    imu.installation = catalogue_profile<InstallationProfile>("installation/imu_trunk");
+    imu.errors.target = imu.vibration.target = imu.installation.target = {SensorKind::Imu, imu.number};
+    loaded.imus.push_back(imu);
+  }
+  scenario::LoadedGnss gnss;
+  gnss.rate = time::Rate(setup.gnss_rate_hz);
+  gnss.errors = always_fixed_rtk();
+  gnss.installation = catalogue_profile<InstallationProfile>("installation/antenna_roof");
+  gnss.errors.target = gnss.installation.target = {SensorKind::Gnss, 0};
+  if (setup.first_outage_s < setup.duration_s) {
+    gnss.outages.push_back({setup.first_outage_s, kOutage_s, kOutageSpacing_s});
+  }
+  loaded.gnss.push_back(gnss);
+  return loaded;
+}
+
+std::vector<NavigationRun> navigate(const NavigationSetup& setup) {
+  const scenario::LoadedScenario loaded = navigation_scenario(setup);
+  ScoringSink sink;
+  for (std::size_t i = 0; i < setup.imus.size(); ++i) {
+    ref::NavigationParameters parameters =
+        ref::matching_parameters(loaded.imus[i].errors, loaded.imus[i].installation, loaded.gnss.front().installation);
+    parameters.zero_velocity.use = setup.zero_velocity_updates;
+    parameters.max_latency_s = 0.0;
+    parameters.initial.position_sigma_ned_m = Vector3::Constant(0.05);
+    parameters.initial.velocity_sigma_ned_m_per_s = Vector3::Constant(0.05);
+    parameters.initial.attitude_sigma_ned_deg = Vector3(0.05, 0.05, 0.5);
+    sink.filters.emplace_back(setup, i, parameters, loaded.gravity());
+  }
+  cli::OfflineRun run(loaded, {2446, 36000000000000}, RunId{}, sink);
+  while (run.step()) {
+  }
+  std::vector<NavigationRun> runs;
+  for (Scored& filter : sink.filters) runs.push_back(filter.result());
+  return runs;
+}
+
+std::shared_ptr<const io::TrajectoryFile> car_as_file(double duration_s) {
+  return rows_as_written(catalogue_scenario("vehicle").trajectory, "car", time::Rate(200.0),
+                         time::from_seconds(duration_s));
+}
+
+}  // namespace inslab::verify

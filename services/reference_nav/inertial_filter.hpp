@@ -1,0 +1,119 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "nav/strapdown.hpp"
+#include "samples/gnss_fix.hpp"
+#include "services/reference_nav/covariance.hpp"
+#include "services/reference_nav/parameters.hpp"
+
+namespace inslab::reference_nav {
+
+/// One interval of the IMU as the filter takes it in, or a part of one.
+struct ImuInterval {
+  std::int64_t end_ns = 0;
+  nav::ImuIncrements increments;   ///< as the IMU gave them, or held over
+  double rate_held_over_s = 0.0;   ///< 0: the rate is measured; else for how long it has been held over, at the end
+  double force_held_over_s = 0.0;  ///< the same of the specific force
+  bool at_rest = false;            ///< the detector ends a window of rest here
+};
+
+/// What became of a fix: squared innovations over their covariance, chi-square with 3 degrees of freedom when the
+/// filter is honest.
+struct FixResult {
+  std::int64_t time_ns = 0;
+  double position_nis = 0.0;
+  double velocity_nis = 0.0;
+  bool position_accepted = false;
+  bool velocity_accepted = false;
+  bool recovered = false;  ///< the filter's own position and velocity were given up for the fix's
+};
+
+/// Estimates of the sensor errors.
+struct SensorErrors {
+  Vector3 gyro_bias = Vector3::Zero();    ///< rad/s
+  Vector3 accel_bias = Vector3::Zero();   ///< m/s^2
+  Vector3 gyro_scale = Vector3::Zero();   ///< 1
+  Vector3 accel_scale = Vector3::Zero();  ///< 1
+};
+
+/// Mechanization and error-state Kalman filter at one instant. A value: a copy goes on as the original does, which is
+/// how fixes from the past are taken in (NavigationFilter).
+class InertialFilter {
+ public:
+  /// `before` is the last corrected interval, for the mechanization's two-sample terms. Throws as nav::Strapdown does.
+  InertialFilter(const NavigationParameters& parameters, const nav::Gravity& gravity, const nav::NavState& start,
+                 const Vector21& sigmas, std::int64_t time_ns, const std::optional<nav::ImuIncrements>& before);
+
+  /// Goes on over one interval, which begins where the last ended.
+  void advance(const ImuInterval& interval);
+
+  /// Takes in a fix that is valid at time_ns().
+  FixResult update(const GnssFix& fix);
+
+  /// Brings the covariance up to the state's time; advance() does it every covariance interval.
+  void settle();
+
+  std::int64_t time_ns() const { return time_ns_; }
+  nav::NavState state() const { return strapdown_.state(); }
+  const SensorErrors& sensor_errors() const { return sensor_errors_; }
+  /// At the last settle().
+  const Covariance& covariance() const { return covariance_; }
+  /// Of the newest fix whose position was accepted; the start's time before any.
+  std::int64_t last_accepted_ns() const { return last_accepted_ns_; }
+
+  /// The transition that the next settle() would make, for tests.
+  Transition transition() const;
+
+ private:
+  struct Noise {
+    Vector3 gyro_density;   ///< rad^2/s
+    Vector3 accel_density;  ///< (m/s)^2/s
+    Vector12 sigma;         ///< of the sensor states
+    Vector12 decay_rate;    ///< 1/T, 1/s; 0: constant
+  };
+  /// Integrals over the time since the covariance was settled.
+  struct Sums {
+    double dt_s = 0.0;
+    Vector3 v_n_start = Vector3::Zero();
+    Matrix3 C_nb_dt = Matrix3::Zero();
+    Matrix3 C_nb_dtheta = Matrix3::Zero();  ///< columns times the increments' components
+    Matrix3 C_nb_dv = Matrix3::Zero();
+    Matrix3 attitude_noise = Matrix3::Zero();
+    Matrix3 velocity_noise = Matrix3::Zero();
+  };
+
+  /// Six rows of a measurement of the antenna: position, velocity.
+  struct Antenna {
+    Eigen::Matrix<double, 6, kStates> H;
+    Eigen::Matrix<double, 6, 1> innovation;
+  };
+
+  static Noise noise_of(const NavigationParameters& parameters);
+  nav::ImuIncrements corrected(const nav::ImuIncrements& increments) const;
+  Antenna antenna(const GnssFix& fix) const;
+  void rest();
+  void correct(const Vector21& x);
+  void recover(const Antenna& antenna, const Eigen::Matrix<double, 6, 1>& variances);
+
+  // The parts of the parameters that every step needs.
+  Noise noise_;
+  Vector3 lever_arm_b_m_;
+  InnovationTest innovation_test_;
+  ZeroVelocity zero_velocity_;
+  Coasting coasting_;
+  double covariance_interval_s_;
+
+  nav::Gravity gravity_;
+  nav::Strapdown strapdown_;
+  Covariance covariance_;
+  SensorErrors sensor_errors_;
+  nav::ImuIncrements newest_;  ///< corrected
+  Sums sums_;
+  std::int64_t time_ns_;
+  std::int64_t last_accepted_ns_;
+  std::uint32_t rejections_ = 0;
+};
+
+}  // namespace inslab::reference_nav

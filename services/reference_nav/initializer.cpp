@@ -1,0 +1,75 @@
+#include "services/reference_nav/initializer.hpp"
+
+#include "nav/alignment.hpp"
+#include "nav/attitude.hpp"
+#include "samples/units.hpp"
+
+namespace inslab::reference_nav {
+
+Vector21 initial_sigmas(const NavigationParameters& p) {
+  Vector21 sigmas;
+  sigmas << p.initial.position_sigma_ned_m, p.initial.velocity_sigma_ned_m_per_s,
+      units::kDeg * p.initial.attitude_sigma_ned_deg, units::kDegPerH * p.gyro.bias_sigma_deg_per_h,
+      units::kMGal * p.accel.bias_sigma_mgal, units::kPpm * p.gyro.scale_factor_sigma_ppm,
+      units::kPpm * p.accel.scale_factor_sigma_ppm;
+  return sigmas;
+}
+
+Initializer::Initializer(const NavigationParameters& parameters, const nav::Gravity& gravity)
+    : parameters_(parameters), gravity_(gravity) {}
+
+void Initializer::restart() {
+  span_s_ = count_ = 0.0;
+  dtheta_sum_ = dv_sum_ = f_sum_ = f_squares_ = Vector3::Zero();
+}
+
+std::optional<Matrix3> Initializer::attitude() {
+  const InitialState& initial = parameters_.initial;
+  const Vector3 rpy_rad = units::kDeg * initial.rpy_deg;
+  if (initial.attitude == InitialAttitude::Given) return nav::matrix_from_rpy({rpy_rad.x(), rpy_rad.y(), rpy_rad.z()});
+  if (span_s_ < initial.alignment_s) return std::nullopt;
+  const nav::StaticMeans means{dv_sum_ / span_s_, dtheta_sum_ / span_s_,
+                               (f_squares_ / count_ - (f_sum_ / count_).cwiseAbs2()).cwiseMax(0.0).cwiseSqrt()};
+  const nav::Geodetic place{fix_->latitude_rad, fix_->longitude_rad, fix_->height_m};
+  const double gravity_m_per_s2 = gravity_.g_n(place).norm();
+  const auto found = initial.attitude == InitialAttitude::Levelled
+                         ? nav::levelled(means, rpy_rad.z(), gravity_m_per_s2, {})
+                         : nav::coarse_alignment(means, fix_->latitude_rad, gravity_m_per_s2, {});
+  if (const auto* reason = std::get_if<std::string>(&found)) {
+    refusal_ = *reason;
+    restart();
+    return std::nullopt;
+  }
+  return std::get<Matrix3>(found);
+}
+
+std::optional<Beginning> Initializer::add(const ImuSample& sample) {
+  const double dt_s = static_cast<double>(sample.interval_ns) * 1e-9;
+  const Vector3 f_b = sample.dv_b / dt_s;
+  if (count_ == 0.0) f_first_ = f_b;
+  span_s_ += dt_s;
+  count_ += 1.0;
+  dtheta_sum_ += sample.dtheta_b;
+  dv_sum_ += sample.dv_b;
+  f_sum_ += f_b - f_first_;
+  f_squares_ += (f_b - f_first_).cwiseAbs2();
+  if (!fix_) return std::nullopt;
+  const std::optional<Matrix3> C_nb = attitude();
+  if (!C_nb) return std::nullopt;
+
+  Beginning beginning;
+  beginning.time_ns = sample.header.sim_time_ns;
+  beginning.sigmas = initial_sigmas(parameters_);
+  beginning.state.q_nb = nav::quaternion_from_matrix(*C_nb);
+  const bool has_velocity = fix_->velocity_sigma_ned_m_per_s.minCoeff() > 0.0;
+  if (has_velocity) beginning.state.v_n = fix_->v_n;
+  const double age_s = static_cast<double>(beginning.time_ns - fix_->header.sim_time_ns) * 1e-9;
+  beginning.state.position = nav::displaced({fix_->latitude_rad, fix_->longitude_rad, fix_->height_m},
+                                            age_s * beginning.state.v_n - *C_nb * parameters_.lever_arm_b_m);
+  beginning.sigmas.segment<3>(kPosition) = beginning.sigmas.segment<3>(kPosition).cwiseMax(fix_->position_sigma_ned_m);
+  beginning.sigmas.segment<3>(kVelocity) =
+      beginning.sigmas.segment<3>(kVelocity).cwiseMax(fix_->velocity_sigma_ned_m_per_s);
+  return beginning;
+}
+
+}  // namespace inslab::reference_nav

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+
+#include "nav/strapdown.hpp"
+#include "samples/gnss_fix.hpp"
+#include "samples/imu_sample.hpp"
+#include "services/reference_nav/covariance.hpp"
+#include "services/reference_nav/parameters.hpp"
+
+namespace inslab::reference_nav {
+
+/// Where and how surely the filter begins.
+struct Beginning {
+  std::int64_t time_ns = 0;
+  nav::NavState state;
+  Vector21 sigmas = Vector21::Zero();
+};
+
+/// Standard deviations of the state at the beginning: what the parameters say.
+Vector21 initial_sigmas(const NavigationParameters& parameters);
+
+/// Finds the state that the filter begins with, from IMU samples and fixes.
+class Initializer {
+ public:
+  Initializer(const NavigationParameters& parameters, const nav::Gravity& gravity);
+
+  /// Keeps the newest fix.
+  void add(const GnssFix& fix) { fix_ = fix; }
+
+  /// Takes a valid sample; the beginning, at its end, once there is one. When the IMU moved during the alignment, or
+  /// its gyros do not feel the Earth, begins the alignment anew and keeps the reason.
+  std::optional<Beginning> add(const ImuSample& sample);
+
+  /// Why the last alignment was refused; empty when none was.
+  const std::string& refusal() const { return refusal_; }
+
+ private:
+  std::optional<Matrix3> attitude();
+  void restart();
+
+  NavigationParameters parameters_;
+  nav::Gravity gravity_;
+  std::optional<GnssFix> fix_;
+  std::string refusal_;
+  double span_s_ = 0.0;
+  double count_ = 0.0;
+  Vector3 f_first_ = Vector3::Zero();
+  Vector3 dtheta_sum_ = Vector3::Zero();
+  Vector3 dv_sum_ = Vector3::Zero();
+  Vector3 f_sum_ = Vector3::Zero();      ///< of differences from the first
+  Vector3 f_squares_ = Vector3::Zero();  ///< the same
+};
+
+}  // namespace inslab::reference_nav
