@@ -137,6 +137,12 @@ void Strapdown::advance(const ImuIncrements& imu) {
   before_ = imu;
 }
 
+void Strapdown::hold_vertical(double height_m, double v_d_m_per_s) {
+  height_m_ = CompensatedSum(height_m);
+  dv_n_before_.z() += v_d_m_per_s - v_n_.z();
+  v_n_.z() = v_d_m_per_s;
+}
+
 ImuIncrements Strapdown::increments_to(const Vector3& v_n, const Quaternion& q_nb, double dt_s) const {
   require_interval(dt_s);
   const double factor = two_sample_factor(dt_s);

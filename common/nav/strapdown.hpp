@@ -51,6 +51,10 @@ class Strapdown {
   /// Throws as advance().
   ImuIncrements increments_to(const Vector3& v_n, const Quaternion& q_nb, double dt_s) const;
 
+  /// Sets height (m) and vertical velocity (m/s, down), as a perfect barometer would; the horizontal channels go on as
+  /// they are. Without it the height of pure inertial navigation doubles its error every 395 s (lecture (72)).
+  void hold_vertical(double height_m, double v_d_m_per_s);
+
   NavState state() const;
   Geodetic position() const;
   const Vector3& v_n() const { return v_n_; }

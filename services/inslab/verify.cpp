@@ -10,6 +10,7 @@
 #include "services/inslab/verify/gnss.hpp"
 #include "services/inslab/verify/increments.hpp"
 #include "services/inslab/verify/navigation.hpp"
+#include "services/inslab/verify/propagation.hpp"
 #include "services/inslab/verify/trajectory.hpp"
 #include "services/inslab/verify/vibration.hpp"
 
@@ -46,6 +47,8 @@ const std::vector<Verification>& verifications() {
        [](const Request& request) { return verify::gnss(request.full); }},
       {"navigation", "Drift in GNSS outages and the filter's honesty (thesis tables 4-10 to 4-13)",
        [](const Request& request) { return verify::navigation(request.full); }},
+      {"propagation", "How errors of inertial navigation grow, against closed forms and the linear model (lecture)",
+       [](const Request& request) { return verify::propagation(request.full); }},
       {"vibration", "Increments, coning, sculling and spectra of vibration",
        [](const Request& request) { return verify::vibration_tables(request.full); }},
   };
