@@ -3,6 +3,7 @@
 #include "config/reference_writer.hpp"
 #include "config/schema_writer.hpp"
 #include "scenario/scenario.hpp"
+#include "services/reference_nav/parameters.hpp"
 #include "wire/idl_writer.hpp"
 
 namespace inslab::cli {
@@ -17,7 +18,8 @@ DerivedFile schema_file(const std::string& name, const std::string& title) {
 std::string parameters_page() {
   std::string page =
       "# Every key of the JSON files\n\n"
-      "Derived from the declarations in `common/scenario` and `common/samples` by `inslab reference "
+      "Derived from the declarations in `common/scenario`, `common/samples` and `services/reference_nav` by `inslab "
+      "reference "
       "docs/parameters.md`; a key carries its unit. Where a list of 3 is expected, one number stands for all axes.\n";
   const auto add = [&page](const std::string& title, const std::string& table) {
     page += "\n## " + title + "\n\n" + table;
@@ -28,6 +30,7 @@ std::string parameters_page() {
   add("Installation (`config/profiles/installation`)", config::reference_table<InstallationProfile>());
   add("GNSS errors (`config/profiles/gnss`)", config::reference_table<GnssErrorProfile>());
   add("Fault (`config/profiles/fault`)", config::reference_table<FaultProfile>());
+  add("Navigation filter (`config/nav`)", config::reference_table<reference_nav::NavigationParameters>());
   return page;
 }
 
@@ -41,6 +44,7 @@ const std::vector<DerivedFile>& derived_files() {
       schema_file<InstallationProfile>("installation", "Inslab installation profile"),
       schema_file<GnssErrorProfile>("gnss_error", "Inslab GNSS error profile"),
       schema_file<FaultProfile>("fault", "Inslab fault profile"),
+      schema_file<reference_nav::NavigationParameters>("navigation", "Inslab navigation filter"),
       {"idl/profile.idl", wire::profile_idl},
       {"docs/parameters.md", parameters_page},
   };
