@@ -16,7 +16,7 @@ namespace {
 
 class UnfinishedMcap : public test::TemporaryFolder {
  protected:
-  static constexpr std::uint32_t kMessages = 40;
+  static constexpr std::uint32_t kMessages = 20;
 
   /// Messages `first` to `end` - 1, of eight bytes each, on two topics, a flush after every tenth.
   static void write(McapWriter& log, std::uint32_t first, std::uint32_t end) {
