@@ -5,6 +5,7 @@
 
 #include "app/exit_code.hpp"
 #include "services/inslab/commands.hpp"
+#include "services/inslab/verify/alignment.hpp"
 #include "services/inslab/verify/allan.hpp"
 #include "services/inslab/verify/closed_loop.hpp"
 #include "services/inslab/verify/gnss.hpp"
@@ -39,6 +40,8 @@ const std::vector<Verification>& verifications() {
        [](const Request& request) { return verify::verify_trajectory(request.full); }},
       {"closed-loop", "From a file through IMU and mechanization back to the file (thesis table 4-2)",
        [](const Request& request) { return verify::closed_loop(request.files); }, true},
+      {"alignment", "Static coarse alignment with the lab's IMU, direct and from NovAtel lines (lab report)",
+       [](const Request&) { return verify::alignment_tables(1); }},
       {"allan", "Random errors of the IMU by Allan variance (thesis tables 4-4 to 4-7)",
        [](const Request& request) { return verify::allan_tables(request.full, say); }},
       {"increments", "Order of the error of mechanized increments, and of rate times interval",

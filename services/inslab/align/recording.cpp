@@ -1,0 +1,85 @@
+#include "services/inslab/align/recording.hpp"
+
+#include <optional>
+
+#include "io/error.hpp"
+#include "io/imu_recording.hpp"
+#include "nav/gravity.hpp"
+
+namespace inslab::align {
+namespace {
+
+constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+
+StaticAlignment alignment(double dt_s, const RecordingOptions& options) {
+  const nav::Geodetic site{options.latitude_deg * kRadPerDeg, 0.0, options.height_m};
+  return StaticAlignment(dt_s, site.latitude_rad, nav::Gravity().g_n(site).norm(), options.limits);
+}
+
+bool is_novatel(const std::string& path) {
+  constexpr std::uint64_t kLooked = 4;
+  std::string head;
+  const io::InputFile file(path);
+  head.resize(static_cast<std::size_t>(std::min(file.size(), kLooked)));
+  file.read(0, reinterpret_cast<std::uint8_t*>(head.data()), head.size());
+  if (head.empty() || (head[0] != '#' && head[0] != '%')) return false;
+  io::TextLines lines(path);
+  std::string_view line;
+  return lines.next(line) && line.find(';') != std::string_view::npos;
+}
+
+AlignedRecording align_novatel(const std::string& path, const RecordingOptions& options) {
+  io::NovatelImuReader reader(path, options.novatel);
+  io::NovatelImuRecord record;
+  std::optional<StaticAlignment> sums;
+  AlignedRecording aligned;
+  while (reader.next(record)) {
+    if (!sums) {
+      aligned.dt_s = 1.0 / io::find_novatel_imu_type(record.imu_type)->rate_hz;
+      sums = alignment(aligned.dt_s, options);
+    }
+    sums->add(record.dtheta_b, record.dv_b);
+  }
+  aligned.bad_lines = reader.bad_lines();
+  aligned.bad_line_count = reader.bad_line_count();
+  if (!sums) {
+    std::string why = path + ": no line is a good IMU sample (RAWIMUSA, RAWIMUSXA, RAWIMUA, RAWIMUXA); " +
+                      std::to_string(reader.other_line_count()) + " lines are of other messages, " +
+                      std::to_string(reader.bad_line_count()) + " are bad";
+    if (!aligned.bad_lines.empty()) {
+      why += ", the first is line " + std::to_string(aligned.bad_lines.front().line) + ": " +
+             aligned.bad_lines.front().reason;
+    }
+    throw io::ReadError(why);
+  }
+  aligned.alignment = sums->result();
+  return aligned;
+}
+
+}  // namespace
+
+AlignedRecording align_recording(const std::string& path, const RecordingOptions& options) {
+  if (is_novatel(path)) return align_novatel(path, options);
+  io::ImuRecordingOptions recording;
+  recording.sensor_number = options.sensor_number;
+  std::optional<StaticAlignment> sums;
+  AlignedRecording aligned;
+  io::read_imu_recording(
+      path, recording,
+      [&](const io::ImuRecordingInfo& info) {
+        for (std::size_t axis = 0; axis < io::kImuAxes; ++axis) {
+          if (!info.has_axis[axis]) {
+            throw io::ReadError(path + ": has no " + io::kImuAxisNames[axis] + "; alignment needs all six axes");
+          }
+        }
+        aligned.dt_s = info.dt_s;
+        sums = alignment(info.dt_s, options);
+      },
+      [&](const io::ImuIncrements& i) {
+        sums->add({i[0], i[1], i[2]}, {i[3], i[4], i[5]});
+      });
+  aligned.alignment = sums->result();
+  return aligned;
+}
+
+}  // namespace inslab::align
