@@ -29,6 +29,7 @@ void add_reference(CLI::App& app, std::function<int()>& action);
 void add_navigate(CLI::App& app, std::function<int()>& action);
 void add_align(CLI::App& app, std::function<int()>& action);
 void add_allan(CLI::App& app, std::function<int()>& action);
+void add_predict(CLI::App& app, std::function<int()>& action);
 void add_profile(CLI::App& app, std::function<int()>& action);
 void add_verify(CLI::App& app, std::function<int()>& action);
 

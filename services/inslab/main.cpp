@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   cli::add_navigate(app, action);
   cli::add_align(app, action);
   cli::add_allan(app, action);
+  cli::add_predict(app, action);
   cli::add_profile(app, action);
   cli::add_verify(app, action);
   try {

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/exit_code.hpp"
+#include "io/output_file.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/verify/alignment.hpp"
 #include "services/inslab/verify/allan.hpp"
@@ -22,6 +23,7 @@ namespace {
 struct Request {
   bool full = false;               ///< all seeds
   std::vector<std::string> files;  ///< the user's own, to be shown too
+  std::string picture;             ///< where the block's picture goes; empty: nowhere
 };
 
 /// One block of the verification: its name on the command line, what it shows, and the work.
@@ -30,6 +32,7 @@ struct Verification {
   const char* purpose;
   std::vector<verify::Table> (*run)(const Request& request);
   bool takes_files = false;
+  io::Picture (*picture)() = nullptr;
 };
 
 void say(const std::string& what) { spdlog::info(what); }
@@ -51,7 +54,7 @@ const std::vector<Verification>& verifications() {
       {"navigation", "Drift in GNSS outages and the filter's honesty (thesis tables 4-10 to 4-13)",
        [](const Request& request) { return verify::navigation(request.full); }},
       {"propagation", "How errors of inertial navigation grow, against closed forms and the linear model (lecture)",
-       [](const Request& request) { return verify::propagation(request.full); }},
+       [](const Request& request) { return verify::propagation(request.full); }, false, verify::propagation_picture},
       {"vibration", "Increments, coning, sculling and spectra of vibration",
        [](const Request& request) { return verify::vibration_tables(request.full); }},
   };
@@ -63,6 +66,12 @@ int verify_one(const Verification& verification, const Request& request) {
   for (const verify::Table& table : verification.run(request)) {
     fmt::print("{}\n", verify::to_text(table));
     held = held && table.held();
+  }
+  if (!request.picture.empty()) {
+    const std::string bytes = io::drawn(verification.picture(), io::PictureFormat::Svg);
+    io::OutputFile file(request.picture);
+    file.append(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    file.close();
   }
   fmt::print("{}: {}\n", verification.name, held ? "every row held" : "NOT every row held");
   return held ? app::kOk : app::kFailed;
@@ -79,6 +88,9 @@ void add_verify(CLI::App& app, std::function<int()>& action) {
     command->add_flag("--full", request->full, "all seeds instead of the preset one");
     if (verification.takes_files) {
       command->add_option("--files", request->files, "trajectory files with velocity and attitude to show too");
+    }
+    if (verification.picture != nullptr) {
+      command->add_option("--picture", request->picture, "write the curves there (SVG)");
     }
     command->callback([&action, &verification, request] {
       action = [&verification, request] { return verify_one(verification, *request); };

@@ -32,9 +32,16 @@ AlignedRecording align_novatel(const std::string& path, const RecordingOptions& 
   io::NovatelImuReader reader(path, options.novatel);
   io::NovatelImuRecord record;
   std::optional<StaticAlignment> sums;
+  std::uint32_t imu_type = 0;
   AlignedRecording aligned;
   while (reader.next(record)) {
+    if (sums && record.imu_type != imu_type) {
+      throw io::ReadError(path + ": line " + std::to_string(record.line) + " is of IMU type " +
+                          std::to_string(record.imu_type) + "; expected " + std::to_string(imu_type) +
+                          ", as the lines before it");
+    }
     if (!sums) {
+      imu_type = record.imu_type;
       aligned.dt_s = 1.0 / io::find_novatel_imu_type(record.imu_type)->rate_hz;
       sums = alignment(aligned.dt_s, options);
     }
