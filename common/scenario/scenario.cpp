@@ -65,8 +65,8 @@ bool is_stream(const Scenario& scenario, const std::string& topic) {
     return std::any_of(sensors.begin(), sensors.end(),
                        [&](const auto& sensor) { return topic == root + std::to_string(sensor.number); });
   };
-  return topic == "inslab/truth" || is_one_of(scenario.imu, "inslab/imu/") || is_one_of(scenario.imu, "inslab/imu_truth/") ||
-         is_one_of(scenario.gnss, "inslab/gnss/");
+  return topic == "inslab/truth" || is_one_of(scenario.imu, "inslab/imu/") ||
+         is_one_of(scenario.imu, "inslab/imu_truth/") || is_one_of(scenario.gnss, "inslab/gnss/");
 }
 
 bool has_sensor(const Scenario& scenario, SensorKind kind, std::uint32_t number) {
@@ -185,9 +185,9 @@ std::optional<Violation> violation(const Scenario& scenario) {
   }
   for (std::size_t i = 0; i < scenario.require_subscribers.size(); ++i) {
     if (is_stream(scenario, scenario.require_subscribers[i].topic)) continue;
-    return Violation{
-        Rule::SubscribedTopic, at("require_subscribers", i, "topic"),
-        "is '" + scenario.require_subscribers[i].topic + "'; expected inslab/truth or a topic of a sensor of the scenario"};
+    return Violation{Rule::SubscribedTopic, at("require_subscribers", i, "topic"),
+                     "is '" + scenario.require_subscribers[i].topic +
+                         "'; expected inslab/truth or a topic of a sensor of the scenario"};
   }
   return swaps_violation(scenario);
 }

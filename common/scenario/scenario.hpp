@@ -134,7 +134,8 @@ struct RequiredSubscriber {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
-    visit(Field("topic", "inslab/truth, or one of a sensor of the scenario, such as inslab/imu/0").required(), self.topic);
+    visit(Field("topic", "inslab/truth, or one of a sensor of the scenario, such as inslab/imu/0").required(),
+          self.topic);
     visit(Field("count", "how many readers besides ours").in(1.0, 64.0), self.count);
   }
 };

@@ -1,6 +1,6 @@
-#include "services/inslab/verify/navigation.hpp"
-
 #include <gtest/gtest.h>
+
+#include "services/inslab/verify/navigation.hpp"
 
 namespace inslab::verify {
 namespace {
