@@ -34,6 +34,8 @@ enum class Rule : std::uint32_t {
   SwapBeforeEnd,         ///< a swap lies inside the run
   SwapsInOrder,          ///< swaps are in order of time
   SubscribedTopic,       ///< foreign readers are demanded on topics of the scenario's sensors
+  AcceptanceLimit,       ///< an acceptance line has a limit, and its least is not above its most
+  AcceptancePhase,       ///< figures of the whole run have no phase, and swap intervals are those of the scenario
   TargetSpeedAlone,      ///< nothing else accelerates along the axis of a target speed
   TargetSpeedOnNose,     ///< the axis of a target speed does not turn away from the velocity
   BallisticAlone,        ///< nothing else moves or turns a ballistic vehicle
@@ -82,7 +84,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 62> values{"readable",
+  static constexpr std::array<std::string_view, 64> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -105,6 +107,8 @@ struct EnumNames<Rule> {
                                                            "swap_before_end",
                                                            "swaps_in_order",
                                                            "subscribed_topic",
+                                                           "acceptance_limit",
+                                                           "acceptance_phase",
                                                            "target_speed_alone",
                                                            "target_speed_on_nose",
                                                            "ballistic_alone",

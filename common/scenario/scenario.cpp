@@ -152,6 +152,36 @@ std::optional<Violation> swaps_violation(const Scenario& scenario) {
   return list_violation(scenario.swaps);
 }
 
+/// Limits that can be judged.
+std::optional<Violation> acceptance_violation(const Scenario& scenario) {
+  for (std::size_t i = 0; i < scenario.acceptance.size(); ++i) {
+    const AcceptanceLimit& line = scenario.acceptance[i];
+    if (!line.at_most && !line.at_least) {
+      return Violation{Rule::AcceptanceLimit, at("acceptance", i, "at_most"),
+                       "is not given, nor is at_least; expected one of them or both"};
+    }
+    if (line.at_most && line.at_least && *line.at_least > *line.at_most) {
+      return Violation{Rule::AcceptanceLimit, at("acceptance", i, "at_least"), "is above at_most"};
+    }
+    if (is_of_the_run(line.metric) && (line.phase != Phase::All || line.after_s != 0.0)) {
+      return Violation{Rule::AcceptancePhase, at("acceptance", i, line.after_s != 0.0 ? "after_s" : "phase"),
+                       "is set, but " + std::string(enum_name(line.metric)) + " is a figure of the whole run"};
+    }
+    const std::size_t swaps = line.phase == Phase::SwapInterval ? scenario.swaps.size() : 0;
+    if (line.swap_interval > swaps) {
+      return Violation{Rule::AcceptancePhase, at("acceptance", i, "swap_interval"),
+                       "is " + std::to_string(line.swap_interval) + "; expected at most " + std::to_string(swaps) +
+                           (line.phase == Phase::SwapInterval ? ", the scenario's swaps"
+                                                              : ": the phase is not swap_interval")};
+    }
+    if (line.after_s >= scenario.duration_s) {
+      return Violation{Rule::AcceptancePhase, at("acceptance", i, "after_s"),
+                       "lies at or after the end of the scenario"};
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Violation> violation(const Scenario& scenario) {
@@ -189,6 +219,7 @@ std::optional<Violation> violation(const Scenario& scenario) {
                      "is '" + scenario.require_subscribers[i].topic +
                          "'; expected inslab/truth or a topic of a sensor of the scenario"};
   }
+  if (auto broken = acceptance_violation(scenario)) return broken;
   return swaps_violation(scenario);
 }
 

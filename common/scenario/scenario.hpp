@@ -3,6 +3,7 @@
 #include "samples/any_profile.hpp"
 #include "samples/outage.hpp"
 #include "samples/run_control.hpp"
+#include "scenario/acceptance.hpp"
 #include "scenario/trajectory.hpp"
 
 /// What a scenario file says. Paths in it are relative to the file; scenario/load.hpp follows them.
@@ -155,6 +156,7 @@ struct Scenario {
   Clock clock;
   std::vector<RequiredSubscriber> require_subscribers;
   bool require_nav_app = false;
+  std::vector<AcceptanceLimit> acceptance;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -174,6 +176,9 @@ struct Scenario {
     visit(Field("require_nav_app",
                 "the barrier waits for a writer of inslab/nav; in lockstep its imu_sequence sets the pace"),
           self.require_nav_app);
+    visit(Field("acceptance", "limits that the app under test must keep; with one, a missing or late app fails")
+              .at_most(256),
+          self.acceptance);
   }
 };
 
