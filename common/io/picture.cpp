@@ -50,6 +50,15 @@ void write_panel(std::ostringstream& script, const Panel& panel, std::size_t fir
   script << "set xtics " << tics << "\nset ytics " << tics << '\n';
   script << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
          << (panel.log_y ? "set logscale y\n" : "unset logscale y\n");
+  script << "unset object\nunset arrow\n";
+  for (const Band& band : panel.bands) {
+    script << "set object rectangle from first " << band.begin << ", graph 0 to first " << band.end
+           << ", graph 1 behind fillcolor rgb '#9aa7b8' fillstyle solid 0.35 noborder\n";
+  }
+  for (const double mark : panel.marks) {
+    script << "set arrow from first " << mark << ", graph 0 to first " << mark
+           << ", graph 1 nohead dashtype 2 linecolor rgb '#505050'\n";
+  }
   for (std::size_t i = 0; i < panel.curves.size(); ++i) {
     const Curve& curve = panel.curves[i];
     script << (i == 0 ? "plot " : ", ") << "$curve" << first_curve + i << " with " << curve.style

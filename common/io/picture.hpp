@@ -21,12 +21,20 @@ struct Curve {
   std::string style = "lines";  ///< gnuplot's words for it, such as "lines dashtype 2" or "points"
 };
 
+/// A stretch of x that is shaded from the bottom to the top of a panel.
+struct Band {
+  double begin = 0.0;
+  double end = 0.0;
+};
+
 /// One diagram. Texts are plain: nothing in them is markup.
 struct Panel {
   std::string title;
   std::string x_label;
   std::string y_label;
   std::vector<Curve> curves;
+  std::vector<Band> bands;
+  std::vector<double> marks;  ///< values of x with a dashed line from bottom to top
   bool equal_scales = false;  ///< a unit of x is as long as a unit of y
   double tic_step = 0.0;      ///< of both axes; 0: as gnuplot likes
   bool log_x = false;

@@ -11,7 +11,6 @@
 #include "services/inslab/allan/fitted_profile.hpp"
 #include "services/inslab/allan/report.hpp"
 #include "services/inslab/commands.hpp"
-#include "services/inslab/gnuplot.hpp"
 #include "services/inslab/profile_file.hpp"
 
 namespace inslab::cli {
@@ -60,7 +59,7 @@ int run_allan(AllanOptions& options) {
     write_profile(options.profile, fitted_profile(analysis));
     fmt::print("profile {} written\n", options.profile);
   }
-  gnuplot(curve_plot(analysis, stem + ".png"));
+  write_text(stem + ".png", io::drawn(curve_picture(analysis), io::PictureFormat::Png));
   fmt::print("{}.png written\n", stem);
   return app::kOk;
 }

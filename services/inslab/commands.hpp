@@ -12,6 +12,7 @@ namespace inslab::cli {
 
 void add_run(CLI::App& app, std::function<int()>& action);
 void add_summary(CLI::App& app, std::function<int()>& action);
+void add_report(CLI::App& app, std::function<int()>& action);
 void add_soak(CLI::App& app, std::function<int()>& action);
 void add_simulate(CLI::App& app, std::function<int()>& action);
 void add_status(CLI::App& app, std::function<int()>& action);

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   std::function<int()> action;
   cli::add_run(app, action);
   cli::add_summary(app, action);
+  cli::add_report(app, action);
   cli::add_soak(app, action);
   cli::add_simulate(app, action);
   cli::add_status(app, action);

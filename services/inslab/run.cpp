@@ -5,15 +5,18 @@
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
+#include "score/score_text.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/live_run.hpp"
+#include "services/inslab/report_files.hpp"
 #include "services/inslab/run_summary.hpp"
+#include "services/inslab/score_log.hpp"
 
 namespace inslab::cli {
 
 namespace {
 
-int run(RunOptions options) {
+int run(RunOptions options, const std::string& junit) {
   const scenario::LoadedScenario loaded = scenario::load(options.scenario);
   if (options.log_file.empty()) {
     options.log_file = "runs/" + loaded.scenario.name + "-" + app::utc_text(app::realtime_now()) + ".mcap";
@@ -30,21 +33,30 @@ int run(RunOptions options) {
     return app::kFailed;
   }
   const bool good = print_run_summary(options.log_file, failure);
-  return good ? app::kOk : app::kFailed;
+  const io::McapReader log(options.log_file);
+  const LogScore score = score_log(log, summarize(log));
+  if (score.scorer.counts().received > 0 || !score.verdicts.empty()) {
+    std::fputs(score::score_text(score.scorer, score.verdicts).c_str(), stdout);
+  }
+  if (!junit.empty()) write_text_file(junit, score::junit_xml(loaded.scenario.name, score.verdicts));
+  if (!good) return app::kFailed;
+  return score.accepted() ? app::kOk : app::kNotAccepted;
 }
 
 }  // namespace
 
 void add_run(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<RunOptions>();
+  auto junit = std::make_shared<std::string>();
   CLI::App* command =
       app.add_subcommand("run", "Run a scenario live: one process for each service, real DDS, real time");
   command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
   command->add_option("--log", options->log_file, "file to write; default runs/NAME-TIME.mcap");
   command->add_flag("-v,--verbose", options->verbose, "show what the services say");
+  command->add_option("--junit", *junit, "write the acceptance as JUnit XML to this file");
   options->network.add_to(*command);
   options->clock.add_to(*command);
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  command->callback([options, junit, &action] { action = [options, junit] { return run(*options, *junit); }; });
 }
 
 void add_summary(CLI::App& app, std::function<int()>& action) {

@@ -5,6 +5,7 @@
 #include "app/service_names.hpp"
 #include "app/shutdown.hpp"
 #include "io/error.hpp"
+#include "score/score_json.hpp"
 
 namespace inslab::logger {
 
@@ -16,6 +17,13 @@ namespace {
 /// More than a tail grows to: chunks end with a flush of the tail, so that a message is either in the file or there.
 constexpr std::size_t kChunkBytes = std::size_t{2} << 20;
 
+/// What the score is made of; perfect IMUs and vehicle states are not.
+void add_to(score::Scorer& scorer, const TruthState& truth) { scorer.add(truth); }
+void add_to(score::Scorer& scorer, const ImuSample& imu) { scorer.add(imu); }
+void add_to(score::Scorer& scorer, const GnssFix& fix) { scorer.add(fix); }
+template <class T>
+void add_to(score::Scorer& /*scorer*/, const T& /*sample*/) {}
+
 double rate_hz(const time::Rate& rate) { return 1.0 / rate.period_s(); }
 
 }  // namespace
@@ -26,6 +34,7 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
       interrupted_(interrupted(context, checkpoint_)),
       log_(interrupted_ ? RunLog(interrupted_->path, kChunkBytes)
                         : RunLog(path, context.scenario(), app::cpu_features(), kChunkBytes)),
+      scorer_(context.scenario().scenario),
       board_(context.participant(), context.service(), 0,
              [this](ServiceStatus& status) {
                for (const auto& [topic, monitor] : streams_) status.streams.push_back(monitor.status());
@@ -41,7 +50,13 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
     add_stream(context, dds::topics::imu_truth(imu.number, rate_hz(imu.rate)));
   }
   for (const auto& gnss : scenario.gnss) add_stream(context, dds::topics::gnss(gnss.number, rate_hz(gnss.rate)));
-  add_channel(context, dds::topics::nav(), Writers::Anybody);
+  add_channel(context, dds::topics::nav(), Writers::Anybody).on_message = [this](const Message& message) {
+    NavSolution solution;
+    if (!wire::decode(message.bytes.data(), message.bytes.size(), solution)) return;
+    scorer_.add(solution, message.received_realtime_ns);
+  };
+  for (const auto& imu : scenario.imus) scorer_.add(imu.installation, -1);
+  for (const auto& gnss : scenario.gnss) scorer_.add(gnss.installation, -1);
   if (scenario.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) add_vehicle_channels(context);
   add_profile_channels<ImuErrorProfile>(context);
   add_profile_channels<VibrationProfile>(context);
@@ -101,7 +116,9 @@ LoggerOnBus::Channel& LoggerOnBus::add_singles(app::Context& context, const dds:
   singles.take = [this, &monitor, &singles](const Message& message) {
     T sample;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), sample)) return;
-    if (note(monitor, sample.header, message)) log(singles, sample.header, message, message.bytes);
+    if (!note(monitor, sample.header, message)) return;
+    add_to(scorer_, sample);
+    log(singles, sample.header, message, message.bytes);
   };
   return singles;
 }
@@ -117,6 +134,7 @@ void LoggerOnBus::add_stream(app::Context& context, const dds::Topic<T>& topic) 
     if (!wire::decode(message.bytes.data(), message.bytes.size(), block)) return;
     for (const T& sample : block.samples) {
       if (!note(monitor, sample.header, message)) continue;
+      add_to(scorer_, sample);
       wire::encode(sample, encoded_);
       log(singles, sample.header, message, encoded_);
     }
@@ -174,7 +192,9 @@ void LoggerOnBus::add_profile_channels(app::Context& context) {
   add_channel(context, dds::topics::request<Profile>(), Writers::Anybody);
   add_channel(context, dds::topics::journal<Profile>()).on_message = [this](const Message& message) {
     Profile entry;
-    if (wire::decode(message.bytes.data(), message.bytes.size(), entry)) log_.add_profile(entry);
+    if (!wire::decode(message.bytes.data(), message.bytes.size(), entry)) return;
+    log_.add_profile(entry);
+    if constexpr (std::is_same_v<Profile, InstallationProfile>) scorer_.add(entry, entry.request.apply_at_ns);
   };
 }
 
@@ -300,6 +320,15 @@ int LoggerOnBus::run() {
   return end();
 }
 
+/// What came of the navigation app, into the log. A logger that was killed has not heard all of it and says nothing:
+/// the log, which has it all, can be scored.
+void LoggerOnBus::add_score() {
+  scorer_.finish();
+  if (interrupted_) return;
+  const auto verdicts = score::judge(scorer_, context_.scenario().scenario.acceptance);
+  log_.file().metadata("score", {{"json", score::score_json(scorer_, verdicts).dump(2)}});
+}
+
 int LoggerOnBus::end() {
   while (const auto message = mailbox_.take(milliseconds(0))) handle(*message);
   const bool by_signal = app::shutdown_requested() && !run_ended_;
@@ -314,6 +343,7 @@ int LoggerOnBus::end() {
                failure_.empty() && by_signal ? "ended by a signal" : failure_);
   while (const auto message = mailbox_.take(milliseconds(200))) handle(*message);
   try {
+    add_score();
     log_.file().close();
   } catch (const io::WriteError& error) {
     note_failure(error.what());

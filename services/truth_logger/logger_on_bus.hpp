@@ -13,6 +13,7 @@
 #include "app/stream_monitor.hpp"
 #include "dds/reader.hpp"
 #include "dds/writer.hpp"
+#include "score/scorer.hpp"
 #include "services/truth_logger/log_tail.hpp"
 #include "services/truth_logger/logger_state.hpp"
 #include "services/truth_logger/run_log.hpp"
@@ -20,7 +21,8 @@
 namespace inslab::logger {
 
 /// The logger on the bus: writes everything it hears to the log as it came over the wire, counts every stream, and ends
-/// when the run has ended and what the services say they sent is there. A full disk is said in its status and its exit
+/// when the run has ended and what the services say they sent is there. It scores the navigation app as it
+/// listens. A full disk is said in its status and its exit
 /// code; it goes on reading, so the streams never wait for it.
 ///
 /// Killed and started again in the same run it goes on with the same file: what it had taken and not written yet lies
@@ -73,6 +75,7 @@ class LoggerOnBus {
   bool note(app::StreamMonitor& monitor, const StreamHeader& header, const Message& message);
   void log(const Channel& channel, const StreamHeader& header, const Message& message,
            const std::vector<std::uint8_t>& cdr);
+  void add_score();
   void give_credit(const std::string& topic, std::uint64_t next_sequence, bool resend);
   void repeat_credits();
   template <class Profile>
@@ -98,6 +101,7 @@ class LoggerOnBus {
   std::uint64_t generation_ = 1;
   bool replaying_ = false;  ///< what lay in the tail is being logged
   std::map<std::string, Source> sources_;
+  score::Scorer scorer_;
   std::string failure_;
   app::Mailbox<Message> mailbox_{200'000};
   std::vector<Channel> channels_;

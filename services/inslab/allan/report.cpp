@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "samples/units.hpp"
 #include "services/inslab/allan/fitted_profile.hpp"
@@ -72,28 +74,33 @@ std::string deviations_text(const ImuAnalysis& analysis) {
   return text;
 }
 
-/// One picture of a triad.
-std::string panel(const ImuAnalysis& analysis, bool is_gyro) {
+/// One picture of a triad: the points, their 99 % band dotted, the fit.
+io::Panel panel(const ImuAnalysis& analysis, bool is_gyro) {
   constexpr const char* kColours[] = {"#c0392b", "#27803b", "#2464a8"};
-  std::string data, plot;
+  io::Panel panel;
+  panel.title = is_gyro ? "gyroscopes" : "accelerometers";
+  panel.x_label = "tau (s)";
+  panel.y_label = fmt::format("Allan deviation ({})", rate_unit_name(is_gyro));
+  panel.log_x = panel.log_y = true;
   for (const AxisAnalysis& axis : analysis.axes) {
     if (axis.is_gyro() != is_gyro || axis.curve.empty()) continue;
-    const std::string block = fmt::format("$axis{}", axis.axis);
-    const double unit = rate_unit(is_gyro);
-    data += block + " << END\n";
+    const std::string colour = fmt::format(" linecolor rgb '{}'", kColours[axis.axis % 3]);
+    io::Curve points{std::string(io::kImuAxisNames[axis.axis]), {}, {}, "points pointtype 7 pointsize 0.4" + colour};
+    io::Curve low{"", {}, {}, "lines dashtype 3" + colour}, high = low;
+    io::Curve fitted{"", {}, {}, "lines linewidth 1.5" + colour};
+    const auto add = [unit = rate_unit(is_gyro)](io::Curve& curve, double tau_s, double value) {
+      curve.x.push_back(tau_s);
+      curve.y.push_back(value > 0.0 ? value / unit : std::numeric_limits<double>::quiet_NaN());
+    };
     for (const CurvePoint& point : axis.curve) {
-      data += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g} {:.9g}\n", point.tau_s, point.deviation / unit,
-                          point.interval.low / unit, point.interval.high / unit, point.fitted / unit);
+      add(points, point.tau_s, point.deviation);
+      add(low, point.tau_s, point.interval.low);
+      add(high, point.tau_s, point.interval.high);
+      add(fitted, point.tau_s, point.fitted);
     }
-    data += "END\n";
-    const char* colour = kColours[axis.axis % 3];
-    plot += fmt::format(
-        "{0}{1} using 1:2:3:4 with yerrorbars pt 7 ps 0.4 lc rgb '{2}' title '{3}', "
-        "{1} using 1:5 with lines lw 1.5 lc rgb '{2}' notitle",
-        plot.empty() ? "" : ", ", block, colour, io::kImuAxisNames[axis.axis]);
+    panel.curves.insert(panel.curves.end(), {points, low, high, fitted});
   }
-  if (plot.empty()) return "";
-  return data + fmt::format("set ylabel 'Allan deviation, {}'\nplot {}\n", rate_unit_name(is_gyro), plot);
+  return panel;
 }
 
 }  // namespace
@@ -122,15 +129,16 @@ std::string curve_csv(const ImuAnalysis& analysis) {
   return text;
 }
 
-std::string curve_plot(const ImuAnalysis& analysis, const std::string& png) {
-  std::string quoted;
-  for (const char c : png) quoted += c == '\'' ? "''" : std::string(1, c);
-  return fmt::format(
-             "set terminal pngcairo size 900,1000 noenhanced\nset output '{}'\nset multiplot layout 2,1\n"
-             "set logscale xy\nset format x '%g'\nset format y '%g'\n"
-             "set grid\nset xlabel 'tau, s'\nset key left bottom\n",
-             quoted) +
-         panel(analysis, true) + panel(analysis, false) + "unset multiplot\n";
+io::Picture curve_picture(const ImuAnalysis& analysis) {
+  io::Picture picture;
+  picture.title = analysis.is_error ? "Allan deviation of the IMU's errors" : "Allan deviation";
+  picture.panel_width_px = 900;
+  picture.panel_height_px = 480;
+  for (const bool is_gyro : {true, false}) {
+    io::Panel triad = panel(analysis, is_gyro);
+    if (!triad.curves.empty()) picture.panels.push_back(std::move(triad));
+  }
+  return picture;
 }
 
 }  // namespace inslab::cli

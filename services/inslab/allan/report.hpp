@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "io/picture.hpp"
 #include "services/inslab/allan/analysis.hpp"
 
 namespace inslab::cli {
@@ -12,7 +13,7 @@ std::string report_text(const ImuAnalysis& analysis);
 /// All points: axis, tau_s, deviation and its 99 % interval, the fitted curve; rad/s and m/s^2.
 std::string curve_csv(const ImuAnalysis& analysis);
 
-/// A gnuplot script that draws the curves with their bands and fits into a PNG, in deg/h and mGal.
-std::string curve_plot(const ImuAnalysis& analysis, const std::string& png);
+/// The curves with their bands and fits, in deg/h and mGal.
+io::Picture curve_picture(const ImuAnalysis& analysis);
 
 }  // namespace inslab::cli

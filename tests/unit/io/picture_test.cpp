@@ -35,6 +35,21 @@ TEST(GnuplotScript, HasDataAndAPlotForEveryPanelWithTextsThatAreNoMarkup) {
   EXPECT_THAT(script, HasSubstr("noenhanced"));
 }
 
+TEST(GnuplotScript, ShadesBandsAndMarksOfTheirOwnPanelAlone) {
+  Picture picture = two_panels();
+  picture.panels[0].bands = {{0.5, 1.5}};
+  picture.panels[0].marks = {1.25};
+  const std::string script = gnuplot_script(picture, PictureFormat::Svg);
+  const std::size_t band = script.find("rectangle from first 0.5, graph 0 to first 1.5, graph 1 behind");
+  const std::size_t mark = script.find("arrow from first 1.25, graph 0 to first 1.25, graph 1 nohead");
+  const std::size_t first = script.find("plot $curve0"), second = script.find("plot $curve1");
+  EXPECT_LT(band, first);
+  EXPECT_LT(mark, first);
+  const std::size_t cleared = script.find("unset object\nunset arrow", first);
+  EXPECT_LT(first, cleared);
+  EXPECT_LT(cleared, second);
+}
+
 TEST(Picture, IsDrawnByGnuplot) {
   try {
     EXPECT_THAT(drawn(two_panels(), PictureFormat::Png), StartsWith("\x89PNG"));

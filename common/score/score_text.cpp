@@ -1,0 +1,115 @@
+#include "score/score_text.hpp"
+
+#include <fmt/format.h>
+
+namespace inslab::score {
+
+namespace {
+
+using scenario::Metric;
+
+std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : "-"; }
+
+std::string counts_text(const Scorer& scorer) {
+  const SolutionCounts& counts = scorer.counts();
+  const auto of = [&](Metric metric) { return shown(figure(scorer, metric, {})); };
+  std::string text = fmt::format("\nnavigation app: {} solutions received, {} scored", counts.received, counts.scored);
+  if (counts.received == 0) return text + "\n";
+  text += fmt::format("; stale {}, future {}, not finite {}, twice {}, out of order {}{}\n", counts.stale,
+                      counts.future, counts.non_finite, counts.duplicates, counts.out_of_order,
+                      counts.too_many > 0 ? fmt::format(", too many {}", counts.too_many) : "");
+  text += "  modes:";
+  for (std::size_t i = 0; i < counts.modes.size(); ++i) {
+    text += fmt::format(" {} {}{}", EnumNames<NavMode>::values[i], counts.modes[i],
+                        i + 1 < counts.modes.size() ? "," : "\n");
+  }
+  text += fmt::format("  first solution at {} s; {} Hz; longest gap {} s, {} gaps\n", of(Metric::TimeToFirstSolution),
+                      of(Metric::Rate), of(Metric::LongestGap), scorer.gaps());
+  text += fmt::format("  latency (IMU sample sent to solution received): p50 {}, p99 {}, max {} ms\n",
+                      of(Metric::LatencyP50), of(Metric::LatencyP99), of(Metric::LatencyMax));
+  if (scorer.negative_latencies() > 0) {
+    text +=
+        fmt::format("  {} latencies are negative: the hosts' clocks are unsynchronised\n", scorer.negative_latencies());
+  }
+  return text;
+}
+
+std::string phases_text(const Scorer& scorer) {
+  std::string text = fmt::format("\n{:<32}{:>10}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}{:>10}{:>9}{:>9}{:>9}\n", "errors",
+                                 "solutions", "hor RMS", "CEP50", "CEP95", "ver RMS", "vel RMS", "tilt RMS", "head RMS",
+                                 "NEES p", "NEES v", "NEES a");
+  text += fmt::format("{:<32}{:>10}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}{:>10}{:>27}\n", "", "", "m", "m", "m", "m", "m/s",
+                      "deg", "deg", "3 is expected");
+  for (const auto& [key, errors] : scorer.phases()) {
+    const auto of = [&, &phase = key](Metric metric) { return shown(figure(scorer, metric, phase)); };
+    text += fmt::format("{:<32}{:>10}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}{:>10}{:>9}{:>9}{:>9}\n", words_of(key),
+                        errors.count(), of(Metric::HorizontalRms), of(Metric::Cep50), of(Metric::Cep95),
+                        of(Metric::VerticalRms), of(Metric::VelocityRms), of(Metric::TiltRms), of(Metric::HeadingRms),
+                        of(Metric::PositionNees), of(Metric::VelocityNees), of(Metric::AttitudeNees));
+  }
+  return text;
+}
+
+std::string outages_text(const Scorer& scorer) {
+  if (scorer.outages().empty()) return "";
+  return fmt::format(
+      "\n{} outages; largest error in each, RMS over them: horizontal {} m, vertical {} m; worst {} m, "
+      "{} m\n",
+      scorer.outages().size(), shown(figure(scorer, Metric::OutageDriftRms, {})),
+      shown(figure(scorer, Metric::OutageVerticalDriftRms, {})), shown(figure(scorer, Metric::OutageDriftMax, {})),
+      shown(figure(scorer, Metric::OutageVerticalDriftMax, {})));
+}
+
+}  // namespace
+
+std::string score_text(const Scorer& scorer, const std::vector<Verdict>& verdicts) {
+  std::string text = counts_text(scorer);
+  if (scorer.counts().scored > 0) text += phases_text(scorer) + outages_text(scorer);
+  if (!verdicts.empty()) text += "\n";
+  for (const Verdict& verdict : verdicts) {
+    text += fmt::format("{}  {}: {}{}\n", verdict.passed ? "PASS" : "FAIL", words_of(verdict.limit),
+                        shown(verdict.value), verdict.passed ? "" : " (" + verdict.why + ")");
+  }
+  return text;
+}
+
+std::string junit_xml(const std::string& suite, const std::vector<Verdict>& verdicts) {
+  std::size_t failures = 0;
+  for (const Verdict& verdict : verdicts) failures += verdict.passed ? 0 : 1;
+  std::string xml = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"{}\" tests=\"{}\" "
+      "failures=\"{}\" errors=\"0\">\n",
+      escaped(suite), verdicts.size(), failures);
+  for (const Verdict& verdict : verdicts) {
+    xml += fmt::format("    <testcase classname=\"acceptance\" name=\"{}\">\n", escaped(words_of(verdict.limit)));
+    if (!verdict.passed) xml += fmt::format("      <failure message=\"{}\"/>\n", escaped(verdict.why));
+    if (verdict.value) xml += fmt::format("      <system-out>{:.9g}</system-out>\n", *verdict.value);
+    xml += "    </testcase>\n";
+  }
+  return xml + "  </testsuite>\n</testsuites>\n";
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
+    }
+  }
+  return out;
+}
+
+}  // namespace inslab::score

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "app/exit_code.hpp"
+#include "score/score_json.hpp"
+#include "score/score_text.hpp"
+#include "services/inslab/commands.hpp"
+#include "services/inslab/report_files.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+struct ReportOptions {
+  std::string log;
+  std::string directory;
+  std::string junit;
+  bool json = false;
+};
+
+int report(const ReportOptions& options) {
+  const io::McapReader log(options.log);
+  const LogSummary summary = summarize(log);
+  const LogScore score = score_log(log, summary);
+  const std::string text = score::score_text(score.scorer, score.verdicts);
+  const std::string json = score::score_json(score.scorer, score.verdicts).dump(2) + "\n";
+  fmt::print("{}", options.json ? json : text);
+  if (!options.junit.empty()) {
+    write_text_file(options.junit, score::junit_xml(summary.scenario.name, score.verdicts));
+  }
+  if (!options.directory.empty()) {
+    std::filesystem::create_directories(options.directory);
+    const std::string stem =
+        (std::filesystem::path(options.directory) / std::filesystem::path(options.log).stem()).string();
+    write_text_file(stem + ".txt", text);
+    write_text_file(stem + ".json", json);
+    write_text_file(stem + ".html", html(report_page(log, summary)));
+    if (!options.json) fmt::print("\n{0}.txt, {0}.json and {0}.html written\n", stem);
+  }
+  return score.accepted() ? app::kOk : app::kNotAccepted;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, std::function<int()>& action) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand(
+      "report", "Score the navigation app of a log; exit code 4 when the scenario's acceptance fails");
+  command->add_option("log", options->log, "log (MCAP)")->required();
+  command->add_option("-o,--output", options->directory,
+                      "folder for the figures as text and JSON and for one HTML page with pictures");
+  command->add_flag("--json", options->json, "print JSON");
+  command->add_option("--junit", options->junit, "write the acceptance as JUnit XML to this file");
+  command->callback([options, &action] { action = [options] { return report(*options); }; });
+}
+
+}  // namespace inslab::cli
