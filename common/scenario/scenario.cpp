@@ -169,10 +169,10 @@ std::optional<Violation> acceptance_violation(const Scenario& scenario) {
     }
     const std::size_t swaps = line.phase == Phase::SwapInterval ? scenario.swaps.size() : 0;
     if (line.swap_interval > swaps) {
-      return Violation{Rule::AcceptancePhase, at("acceptance", i, "swap_interval"),
-                       "is " + std::to_string(line.swap_interval) + "; expected at most " + std::to_string(swaps) +
-                           (line.phase == Phase::SwapInterval ? ", the scenario's swaps"
-                                                              : ": the phase is not swap_interval")};
+      return Violation{
+          Rule::AcceptancePhase, at("acceptance", i, "swap_interval"),
+          "is " + std::to_string(line.swap_interval) + "; expected at most " + std::to_string(swaps) +
+              (line.phase == Phase::SwapInterval ? ", the scenario's swaps" : ": the phase is not swap_interval")};
     }
     if (line.after_s >= scenario.duration_s) {
       return Violation{Rule::AcceptancePhase, at("acceptance", i, "after_s"),
