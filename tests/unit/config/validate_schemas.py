@@ -30,6 +30,7 @@ def validators(folder):
 
 def wrongly_refused(folder, schemas):
     files = [(path, "scenario") for path in sorted((folder / "scenarios").glob("**/*.json"))]
+    files += [(path, "navigation") for path in sorted((folder / "nav").glob("**/*.json"))]
     for name, kind in PROFILE_KINDS.items():
         files += [(path, kind) for path in sorted((folder / "profiles" / name).glob("**/*.json"))]
     print(f"{len(files)} valid files")
@@ -57,7 +58,7 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     schemas = validators(folder)
     problems = [*wrongly_refused(folder, schemas), *wrongly_accepted(folder, schemas)]
-    if set(schemas) != {"scenario", *PROFILE_KINDS.values()}:
+    if set(schemas) != {"scenario", "navigation", *PROFILE_KINDS.values()}:
         problems.append(f"schemas found: {sorted(schemas)}")
     print("\n".join(problems) if problems else "all as the schemas say")
     return 1 if problems else 0
