@@ -15,6 +15,7 @@ const Duration_t kHeartbeatPeriod(0, 20 * kMillisecond_ns);
 const Duration_t kResponseDelay(0, 1 * kMillisecond_ns);
 constexpr std::int32_t kMaxInstances = 256;
 constexpr std::int32_t kJournalSamples = 20'000;
+constexpr std::int32_t kAnswers = 5000;
 constexpr std::int32_t kReaderSamples = 5000;
 constexpr std::int32_t kBlocks = 256;
 
@@ -39,6 +40,13 @@ void set_history(Qos& qos, Delivery delivery, std::int32_t stream_depth) {
     limits.max_samples_per_instance = kJournalSamples;
     limits.max_samples = kMaxInstances * kJournalSamples;
     limits.allocated_samples = 8;
+  } else if (delivery == Delivery::Answers) {
+    qos.history().kind = efd::KEEP_LAST_HISTORY_QOS;
+    qos.history().depth = kAnswers;
+    limits.max_instances = 1;
+    limits.max_samples_per_instance = kAnswers;
+    limits.max_samples = kAnswers;
+    limits.allocated_samples = 8;
   } else if (delivery == Delivery::Block) {
     qos.history().kind = efd::KEEP_LAST_HISTORY_QOS;
     qos.history().depth = kBlocks;
@@ -62,7 +70,9 @@ eprosima::fastrtps::rtps::MemoryManagementPolicy_t memory_policy(Delivery delive
                                      : eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
 }
 
-bool is_latched(Delivery delivery) { return delivery == Delivery::Latched || delivery == Delivery::Journal; }
+bool is_latched(Delivery delivery) {
+  return delivery == Delivery::Latched || delivery == Delivery::Journal || delivery == Delivery::Answers;
+}
 
 }  // namespace
 

@@ -14,6 +14,7 @@ enum class Delivery {
   Block,    ///< as a stream, in blocks; the sender's window, not the history, keeps it whole
   Latched,  ///< reliable, a late joiner gets the last value of each key
   Journal,  ///< reliable, a late joiner gets the whole history in order
+  Answers,  ///< reliable, a late joiner gets the last thousands: a logger that was away must not miss one
   Request,  ///< reliable and volatile, from anybody: best-effort writers match too
 };
 
@@ -45,7 +46,7 @@ inline Topic<SimStatus>     sim_status()     { return {names::kSimStatus, Delive
 inline Topic<SimCommand>    sim_command()    { return {names::kSimCommand, Delivery::Request, 10.0}; }
 inline Topic<ServiceStatus> service_status() { return {names::kServiceStatus, Delivery::Latched, 1.0}; }
 inline Topic<TimeMark>      time_mark()      { return {names::kTimeMark, Delivery::Stream, 1.0}; }
-inline Topic<ProfileAck>    profile_ack()    { return {names::kProfileAck, Delivery::Stream, 1000.0}; }
+inline Topic<ProfileAck>    profile_ack()    { return {names::kProfileAck, Delivery::Answers, 1000.0}; }
 
 inline Topic<Credit>        credit()         { return {names::kCredit, Delivery::Latched, 1000.0}; }
 /// The blocks of a stream, for lockstep.

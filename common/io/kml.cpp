@@ -3,32 +3,12 @@
 #include <stdexcept>
 
 #include "io/text_writer.hpp"
+#include "io/xml_text.hpp"
 #include "samples/units.hpp"
 
 namespace inslab::io {
 
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      default:
-        // XML has no place for the other control characters.
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return out;
-}
 
 /// Longitude, latitude in degrees (9 decimals: 0.1 mm), height in m.
 void put_point(TextWriter& out, const nav::Geodetic& point) {
@@ -72,7 +52,7 @@ void KmlTrack::write(const std::string& path, const std::string& name) const {
   TextWriter out(path, ",");
   put(out, R"(<?xml version="1.0" encoding="UTF-8"?>)");
   put(out, R"(<kml xmlns="http://www.opengis.net/kml/2.2"><Document>)");
-  put(out, "<name>" + escaped(name) + "</name>");
+  put(out, "<name>" + xml_text(name) + "</name>");
   put(out, R"(<Style id="track"><LineStyle><color>ff0000ff</color><width>3</width></LineStyle></Style>)");
   put(out, R"(<Style id="ground"><LineStyle><color>ff00ffff</color><width>2</width></LineStyle></Style>)");
   put_line(out, "track, heights above the ellipsoid", "absolute", "track", points);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "io/xml_text.hpp"
+
 namespace inslab::score {
 
 namespace {
@@ -79,37 +81,14 @@ std::string junit_xml(const std::string& suite, const std::vector<Verdict>& verd
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"{}\" tests=\"{}\" "
       "failures=\"{}\" errors=\"0\">\n",
-      escaped(suite), verdicts.size(), failures);
+      io::xml_text(suite), verdicts.size(), failures);
   for (const Verdict& verdict : verdicts) {
-    xml += fmt::format("    <testcase classname=\"acceptance\" name=\"{}\">\n", escaped(words_of(verdict.limit)));
-    if (!verdict.passed) xml += fmt::format("      <failure message=\"{}\"/>\n", escaped(verdict.why));
+    xml += fmt::format("    <testcase classname=\"acceptance\" name=\"{}\">\n", io::xml_text(words_of(verdict.limit)));
+    if (!verdict.passed) xml += fmt::format("      <failure message=\"{}\"/>\n", io::xml_text(verdict.why));
     if (verdict.value) xml += fmt::format("      <system-out>{:.9g}</system-out>\n", *verdict.value);
     xml += "    </testcase>\n";
   }
   return xml + "  </testsuite>\n</testsuites>\n";
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? '?' : c;
-    }
-  }
-  return out;
 }
 
 }  // namespace inslab::score

@@ -12,7 +12,4 @@ std::string score_text(const Scorer& scorer, const std::vector<Verdict>& verdict
 /// The acceptance as JUnit XML: one test case a line, in a suite of this name.
 std::string junit_xml(const std::string& suite, const std::vector<Verdict>& verdicts);
 
-/// A text as it may stand in XML or HTML, in an attribute too; characters that XML does not have become '?'.
-std::string escaped(const std::string& text);
-
 }  // namespace inslab::score

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "score/score_text.hpp"
+#include "io/xml_text.hpp"
 
 namespace inslab::cli {
 
 namespace {
-
-using score::escaped;
 
 constexpr const char* kStyle = R"(
 :root { color-scheme: light dark; --text: #1b1f24; --back: #ffffff; --line: #c8ced6; }
@@ -43,7 +41,8 @@ std::string inlined(const Figure& figure, std::size_t number) {
   }
   replace_all(svg, " id =", " id=");
   replace_all(svg, "url(#", "url(#" + prefix);
-  return svg.replace(0, 4, "<svg role=\"img\" aria-label=\"" + escaped(figure.title + ": " + figure.caption) + "\"");
+  return svg.replace(0, 4,
+                     "<svg role=\"img\" aria-label=\"" + io::xml_text(figure.title + ": " + figure.caption) + "\"");
 }
 
 }  // namespace
@@ -53,17 +52,17 @@ std::string html(const ReportPage& page) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n"
       "</head>\n<body>\n<main>\n<h1>{}</h1>\n<p>{}</p>\n",
-      escaped(page.title), kStyle, escaped(page.title), escaped(page.description));
+      io::xml_text(page.title), kStyle, io::xml_text(page.title), io::xml_text(page.description));
   if (!page.verdict.empty()) {
-    out += fmt::format("<p class=\"verdict{}\">{}</p>\n", page.accepted ? "" : " failed", escaped(page.verdict));
+    out += fmt::format("<p class=\"verdict{}\">{}</p>\n", page.accepted ? "" : " failed", io::xml_text(page.verdict));
   }
-  out += "<h2>Figures</h2>\n<pre tabindex=\"0\">" + escaped(page.text) + "</pre>\n";
+  out += "<h2>Figures</h2>\n<pre tabindex=\"0\">" + io::xml_text(page.text) + "</pre>\n";
   for (std::size_t i = 0; i < page.figures.size(); ++i) {
     const Figure& figure = page.figures[i];
-    out += fmt::format("<h2>{}</h2>\n<figure>{}<figcaption>{}</figcaption></figure>\n", escaped(figure.title),
-                       inlined(figure, i), escaped(figure.caption));
+    out += fmt::format("<h2>{}</h2>\n<figure>{}<figcaption>{}</figcaption></figure>\n", io::xml_text(figure.title),
+                       inlined(figure, i), io::xml_text(figure.caption));
   }
-  for (const std::string& note : page.notes) out += fmt::format("<p>{}</p>\n", escaped(note));
+  for (const std::string& note : page.notes) out += fmt::format("<p>{}</p>\n", io::xml_text(note));
   return out + "</main>\n</body>\n</html>\n";
 }
 

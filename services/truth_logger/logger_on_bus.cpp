@@ -24,6 +24,10 @@ void add_to(score::Scorer& scorer, const GnssFix& fix) { scorer.add(fix); }
 template <class T>
 void add_to(score::Scorer& /*scorer*/, const T& /*sample*/) {}
 
+std::uint64_t hash_of(const std::vector<std::uint8_t>& bytes) {
+  return std::hash<std::string_view>()({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 double rate_hz(const time::Rate& rate) { return 1.0 / rate.period_s(); }
 
 }  // namespace
@@ -105,6 +109,14 @@ LoggerOnBus::Channel& LoggerOnBus::add_channel(app::Context& context, const dds:
     log_.file().write(channel.log_id, channel.count++, received, received, message.bytes.data(), message.bytes.size());
   };
   return channel;
+}
+
+/// Of a topic whose messages come again to whoever joins late, each is logged once: a logger that was started again
+/// hears of everything that the one before it had.
+void LoggerOnBus::log_once(Channel& channel) {
+  channel.take = [this, log_it = channel.take](const Message& message) {
+    if (once_.insert(hash_of(message.bytes)).second) log_it(message);
+  };
 }
 
 /// A stream that comes as single samples alone.
@@ -190,7 +202,9 @@ void LoggerOnBus::repeat_credits() {
 template <class Profile>
 void LoggerOnBus::add_profile_channels(app::Context& context) {
   add_channel(context, dds::topics::request<Profile>(), Writers::Anybody);
-  add_channel(context, dds::topics::journal<Profile>()).on_message = [this](const Message& message) {
+  Channel& journal = add_channel(context, dds::topics::journal<Profile>());
+  log_once(journal);
+  journal.on_message = [this](const Message& message) {
     Profile entry;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), entry)) return;
     log_.add_profile(entry);
@@ -208,7 +222,9 @@ void LoggerOnBus::add_vehicle_channels(app::Context& context) {
 void LoggerOnBus::add_control_channels(app::Context& context) {
   add_channel(context, dds::topics::installation());
   add_channel(context, dds::topics::time_mark());
-  add_channel(context, dds::topics::profile_ack()).on_message = [this](const Message& message) {
+  Channel& acks = add_channel(context, dds::topics::profile_ack());
+  log_once(acks);
+  acks.on_message = [this](const Message& message) {
     ProfileAck ack;
     if (!replaying_ && wire::decode(message.bytes.data(), message.bytes.size(), ack)) log_.add_ack(ack);
   };

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "app/checkpoint.hpp"
@@ -21,9 +22,8 @@
 namespace inslab::logger {
 
 /// The logger on the bus: writes everything it hears to the log as it came over the wire, counts every stream, and ends
-/// when the run has ended and what the services say they sent is there. It scores the navigation app as it
-/// listens. A full disk is said in its status and its exit
-/// code; it goes on reading, so the streams never wait for it.
+/// when the run has ended and what the services say they sent is there. It scores the navigation app as it listens. A
+/// full disk is said in its status and its exit code; it goes on reading, so the streams never wait for it.
 ///
 /// Killed and started again in the same run it goes on with the same file: what it had taken and not written yet lies
 /// in its LogTail, and what has been sent since is asked for again.
@@ -67,6 +67,7 @@ class LoggerOnBus {
   Channel& add_reader(app::Context& context, const dds::Topic<T>& topic, Writers writers);
   template <class T>
   Channel& add_channel(app::Context& context, const dds::Topic<T>& topic, Writers writers = Writers::Ours);
+  void log_once(Channel& channel);
   template <class T>
   Channel& add_singles(app::Context& context, const dds::Topic<T>& topic);
   template <class T>
@@ -101,6 +102,7 @@ class LoggerOnBus {
   std::uint64_t generation_ = 1;
   bool replaying_ = false;  ///< what lay in the tail is being logged
   std::map<std::string, Source> sources_;
+  std::set<std::uint64_t> once_;  ///< hashes of the messages of channels that are logged once
   score::Scorer scorer_;
   std::string failure_;
   app::Mailbox<Message> mailbox_{200'000};

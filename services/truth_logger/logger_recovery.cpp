@@ -40,6 +40,7 @@ void LoggerOnBus::go_on() {
   for (std::size_t i = 0; i < std::min(channels_.size(), interrupted_->channel_counts.size()); ++i) {
     channels_[i].count = interrupted_->channel_counts[i];
   }
+  once_.insert(interrupted_->once.begin(), interrupted_->once.end());
   std::uint64_t rescued = 0;
   replaying_ = true;
   if (tail_) {
@@ -71,6 +72,7 @@ void LoggerOnBus::flush() {
     state.streams.push_back({topic, monitor.samples(), monitor.first_missing()});
   }
   for (const Channel& channel : channels_) state.channel_counts.push_back(channel.count);
+  state.once.assign(once_.begin(), once_.end());
   checkpoint_.keep(checkpoint_.state(run_id_, [&](recovery::StateWriter& to) { to(state); }));
   if (tail_) tail_->begin(generation_);
 }

@@ -29,6 +29,7 @@ struct LoggerState {
   std::uint64_t generation = 0;
   std::vector<LoggedStream> streams;
   std::vector<std::uint32_t> channel_counts;  ///< messages of each channel, in the order of the channels
+  std::vector<std::uint64_t> once;            ///< hashes of the messages that late joiners get again
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -36,6 +37,7 @@ struct LoggerState {
     visit(Field("generation"), self.generation);
     visit(Field("streams").at_most(64), self.streams);
     visit(Field("channel_counts").at_most(256), self.channel_counts);
+    visit(Field("once").at_most(1'000'000), self.once);
   }
 };
 

@@ -11,6 +11,7 @@
 #include "app/truth_follower.hpp"
 #include "samples/gnss_fix.hpp"
 #include "samples/imu_truth.hpp"
+#include "services/imu_error_injector/imu_outputs.hpp"
 
 namespace inslab::bench {
 namespace {
@@ -27,15 +28,10 @@ class Copier : public app::TruthConsumer {
 class CopyingInjector : public Copier {
  public:
   CopyingInjector(app::Context& context, const scenario::LoadedImu& imu)
-      : number_(imu.number),
-        samples_(context, dds::topics::imu(imu.number, 1.0 / imu.rate.period_s()), {{{app::kTruthLogger, 0u}}}),
-        truths_(context, dds::topics::imu_truth(imu.number, 1.0 / imu.rate.period_s()), {{{app::kTruthLogger, 0u}}}) {}
+      : number_(imu.number), outputs_(context, imu, false) {}
 
-  void begin_run(const RunId& run, ClockMode clock) override {
-    samples_.begin_run(run, clock);
-    truths_.begin_run(run, clock);
-  }
-  bool has_room() const override { return samples_.has_room() && truths_.has_room(); }
+  void begin_run(const RunId& run, ClockMode clock) override { outputs_.begin_run(run, clock); }
+  bool has_room() const override { return outputs_.has_room(); }
   void process(const TruthState& truth) override {
     if (truth.header.sequence_number == 0) return;
     ImuSample sample;
@@ -50,37 +46,19 @@ class CopyingInjector : public Copier {
     perfect.sensor_number = number_;
     perfect.dtheta_b = truth.dtheta_v;
     perfect.dv_b = truth.dv_v;
-    samples_.put(sample);
-    truths_.put(perfect);
+    outputs_.put(sample, perfect);
   }
-  void flush_blocks() override {
-    samples_.flush_block();
-    truths_.flush_block();
-  }
-  void take(const Credit& credit) override {
-    samples_.take(credit);
-    truths_.take(credit);
-  }
-  std::vector<std::uint64_t> outputs_end() const override {
-    return {samples_.next_sequence(), truths_.next_sequence()};
-  }
-  bool outputs_delivered(const std::vector<std::uint64_t>& ends) const override {
-    return samples_.lowest_wanted() >= ends[0] && truths_.lowest_wanted() >= ends[1];
-  }
-  std::string missing_readers() const override { return samples_.missing_readers() + truths_.missing_readers(); }
-  void report(ServiceStatus& status) const override {
-    status.streams.push_back(samples_.status());
-    status.streams.push_back(truths_.status());
-  }
-  void flush(time::Nanoseconds deadline) override {
-    samples_.wait_for_acknowledgments(deadline);
-    truths_.wait_for_acknowledgments(deadline);
-  }
+  void flush_blocks() override { outputs_.flush_blocks(); }
+  void take(const Credit& credit) override { outputs_.take(credit); }
+  std::vector<std::uint64_t> outputs_end() const override { return outputs_.ends(); }
+  bool outputs_delivered(const std::vector<std::uint64_t>& ends) const override { return outputs_.delivered(ends); }
+  std::string missing_readers() const override { return outputs_.missing_readers(); }
+  void report(ServiceStatus& status) const override { outputs_.report(status); }
+  void flush(time::Nanoseconds deadline) override { outputs_.wait_for_acknowledgments(deadline); }
 
  private:
   std::uint32_t number_;
-  app::StreamOutput<ImuSample> samples_;
-  app::StreamOutput<ImuTruth> truths_;
+  imu::ImuOutputs outputs_;
 };
 
 class CopyingEmulator : public Copier {

@@ -129,6 +129,21 @@ TEST_P(Chain, LateJoinerGetsTheLastStatusOfEachService) {
   for (const auto& [sensor, overruns] : last) EXPECT_EQ(overruns, 2u) << "sensor " << sensor;
 }
 
+TEST_P(Chain, LateJoinerGetsTheAnswers) {
+  Writer<ProfileAck> writer(from_, topics::profile_ack());
+  for (std::uint64_t id = 0; id < 100; ++id) {
+    ProfileAck ack;
+    ack.request_id = id;
+    ASSERT_TRUE(writer.write(ack));
+  }
+  Collector<ProfileAck> received;
+  Reader<ProfileAck> reader(to_, topics::profile_ack(),
+                            [&](const ProfileAck& ack, const SampleOrigin&) { received.add(ack); });
+  ASSERT_TRUE(received.wait_for(100));
+  std::uint64_t expected = 0;
+  for (const ProfileAck& ack : received.samples()) EXPECT_EQ(ack.request_id, expected++);
+}
+
 TEST_P(Chain, ReceivedSampleKeepsTheBytesThatWereSent) {
   Collector<Received<GnssFix>> received;
   Reader<GnssFix> reader(to_, topics::gnss(0),

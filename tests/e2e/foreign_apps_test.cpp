@@ -155,7 +155,7 @@ TEST(ForeignClient, OfAnotherVendorSwapsAProfileAndIsToldWhatBecameOfIt) {
   EXPECT_EQ(stranger->wait(seconds(40)), 3);
   EXPECT_THAT(stranger->output(), HasSubstr("not in effect: target_number: names gnss4"));
   run.send(SIGTERM);
-  run.wait(seconds(60));
+  EXPECT_EQ(run.wait(seconds(60)), 1) << run.output();  // it was not to its end
   const auto journal = samples_of_kind<InstallationProfile>(folder / "log.mcap", "inslab/journal/installation");
   const auto entry = std::find_if(journal.begin(), journal.end(),
                                   [](const auto& profile) { return profile.name == "from another vendor"; });

@@ -83,7 +83,7 @@ TEST_F(Recovery, EachServiceThatIsKilledGoesOnAndNoBitIsLost) {
   kill_child(run, "inslab-gnss-emulator");
   ASSERT_TRUE(reaches(6.5)) << run.output();
   kill_child(run, "inslab-truth-logger");
-  run.wait(seconds(60));
+  EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
   EXPECT_THAT(run.output(), HasSubstr("inslab-imu-injector was ended by signal 9 and started again"));
   EXPECT_THAT(run.output(), HasSubstr("recovered: inslab/imu/0: its service was started again"));
   EXPECT_THAT(run.output(), HasSubstr("recovered: inslab/gnss/0: its service was started again"));
@@ -155,7 +155,7 @@ TEST_F(Recovery, ARunWhoseTrajectoryServerWasKilledIsEndedByTheNextOneAndNotRunA
     EXPECT_EQ((*process)->wait(seconds(30)), 1) << (*process)->output();
     EXPECT_THAT((*process)->output(), HasSubstr("the run ended as a fault"));
   }
-  log->wait(seconds(30));
+  EXPECT_TRUE(log->wait(seconds(30))) << log->output();
   const io::McapReader reader(log_);
   EXPECT_TRUE(reader.closed_properly());
   const auto logged = samples_of<TruthState>(log_, "inslab/truth");
@@ -173,7 +173,7 @@ TEST_F(Recovery, ASecondTrajectoryServerEndsAndDisturbsNothing) {
   const auto second = service("inslab-trajectory-server", "recovery");
   EXPECT_EQ(second->wait(seconds(30)), 1) << second->output();
   EXPECT_THAT(second->output(), HasSubstr("another trajectory server runs 'recovery'"));
-  run.wait(seconds(60));
+  EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
   expect_same_bits<TruthState>(log_, reference, "inslab/truth", 2001);
   expect_same_bits<ImuSample>(log_, reference, "inslab/imu/0", 2000);
 }

@@ -163,7 +163,7 @@ TEST_F(SeveralHosts, ALinkThatIsDownForFiveSecondsLosesNoSample) {
   const auto up_again = std::chrono::steady_clock::now() + seconds(5);
   EXPECT_TRUE(eventually([&] { return std::chrono::steady_clock::now() > up_again; }, seconds(20)));
   network_->relay().send(SIGUSR2);
-  run->wait(seconds(120));
+  EXPECT_EQ(run->wait(seconds(120)), 0) << run->output();
   EXPECT_EQ(samples_of<TruthState>(log(), "inslab/truth").size(), 1201u) << run->output();
   EXPECT_EQ(samples_of<ImuSample>(log(), "inslab/imu/0").size(), 1200u) << run->output();
   EXPECT_EQ(samples_of<ImuTruth>(log(), "inslab/imu_truth/0").size(), 1200u) << run->output();
