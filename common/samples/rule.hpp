@@ -36,6 +36,7 @@ enum class Rule : std::uint32_t {
   SubscribedTopic,       ///< foreign readers are demanded on topics of the scenario's sensors
   AcceptanceLimit,       ///< an acceptance line has a limit, and its least is not above its most
   AcceptancePhase,       ///< figures of the whole run have no phase, and swap intervals are those of the scenario
+  AcceptanceClock,       ///< latencies are judged in real time: in lockstep the clock waits for the app
   TargetSpeedAlone,      ///< nothing else accelerates along the axis of a target speed
   TargetSpeedOnNose,     ///< the axis of a target speed does not turn away from the velocity
   BallisticAlone,        ///< nothing else moves or turns a ballistic vehicle
@@ -76,6 +77,9 @@ enum class Rule : std::uint32_t {
   MotionReach,         ///< a mount moves at most 5 cm and 2 deg
   MotionFrequency,     ///< and at most 2 kHz
   MotionHarmonic,      ///< random vibration is for the sensor domain
+  // Several fields of a navigation filter's parameters.
+  InitialPitch,    ///< a given pitch lies within 90 deg
+  RestThresholds,  ///< zero-velocity updates have thresholds that an IMU at rest can keep
   // Requests only.
   ApplyTime,  ///< within the longest scenario
 };
@@ -84,7 +88,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 64> values{"readable",
+  static constexpr std::array<std::string_view, 67> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -109,6 +113,7 @@ struct EnumNames<Rule> {
                                                            "subscribed_topic",
                                                            "acceptance_limit",
                                                            "acceptance_phase",
+                                                           "acceptance_clock",
                                                            "target_speed_alone",
                                                            "target_speed_on_nose",
                                                            "ballistic_alone",
@@ -147,6 +152,8 @@ struct EnumNames<Rule> {
                                                            "motion_reach",
                                                            "motion_frequency",
                                                            "motion_harmonic",
+                                                           "initial_pitch",
+                                                           "rest_thresholds",
                                                            "apply_time"};
 };
 /// Rules that no file can break: the rest is shown by the files of config/invalid.

@@ -43,6 +43,8 @@ enum class Metric : std::uint32_t {
 /// Metrics of single solutions have a figure in each phase; counts, latencies and drifts belong to the run.
 constexpr bool is_of_the_run(Metric metric) { return metric >= Metric::OutageDriftRms; }
 
+constexpr bool is_latency(Metric metric) { return metric >= Metric::LatencyP50 && metric <= Metric::LatencyMax; }
+
 enum class Phase : std::uint32_t { All, Outages, BetweenOutages, SwapInterval };
 
 /// A limit that the app under test must keep.

@@ -174,6 +174,11 @@ std::optional<Violation> acceptance_violation(const Scenario& scenario) {
           "is " + std::to_string(line.swap_interval) + "; expected at most " + std::to_string(swaps) +
               (line.phase == Phase::SwapInterval ? ", the scenario's swaps" : ": the phase is not swap_interval")};
     }
+    if (is_latency(line.metric) && scenario.clock.mode == ClockMode::Lockstep) {
+      return Violation{Rule::AcceptanceClock, at("acceptance", i, "metric"),
+                       "is " + std::string(enum_name(line.metric)) +
+                           ", but in lockstep (clock.mode) the clock waits for the app; expected real_time"};
+    }
     if (line.after_s >= scenario.duration_s) {
       return Violation{Rule::AcceptancePhase, at("acceptance", i, "after_s"),
                        "lies at or after the end of the scenario"};

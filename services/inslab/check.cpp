@@ -6,6 +6,7 @@
 #include "app/exit_code.hpp"
 #include "scenario/load.hpp"
 #include "services/inslab/commands.hpp"
+#include "services/reference_nav/parameters_file.hpp"
 
 namespace inslab::cli {
 
@@ -33,6 +34,11 @@ int check_scenario(const std::string& file) {
   return app::kOk;
 }
 
+int check_navigation(const std::string& file) {
+  fmt::print("{}: good: navigation filter '{}'\n", file, reference_nav::read_parameters(file).name);
+  return app::kOk;
+}
+
 int check_profile(const CheckOptions& options, ProfileKind kind) {
   const SensorKind usual = kind == ProfileKind::GnssError ? SensorKind::Gnss : SensorKind::Imu;
   const SensorKind sensor = value_named<SensorKind>(options.sensor_kind).value_or(usual);
@@ -47,15 +53,17 @@ int check_profile(const CheckOptions& options, ProfileKind kind) {
 void add_check(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand(
-      "check", "Read a scenario and all it names, or one profile; say what is wrong, or what is in it");
-  command->add_option("file", options->file, "scenario or profile file (JSON)")->required();
-  std::vector<std::string> kinds{"scenario"};
+      "check",
+      "Read a scenario and all it names, one profile or one filter's parameters; say what is wrong, or what is in it");
+  command->add_option("file", options->file, "scenario, profile or file of config/nav (JSON)")->required();
+  std::vector<std::string> kinds{"scenario", "navigation"};
   for (const std::string_view kind : EnumNames<ProfileKind>::values) kinds.emplace_back(kind);
   command->add_option("--kind", options->kind, "what the file is")->check(CLI::IsMember(kinds))->capture_default_str();
   command->add_option("--sensor", options->sensor_kind, "for a profile: the kind of sensor it goes to")
       ->check(CLI::IsMember({"imu", "gnss"}));
   command->callback([options, &action] {
     action = [options] {
+      if (options->kind == "navigation") return check_navigation(options->file);
       const auto kind = value_named<ProfileKind>(options->kind);
       return kind ? check_profile(*options, *kind) : check_scenario(options->file);
     };

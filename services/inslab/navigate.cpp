@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "app/exit_code.hpp"
-#include "config/json_reader.hpp"
 #include "io/error.hpp"
 #include "io/gnss_text.hpp"
 #include "io/imu_text.hpp"
@@ -19,6 +18,7 @@
 #include "services/inslab/commands.hpp"
 #include "services/reference_nav/matching_parameters.hpp"
 #include "services/reference_nav/navigation_filter.hpp"
+#include "services/reference_nav/parameters_file.hpp"
 #include "wire/topic_names.hpp"
 
 namespace inslab::cli {
@@ -118,7 +118,7 @@ Told told(const NavigateOptions& options) {
     t.gravity = loaded.gravity();
   }
   if (!options.parameters.empty()) {
-    t.parameters = config::read_file<reference_nav::NavigationParameters>(options.parameters);
+    t.parameters = reference_nav::read_parameters(options.parameters);
   }
   return t;
 }

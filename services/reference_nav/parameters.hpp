@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "samples/field.hpp"
+#include "samples/violation.hpp"
 
 /// The reference navigation app: a loosely coupled error-state Kalman filter without bus, clock or files.
 namespace inslab::reference_nav {
@@ -183,6 +185,9 @@ void InitialState::fields(Self& self, Visitor& visit) {
   visit(Field("velocity_sigma_ned_m_per_s", "of the initial velocity, at least").in(0.0, 1e3),
         self.velocity_sigma_ned_m_per_s);
 }
+
+/// The first rule that the parameters break and that no single field's limits express, or nothing.
+std::optional<Violation> violation(const NavigationParameters& parameters);
 
 }  // namespace inslab::reference_nav
 

@@ -3,6 +3,7 @@
 #include "config/json_reader.hpp"
 #include "config/json_writer.hpp"
 #include "scenario/load.hpp"
+#include "services/reference_nav/parameters.hpp"
 #include "tests/unit/samples/number_fields.hpp"
 
 /// Walks the declarations of every file: no field is named here, so a new one is tested from the day it is declared.
@@ -81,6 +82,10 @@ TEST(FieldLimits, HoldInEveryProfile) {
   EXPECT_GE(try_ends(filled<InstallationProfile>()), 8U);
   EXPECT_GE(try_ends(filled<GnssErrorProfile>()), 12U);
   EXPECT_GE(try_ends(filled<FaultProfile>()), 12U);
+}
+
+TEST(FieldLimits, HoldInTheParametersOfANavigationFilter) {
+  EXPECT_GE(try_ends(filled<reference_nav::NavigationParameters>()), 55U);
 }
 
 TEST(FieldLimits, HoldInAScenarioWithEveryMotion) {

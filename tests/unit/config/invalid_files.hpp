@@ -8,7 +8,7 @@
 
 namespace inslab::test {
 
-enum class FileKind : std::uint32_t { ImuError, Vibration, Installation, GnssError, Fault, Scenario };
+enum class FileKind : std::uint32_t { ImuError, Vibration, Installation, GnssError, Fault, Scenario, Navigation };
 
 /// What config/invalid/expected.json says of one file beside it.
 struct InvalidFile {
@@ -48,8 +48,8 @@ namespace inslab {
 
 template <>
 struct EnumNames<test::FileKind> {
-  static constexpr std::array<std::string_view, 6> values{"imu_error",  "vibration", "installation",
-                                                          "gnss_error", "fault",     "scenario"};
+  static constexpr std::array<std::string_view, 7> values{"imu_error", "vibration", "installation", "gnss_error",
+                                                          "fault",     "scenario",  "navigation"};
 };
 
 }  // namespace inslab

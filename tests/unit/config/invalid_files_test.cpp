@@ -7,6 +7,7 @@
 
 #include "config/json_reader.hpp"
 #include "scenario/load.hpp"
+#include "services/reference_nav/parameters_file.hpp"
 
 /// config/invalid holds files that break one rule each, and expected.json what must be said of them.
 namespace inslab {
@@ -23,6 +24,8 @@ void load_any(const test::InvalidFile& expected) {
   const std::filesystem::path file = kFolder / expected.file;
   if (expected.kind == test::FileKind::Scenario) {
     scenario::load(file);
+  } else if (expected.kind == test::FileKind::Navigation) {
+    reference_nav::read_parameters(file.string());
   } else {
     const SensorKind usual = expected.kind == test::FileKind::GnssError ? SensorKind::Gnss : SensorKind::Imu;
     scenario::load_profile(file, static_cast<ProfileKind>(expected.kind), {expected.sensor_kind.value_or(usual), 0});

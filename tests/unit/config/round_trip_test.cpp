@@ -3,6 +3,7 @@
 #include "config/json_reader.hpp"
 #include "config/json_writer.hpp"
 #include "scenario/scenario.hpp"
+#include "services/reference_nav/parameters.hpp"
 #include "tests/unit/samples/field_bits.hpp"
 #include "tests/unit/samples/number_fields.hpp"
 
@@ -16,12 +17,13 @@ void without_request(Profile& profile) {
   profile.request = {};
 }
 void without_request(scenario::Scenario&) {}
+void without_request(reference_nav::NavigationParameters&) {}
 
 template <class T>
 class RoundTrip : public testing::Test {};
 
 using Files = testing::Types<scenario::Scenario, ImuErrorProfile, VibrationProfile, InstallationProfile,
-                             GnssErrorProfile, FaultProfile>;
+                             GnssErrorProfile, FaultProfile, reference_nav::NavigationParameters>;
 TYPED_TEST_SUITE(RoundTrip, Files, );
 
 TYPED_TEST(RoundTrip, ThroughJsonTextKeepsEveryBitOfRandomValues) {

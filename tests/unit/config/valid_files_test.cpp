@@ -5,6 +5,7 @@
 #include "config/json_reader.hpp"
 #include "config/json_writer.hpp"
 #include "scenario/load.hpp"
+#include "services/reference_nav/parameters_file.hpp"
 #include "tests/unit/samples/field_bits.hpp"
 
 /// The scenarios and profiles that come with the product.
@@ -67,6 +68,15 @@ TEST(ValidFiles, EveryProfileReadsAndSurvivesARoundTrip) {
   expect_good_profiles<InstallationProfile>("installation", "installation.schema.json");
   expect_good_profiles<GnssErrorProfile>("gnss", "gnss_error.schema.json");
   expect_good_profiles<FaultProfile>("fault", "fault.schema.json");
+}
+
+TEST(ValidFiles, EveryFilterReadsAndSurvivesARoundTrip) {
+  const auto files = json_files(kConfig / "nav");
+  EXPECT_GE(files.size(), 1U);
+  for (const auto& file : files) {
+    EXPECT_NO_THROW({ expect_round_trip(reference_nav::read_parameters(file.string()), file); });
+    expect_schema(file, "navigation.schema.json");
+  }
 }
 
 }  // namespace
