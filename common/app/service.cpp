@@ -49,7 +49,7 @@ dds::ParticipantOptions participant_options(const NetworkOptions& network, const
   options.discovery_server = network.discovery_server;
   const bool is_service =
       name == kTrajectoryServer || name == kImuInjector || name == kGnssEmulator || name == kTruthLogger;
-  options.role = is_service ? name : "operator";
+  options.role = is_service ? name : name == kReferenceNav ? "nav-app" : "operator";
   return options;
 }
 

@@ -31,8 +31,12 @@ class ReferenceWriter {
   template <class T>
   void row(const Field& field, const std::string& path, T& value) {
     if constexpr (is_optional<T>) {
-      const typename T::value_type present{};
-      line(field, path, type_of(field, present), "");
+      typename T::value_type present{};
+      if constexpr (has_fields<typename T::value_type>) {
+        row(field, path, present);
+      } else {
+        line(field, path, type_of(field, present), "");
+      }
     } else if constexpr (is_list<T>) {
       line(field, path, "list of up to " + std::to_string(field.max_size), "empty");
       typename T::value_type element{};

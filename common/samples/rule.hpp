@@ -33,6 +33,7 @@ enum class Rule : std::uint32_t {
   SensorExists,          ///< swaps and services name sensors of the scenario
   SwapBeforeEnd,         ///< a swap lies inside the run
   SwapsInOrder,          ///< swaps are in order of time
+  OneNavApp,             ///< the reference navigation app is the app under test, or another one is
   SubscribedTopic,       ///< foreign readers are demanded on topics of the scenario's sensors
   AcceptanceLimit,       ///< an acceptance line has a limit, and its least is not above its most
   AcceptancePhase,       ///< figures of the whole run have no phase, and swap intervals are those of the scenario
@@ -88,7 +89,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 67> values{"readable",
+  static constexpr std::array<std::string_view, 68> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -110,6 +111,7 @@ struct EnumNames<Rule> {
                                                            "sensor_exists",
                                                            "swap_before_end",
                                                            "swaps_in_order",
+                                                           "one_nav_app",
                                                            "subscribed_topic",
                                                            "acceptance_limit",
                                                            "acceptance_phase",

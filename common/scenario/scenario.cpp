@@ -152,6 +152,20 @@ std::optional<Violation> swaps_violation(const Scenario& scenario) {
   return list_violation(scenario.swaps);
 }
 
+/// The reference navigation app has its sensors, and the unit to itself.
+std::optional<Violation> reference_nav_violation(const Scenario& scenario) {
+  if (!scenario.reference_nav) return std::nullopt;
+  for (const auto& [kind, number] : {SensorAddress{SensorKind::Imu, scenario.reference_nav->imu},
+                                     SensorAddress{SensorKind::Gnss, scenario.reference_nav->gnss}}) {
+    if (has_sensor(scenario, kind, number)) continue;
+    return Violation{Rule::SensorExists, "reference_nav." + std::string(enum_name(kind)),
+                     "names " + sensor_name({kind, number}) + ", which the scenario does not have"};
+  }
+  if (!scenario.require_nav_app) return std::nullopt;
+  return Violation{Rule::OneNavApp, "require_nav_app",
+                   "is true beside reference_nav; expected one of them: two apps on inslab/nav cannot be told apart"};
+}
+
 /// Limits that can be judged.
 std::optional<Violation> acceptance_violation(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.acceptance.size(); ++i) {
@@ -224,6 +238,7 @@ std::optional<Violation> violation(const Scenario& scenario) {
                      "is '" + scenario.require_subscribers[i].topic +
                          "'; expected inslab/truth or a topic of a sensor of the scenario"};
   }
+  if (auto broken = reference_nav_violation(scenario)) return broken;
   if (auto broken = acceptance_violation(scenario)) return broken;
   return swaps_violation(scenario);
 }

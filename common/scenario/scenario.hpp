@@ -141,6 +141,24 @@ struct RequiredSubscriber {
   }
 };
 
+/// The reference navigation app as the app under test.
+struct ReferenceNav {
+  std::uint32_t imu = 0;
+  std::uint32_t gnss = 0;
+  std::string parameters;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("imu", "the N of the inslab/imu/N that it navigates by").in(0.0, 63.0), self.imu);
+    visit(Field("gnss", "the N of its inslab/gnss/N").in(0.0, 63.0), self.gnss);
+    visit(Field("parameters",
+                "file of the filter's parameters; absent: those that match the sensors' profiles and "
+                "nominal installation")
+              .at_most(4096),
+          self.parameters);
+  }
+};
+
 /// A whole scenario file.
 struct Scenario {
   std::string name;
@@ -156,6 +174,7 @@ struct Scenario {
   Clock clock;
   std::vector<RequiredSubscriber> require_subscribers;
   bool require_nav_app = false;
+  std::optional<ReferenceNav> reference_nav;
   std::vector<AcceptanceLimit> acceptance;
 
   template <class Self, class Visitor>
@@ -176,6 +195,8 @@ struct Scenario {
     visit(Field("require_nav_app",
                 "the barrier waits for a writer of inslab/nav; in lockstep its imu_sequence sets the pace"),
           self.require_nav_app);
+    visit(Field("reference_nav", "the reference navigation app takes part; absent: the app under test is another one"),
+          self.reference_nav);
     visit(Field("acceptance", "limits that the app under test must keep; with one, a missing or late app fails")
               .at_most(256),
           self.acceptance);

@@ -66,6 +66,7 @@ INSLAB_BLOCK_TYPE(TruthState, "TruthBlock");
 INSLAB_BLOCK_TYPE(ImuSample, "ImuBlock");
 INSLAB_BLOCK_TYPE(ImuTruth, "ImuTruthBlock");
 INSLAB_BLOCK_TYPE(GnssFix, "GnssBlock");
+INSLAB_BLOCK_TYPE(NavSolution, "NavBlock");
 
 #undef INSLAB_BLOCK_TYPE
 

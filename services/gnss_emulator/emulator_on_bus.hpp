@@ -12,7 +12,8 @@ class EmulatorOnBus : public app::TruthConsumer {
  public:
   EmulatorOnBus(app::Context& context, const scenario::LoadedGnss& gnss)
       : emulator_(context.scenario(), gnss),
-        fixes_(context, dds::topics::gnss(gnss.number, 1.0 / gnss.rate.period_s()), {{{app::kTruthLogger, 0u}}}),
+        fixes_(context, dds::topics::gnss(gnss.number, 1.0 / gnss.rate.period_s()),
+               {app::stream_consumers(context.scenario().scenario, SensorKind::Gnss, gnss.number)}),
         acks_(context.participant(), dds::topics::profile_ack()) {}
 
   void begin_run(const RunId& run, ClockMode clock) override { fixes_.begin_run(run, clock); }

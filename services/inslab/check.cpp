@@ -6,6 +6,7 @@
 #include "app/exit_code.hpp"
 #include "scenario/load.hpp"
 #include "services/inslab/commands.hpp"
+#include "services/reference_nav/app_setup.hpp"
 #include "services/reference_nav/parameters_file.hpp"
 
 namespace inslab::cli {
@@ -28,6 +29,7 @@ std::optional<Enum> value_named(const std::string& name) {
 
 int check_scenario(const std::string& file) {
   const scenario::LoadedScenario loaded = scenario::load(file);
+  if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
   fmt::print("{}: good: {:.3f} s at {} Hz, {} segments, {} IMUs, {} GNSS receivers, {} swaps\n", file,
              loaded.scenario.duration_s, loaded.scenario.truth_rate_hz, loaded.scenario.trajectory.segments.size(),
              loaded.imus.size(), loaded.gnss.size(), loaded.swaps.size());

@@ -46,6 +46,7 @@ void LiveRun::start_services() {
   for (const auto& gnss : loaded_.gnss) {
     children_.start(app::kGnssEmulator, with({"--sensor", std::to_string(gnss.number)}));
   }
+  if (loaded_.scenario.reference_nav) children_.start(app::kReferenceNav, with({}));
   app::ClockOptions clock = options_.clock;
   clock.paused = clock.paused || holds_the_start_;
   const std::vector<std::string> arguments = clock.as_arguments();

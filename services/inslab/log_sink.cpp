@@ -19,6 +19,7 @@ LogSink::LogSink(const std::string& path, const scenario::LoadedScenario& scenar
     imu_truth_.emplace_back(log_.file(), wire::topic_names::imu_truth(sensor.number));
   }
   for (const auto& sensor : scenario.gnss) gnss_.emplace_back(log_.file(), wire::topic_names::gnss(sensor.number));
+  if (scenario.scenario.reference_nav) nav_.emplace(log_.file(), wire::topic_names::kNav);
 }
 
 template <class T>
@@ -55,6 +56,8 @@ void LogSink::imu(std::size_t index, const ImuSample& sample, const ImuTruth& tr
 }
 
 void LogSink::gnss(std::size_t index, const GnssFix& fix) { write(gnss_[index], fix, fix.header); }
+
+void LogSink::nav(const NavSolution& solution) { nav_->write(solution, nav_count_++, latest_utc_ns_, latest_utc_ns_); }
 
 void LogSink::ack(const ProfileAck& ack) {
   log_.add_ack(ack);

@@ -19,6 +19,7 @@ class LogSink : public RunSink {
   void truth(const TruthState& truth) override;
   void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override;
   void gnss(std::size_t index, const GnssFix& fix) override;
+  void nav(const NavSolution& solution) override;
   void ack(const ProfileAck& ack) override;
 
   void close() { log_.file().close(); }
@@ -42,7 +43,9 @@ class LogSink : public RunSink {
   std::tuple<io::LogChannel<ImuErrorProfile>, io::LogChannel<VibrationProfile>, io::LogChannel<InstallationProfile>,
              io::LogChannel<GnssErrorProfile>, io::LogChannel<FaultProfile>>
       journals_;
+  std::optional<io::LogChannel<NavSolution>> nav_;
   std::uint32_t ack_count_ = 0;
+  std::uint32_t nav_count_ = 0;
   std::uint32_t journal_count_ = 0;
 };
 

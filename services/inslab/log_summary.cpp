@@ -5,6 +5,7 @@
 #include "app/stream_monitor.hpp"
 #include "config/json_reader.hpp"
 #include "services/truth_logger/run_log.hpp"
+#include "wire/topic_names.hpp"
 #include "wire/wire_type.hpp"
 
 namespace inslab::cli {
@@ -29,7 +30,9 @@ class Gatherer {
     if (type == wire::WireType<ImuTruth>::name) return stream<ImuTruth>(topic, message);
     if (type == wire::WireType<GnssFix>::name) return stream<GnssFix>(topic, message);
     if (type == wire::WireType<UsedVehicleState>::name) return stream<UsedVehicleState>(topic, message);
-    if (type == wire::WireType<ProfileAck>::name) {
+    if (topic == wire::topic_names::kNav) {
+      ++solutions_;
+    } else if (type == wire::WireType<ProfileAck>::name) {
       if (auto ack = decoded<ProfileAck>(message)) summary_.acks.push_back(*ack);
     } else if (type == wire::WireType<SimStatus>::name) {
       if (auto status = decoded<SimStatus>(message)) summary_.last_status = *status;
@@ -48,7 +51,9 @@ class Gatherer {
       summary_.services.push_back(status);
       if (status.state != ServiceState::Finished && status.state != ServiceState::Fault) continue;
       for (const StreamStatus& stream : status.streams) {
-        if (stream.direction == StreamDirection::Out) summary_.streams[stream.topic].sent = stream.samples;
+        if (stream.direction != StreamDirection::Out) continue;
+        summary_.streams[stream.topic].sent = stream.samples;
+        if (stream.topic == wire::topic_names::kNav) summary_.streams[stream.topic].logged.samples = solutions_;
       }
     }
   }
@@ -80,6 +85,7 @@ class Gatherer {
 
   LogSummary& summary_;
   std::map<std::string, app::StreamMonitor> monitors_;
+  std::uint64_t solutions_ = 0;  ///< of whatever app; they have no numbers of their own
   std::map<std::pair<std::string, std::uint32_t>, ServiceStatus> services_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "services/reference_nav/app_setup.hpp"
+
 namespace inslab::cli {
 
 OfflineRun::OfflineRun(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id,
@@ -9,6 +11,12 @@ OfflineRun::OfflineRun(const scenario::LoadedScenario& scenario, const time::Gps
     : sink_(sink), source_(scenario, start, run_id), vehicle_states_(std::move(vehicle_states)) {
   for (const auto& imu : scenario.imus) injectors_.emplace_back(scenario, imu);
   for (const auto& gnss : scenario.gnss) emulators_.emplace_back(scenario, gnss);
+  if (const auto& app = scenario.scenario.reference_nav) {
+    const reference_nav::AppSetup setup = reference_nav::setup_for(scenario, *app);
+    navigator_.emplace(setup.parameters, setup.gravity);
+    while (scenario.imus[nav_imu_].number != app->imu) ++nav_imu_;
+    while (scenario.gnss[nav_gnss_].number != app->gnss) ++nav_gnss_;
+  }
   for (const AnyProfile& request : scenario.swaps) {
     auto verdict = source_.submit(request);
     if (const auto* rejection = std::get_if<ProfileAck>(&verdict)) {
@@ -38,22 +46,39 @@ void OfflineRun::use_vehicle_states() {
   }
 }
 
+void OfflineRun::navigate(std::int64_t fixes_complete_up_to_ns) {
+  navigator_->fixes_complete_up_to(fixes_complete_up_to_ns);
+  while (const auto step = navigator_->step()) {
+    if (step->solution) sink_.nav(*step->solution);
+  }
+}
+
 bool OfflineRun::step() {
-  if (!source_.has_next()) return false;
+  if (!source_.has_next()) {
+    if (navigator_) navigate(reference_nav::Navigator::kEver);
+    return false;
+  }
   use_vehicle_states();
   const TruthState truth = source_.take();
   sim_time_ = time::Nanoseconds(truth.header.sim_time_ns);
   sink_.truth(truth);
   for (std::size_t i = 0; i < injectors_.size(); ++i) {
     const imu::Injector::Result result = injectors_[i].process(truth);
-    if (result.output) sink_.imu(i, result.output->sample, result.output->truth);
+    if (result.output) {
+      sink_.imu(i, result.output->sample, result.output->truth);
+      if (navigator_ && i == nav_imu_) navigator_->add(result.output->sample);
+    }
     for (const ProfileAck& ack : result.acks) sink_.ack(ack);
   }
   for (std::size_t i = 0; i < emulators_.size(); ++i) {
     const gnss::Emulator::Result result = emulators_[i].process(truth);
-    if (result.fix) sink_.gnss(i, *result.fix);
+    if (result.fix) {
+      sink_.gnss(i, *result.fix);
+      if (navigator_ && i == nav_gnss_) navigator_->add(*result.fix);
+    }
     for (const ProfileAck& ack : result.acks) sink_.ack(ack);
   }
+  if (navigator_) navigate(sim_time_.count());
   return true;
 }
 

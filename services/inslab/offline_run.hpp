@@ -5,6 +5,7 @@
 
 #include "services/gnss_emulator/emulator.hpp"
 #include "services/imu_error_injector/injector.hpp"
+#include "services/reference_nav/navigator.hpp"
 #include "services/trajectory_server/truth_source.hpp"
 
 namespace inslab::cli {
@@ -18,6 +19,7 @@ class RunSink {
   virtual void truth(const TruthState& truth) = 0;
   virtual void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) = 0;
   virtual void gnss(std::size_t index, const GnssFix& fix) = 0;
+  virtual void nav(const NavSolution&) {}  ///< of the reference navigation app, when the scenario has it
   virtual void ack(const ProfileAck& ack) = 0;
 };
 
@@ -39,11 +41,15 @@ class OfflineRun {
 
  private:
   void use_vehicle_states();
+  void navigate(std::int64_t fixes_complete_up_to_ns);
 
   RunSink& sink_;
   trajectory::TruthSource source_;
   std::vector<imu::Injector> injectors_;
   std::vector<gnss::Emulator> emulators_;
+  std::size_t nav_imu_ = 0;   ///< index of the injector that the navigation app hears
+  std::size_t nav_gnss_ = 0;  ///< and of the emulator
+  std::optional<reference_nav::Navigator> navigator_;
   std::vector<UsedVehicleState> vehicle_states_;
   std::size_t next_vehicle_state_ = 0;
   time::Nanoseconds sim_time_{0};

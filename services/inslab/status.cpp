@@ -26,7 +26,7 @@ struct StatusOptions {
   app::NetworkOptions network;
 };
 
-using ServiceKey = std::pair<std::string, std::uint32_t>;
+using app::ServiceKey;
 
 /// Hears the heartbeats for a while.
 class Listener {

@@ -34,7 +34,7 @@ ServerOnBus::ServerOnBus(app::Context& context)
       control_(scenario_.scenario.clock.mode, scenario_.scenario.clock.start_paused),
       clock_(time::Nanoseconds(0), scenario_.scenario.clock.rate),
       truth_(context, dds::topics::truth(scenario_.scenario.truth_rate_hz),
-             {app::required_services(scenario_), false, 2 * app::StreamOutput<TruthState>::kWindowSamples,
+             {app::truth_consumers(scenario_), false, 2 * app::StreamOutput<TruthState>::kWindowSamples,
               truth_kept(scenario_)}),
       board_(context.participant(), context.service(), 0,
              [this](ServiceStatus& status) {

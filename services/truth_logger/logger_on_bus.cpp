@@ -54,11 +54,7 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
     add_stream(context, dds::topics::imu_truth(imu.number, rate_hz(imu.rate)));
   }
   for (const auto& gnss : scenario.gnss) add_stream(context, dds::topics::gnss(gnss.number, rate_hz(gnss.rate)));
-  add_channel(context, dds::topics::nav(), Writers::Anybody).on_message = [this](const Message& message) {
-    NavSolution solution;
-    if (!wire::decode(message.bytes.data(), message.bytes.size(), solution)) return;
-    scorer_.add(solution, message.received_realtime_ns);
-  };
+  add_nav_channels(context);
   for (const auto& imu : scenario.imus) scorer_.add(imu.installation, -1);
   for (const auto& gnss : scenario.gnss) scorer_.add(gnss.installation, -1);
   if (scenario.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) add_vehicle_channels(context);
@@ -209,6 +205,26 @@ void LoggerOnBus::add_profile_channels(app::Context& context) {
     if (!wire::decode(message.bytes.data(), message.bytes.size(), entry)) return;
     log_.add_profile(entry);
     if constexpr (std::is_same_v<Profile, InstallationProfile>) scorer_.add(entry, entry.request.apply_at_ns);
+  };
+}
+
+/// The answers of the app under test, single or in blocks: they go to one channel of the log either way.
+void LoggerOnBus::add_nav_channels(app::Context& context) {
+  Channel& singles = add_channel(context, dds::topics::nav(), Writers::Anybody);
+  singles.on_message = [this](const Message& message) {
+    NavSolution solution;
+    if (!wire::decode(message.bytes.data(), message.bytes.size(), solution)) return;
+    scorer_.add(solution, message.received_realtime_ns);
+  };
+  Channel& blocks = add_reader<Block<NavSolution>>(context, dds::topics::block(dds::topics::nav()), Writers::Anybody);
+  blocks.take = [this, &singles](const Message& message) {
+    Block<NavSolution> block;
+    if (!wire::decode(message.bytes.data(), message.bytes.size(), block)) return;
+    Message single{message.channel, {}, message.received_realtime_ns, message.sender};
+    for (const NavSolution& solution : block.samples) {
+      wire::encode(solution, single.bytes);
+      singles.take(single);
+    }
   };
 }
 

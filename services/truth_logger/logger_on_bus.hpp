@@ -81,6 +81,7 @@ class LoggerOnBus {
   void repeat_credits();
   template <class Profile>
   void add_profile_channels(app::Context& context);
+  void add_nav_channels(app::Context& context);
   void add_vehicle_channels(app::Context& context);
   void add_control_channels(app::Context& context);
 

@@ -31,6 +31,7 @@ struct Options {
   std::uint32_t domain = 90;
   int swaps = 0;
   double lockstep_s = 0.0;
+  bool solutions = false;
   int readers = 1;          // of a child process: those the bare writer waits for
   std::string body;         // of a child process: what it does
   std::string result_file;  // of a child process
@@ -124,29 +125,48 @@ void measure(const Options& options, double rate_hz, const std::string& transpor
   print(rate_hz, transport, rows);
 }
 
-/// Lockstep: sim seconds a second of the whole set, of the set whose models copy bytes, and with the example client as
-/// the app under test.
+/// The reference navigation app live: from the publishing of an IMU sample to the receipt of its solution, two hops and
+/// the filter between them.
+void measure_solutions(const Options& options, const std::string& folder) {
+  for (const double rate_hz : options.rates_hz) {
+    bench::ChainSettings settings{rate_hz, options.duration_s, "udp", options.domain, folder};
+    settings.nav_app = bench::NavApp::Reference;
+    std::vector<double> p50, p99;
+    for (int i = 0; i < options.repetitions; ++i) {
+      const std::vector<double> waits = bench::run_chain(settings).solution_s;
+      if (waits.empty()) throw std::runtime_error("the app aligned until the end: it needs more --seconds");
+      p50.push_back(quantile(waits, 0.5));
+      p99.push_back(quantile(waits, 0.99));
+    }
+    std::printf("IMU sample to receipt of its NavSolution, %.0f Hz, medians of %d: p50 %.3f ms, p99 %.3f ms\n", rate_hz,
+                options.repetitions, 1e3 * median(p50), 1e3 * median(p99));
+  }
+}
+
+/// Lockstep: sim seconds a second of the whole set, of the set whose models copy bytes, and with the reference
+/// navigation app or the example client as the app under test.
 void measure_lockstep(const Options& options, const std::string& folder) {
   bench::ChainSettings settings{200.0, options.lockstep_s, "udp", options.domain, folder};
   settings.lockstep = true;
-  std::vector<double> chain, copying, on_singles, on_blocks, over_copying;
+  std::vector<double> chain, copying, reference, on_singles, on_blocks, over_copying;
   for (int i = 0; i < options.repetitions; ++i) {
-    const auto speed = [&](bool copies, bool app, bool reads_blocks = false) {
+    const auto speed = [&](bool copies, bench::NavApp app) {
       settings.copying = copies;
       settings.nav_app = app;
-      settings.nav_app_reads_blocks = reads_blocks;
       return options.lockstep_s / bench::run_chain(settings).wall_s;
     };
-    copying.push_back(speed(true, false));
-    chain.push_back(speed(false, false));
+    copying.push_back(speed(true, bench::NavApp::None));
+    chain.push_back(speed(false, bench::NavApp::None));
     over_copying.push_back(chain.back() / copying.back());
-    on_blocks.push_back(speed(false, true, true));
-    on_singles.push_back(speed(false, true));
+    reference.push_back(speed(false, bench::NavApp::Reference));
+    on_blocks.push_back(speed(false, bench::NavApp::ClientOnBlocks));
+    on_singles.push_back(speed(false, bench::NavApp::ClientOnSingles));
   }
   std::printf("lockstep, %.0f s of sim time at 200 Hz, medians of %d\n", options.lockstep_s, options.repetitions);
   std::printf("  models that copy bytes          %6.0f x real time\n", median(copying));
   std::printf("  the whole set                   %6.0f x real time   %.2f of the copying one (%.2f to %.2f)\n",
               median(chain), median(over_copying), quantile(over_copying, 0.0), quantile(over_copying, 1.0));
+  std::printf("  and the reference nav app       %6.0f x real time\n", median(reference));
   std::printf("  and a nav app that reads blocks %6.0f x real time\n", median(on_blocks));
   std::printf("  and a nav app on single samples %6.0f x real time\n", median(on_singles));
 }
@@ -189,6 +209,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 100'000));
   app.add_option("--lockstep", options.lockstep_s, "instead: how fast lockstep is over this much sim time, s")
       ->check(CLI::Range(10.0, 1e5));
+  app.add_flag("--solutions", options.solutions, "instead: how long the reference navigation app takes, live");
   app.add_option("--body", options.body, "what a process of the bench does itself")->group("");
   app.add_option("--readers", options.readers)->group("");
   app.add_option("--result", options.result_file)->group("");
@@ -199,7 +220,8 @@ int main(int argc, char** argv) {
     std::filesystem::create_directories(folder);
     if (options.swaps > 0) measure_swaps(options, folder.string());
     if (options.lockstep_s > 0.0) measure_lockstep(options, folder.string());
-    if (options.swaps > 0 || options.lockstep_s > 0.0) options.transports.clear();
+    if (options.solutions) measure_solutions(options, folder.string());
+    if (options.swaps > 0 || options.lockstep_s > 0.0 || options.solutions) options.transports.clear();
     for (const std::string& transport : options.transports) {
       for (const double rate_hz : options.rates_hz) measure(options, rate_hz, transport, folder.string());
     }

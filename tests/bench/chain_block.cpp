@@ -10,6 +10,7 @@
 #include "app/service_names.hpp"
 #include "io/mcap_reader.hpp"
 #include "samples/imu_sample.hpp"
+#include "samples/nav_solution.hpp"
 #include "samples/service_status.hpp"
 #include "samples/truth_state.hpp"
 #include "scenario/load.hpp"
@@ -30,7 +31,9 @@ std::string write_scenario(const ChainSettings& settings) {
   json.erase("swaps");
   // A hiccup of the machine belongs into the figures, not to end the run.
   json["clock"] = {{"max_lag_ms", 1000.0}, {"mode", settings.lockstep ? "lockstep" : "real_time"}};
-  if (settings.nav_app) {
+  if (settings.nav_app == NavApp::Reference) {
+    json["reference_nav"] = {{"parameters", INSLAB_SOURCE_DIR "/config/nav/demo_car.json"}};
+  } else if (settings.nav_app != NavApp::None) {
     json["require_nav_app"] = true;
     json["require_subscribers"] = {{{"topic", "inslab/imu/0"}}, {{"topic", "inslab/gnss/0"}}};
   }
@@ -81,14 +84,25 @@ void read_latencies(const std::string& log_file, ChainBlock& block) {
   block.wall_s = 1e-9 * static_cast<double>(truth.rbegin()->second.publish_realtime_ns -
                                             truth.begin()->second.publish_realtime_ns);
   constexpr std::int64_t kWarmUp_ns = 500'000'000;
+  std::map<std::uint64_t, std::int64_t> imu_published_ns;  // CLOCK_REALTIME, by sequence number
   log.for_each([&](const io::mcap::Message& message) {
     if (topics[message.channel_id] != wire::topic_names::imu(0)) return true;
     const StreamHeader imu = decoded<ImuSample>(message).header;
+    imu_published_ns[imu.sequence_number] = imu.publish_realtime_ns;
     if (imu.sim_time_ns < kWarmUp_ns) return true;
     const StreamHeader& cause = truth.at(imu.sim_time_ns);
     block.one_hop_s.push_back(1e-9 * static_cast<double>(imu.publish_monotonic_ns - cause.publish_monotonic_ns));
     block.two_hops_s.push_back(
         1e-9 * static_cast<double>(static_cast<std::int64_t>(message.log_time_ns) - cause.publish_realtime_ns));
+    return true;
+  });
+  log.for_each([&](const io::mcap::Message& message) {
+    if (topics[message.channel_id] != wire::topic_names::kNav) return true;
+    const auto solution = decoded<NavSolution>(message);
+    // While it aligns the filter has nothing to do.
+    if (solution.mode != NavMode::Navigating) return true;
+    block.solution_s.push_back(1e-9 * static_cast<double>(static_cast<std::int64_t>(message.log_time_ns) -
+                                                          imu_published_ns.at(solution.imu_sequence)));
     return true;
   });
 }
@@ -104,7 +118,7 @@ ChainServices::ChainServices(const ChainSettings& settings) {
     std::vector<std::string> arguments = common;
     if (service == app::kTruthLogger) {
       arguments.insert(arguments.end(), {"--log", settings.folder + "/chain.mcap"});
-    } else {
+    } else if (service != app::kReferenceNav) {
       arguments.insert(arguments.end(), {"--sensor", std::to_string(sensor)});
     }
     const bool copies = settings.copying && service != app::kTruthLogger;
@@ -112,11 +126,12 @@ ChainServices::ChainServices(const ChainSettings& settings) {
     processes_.push_back(std::make_unique<Process>(copies ? "bench_copying_service" : service, arguments));
   }
   processes_.push_back(std::make_unique<Process>(app::kTrajectoryServer, common));
-  if (settings.nav_app) {
+  if (settings.nav_app == NavApp::ClientOnBlocks || settings.nav_app == NavApp::ClientOnSingles) {
     setenv("FASTRTPS_DEFAULT_PROFILES_FILE", INSLAB_SOURCE_DIR "/config/dds/loopback.xml", 1);
     nav_app_ = std::make_unique<Process>(
-        "fastdds_nav_client", std::vector<std::string>{"--domain", std::to_string(settings.domain), "--seconds", "600",
-                                                       "--blocks", settings.nav_app_reads_blocks ? "1" : "0"});
+        "fastdds_nav_client",
+        std::vector<std::string>{"--domain", std::to_string(settings.domain), "--seconds", "600", "--blocks",
+                                 settings.nav_app == NavApp::ClientOnBlocks ? "1" : "0"});
     unsetenv("FASTRTPS_DEFAULT_PROFILES_FILE");
   }
 }

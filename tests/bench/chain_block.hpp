@@ -10,6 +10,9 @@
 /// A short run of the real services, one process each, and what their log says of its latencies.
 namespace inslab::bench {
 
+/// The app under test. In lockstep it paces the run.
+enum class NavApp { None, Reference, ClientOnBlocks, ClientOnSingles };
+
 struct ChainSettings {
   double rate_hz = 200.0;  ///< of truth and IMU
   double duration_s = 5.0;
@@ -18,12 +21,12 @@ struct ChainSettings {
   std::string folder;     ///< for the scenario and the log
   bool copying = false;   ///< injector and emulator copy bytes instead of modelling sensors
   bool lockstep = false;  ///< as fast as the consumers follow, instead of in real time
-  bool nav_app = false;   ///< lockstep: with the example client as the app under test, which paces the run
-  bool nav_app_reads_blocks = false;
+  NavApp nav_app = NavApp::None;
 };
 
 struct ChainBlock {
   std::vector<double> one_hop_s;   ///< publish time of an ImuSample less that of the TruthState of its instant
+  std::vector<double> solution_s;  ///< receipt of a NavSolution by the logger less publish time of its ImuSample
   std::vector<double> two_hops_s;  ///< receipt of an ImuSample by the logger less publish time of that TruthState
   /// Median from the publish time of truth to its receipt, in the callback, as each of its readers reports it.
   std::map<std::string, double> truth_receipt_p50_s;

@@ -1,0 +1,19 @@
+#include "services/reference_nav/app_setup.hpp"
+
+#include "config/json_reader.hpp"
+#include "services/reference_nav/matching_parameters.hpp"
+
+namespace inslab::reference_nav {
+
+NavigationParameters read_parameters(const std::string& file) { return config::read_file<NavigationParameters>(file); }
+
+AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app) {
+  const scenario::LoadedImu& imu = scenario.imu_number(app.imu);
+  const scenario::LoadedGnss& gnss = scenario.gnss_number(app.gnss);
+  if (!app.parameters.empty()) {
+    return {read_parameters((scenario.file.parent_path() / app.parameters).string()), scenario.gravity()};
+  }
+  return {matching_parameters(imu.errors, imu.nominal_installation, gnss.nominal_installation), scenario.gravity()};
+}
+
+}  // namespace inslab::reference_nav

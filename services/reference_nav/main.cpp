@@ -1,0 +1,12 @@
+#include "app/service_names.hpp"
+#include "services/reference_nav/navigator_on_bus.hpp"
+
+int main(int argc, char** argv) {
+  using namespace inslab;
+  return app::run_service(app::kReferenceNav, "Navigates by one IMU and one GNSS receiver", {false, false}, argc, argv,
+                          [](app::Context& context) {
+                            // Without the key: beside a run whose barrier does not wait for it.
+                            const auto& app = context.scenario().scenario.reference_nav;
+                            return reference_nav::NavigatorOnBus(context, app.value_or(scenario::ReferenceNav{})).run();
+                          });
+}

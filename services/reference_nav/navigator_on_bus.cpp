@@ -1,0 +1,187 @@
+#include "services/reference_nav/navigator_on_bus.hpp"
+
+#include "app/exit_code.hpp"
+#include "app/service_names.hpp"
+#include "app/shutdown.hpp"
+#include "services/reference_nav/app_setup.hpp"
+
+namespace inslab::reference_nav {
+
+using app::monotonic_now;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+namespace {
+
+/// Solutions in a message, in lockstep.
+constexpr std::size_t kBlockSolutions = 32;
+
+Navigator navigator_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app) {
+  const AppSetup setup = setup_for(scenario, app);
+  return Navigator(setup.parameters, setup.gravity);
+}
+
+}  // namespace
+
+NavigatorOnBus::NavigatorOnBus(app::Context& context, const scenario::ReferenceNav& app)
+    : app_(app),
+      truth_period_(context.scenario().truth_rate.period()),
+      navigator_(navigator_for(context.scenario(), app)),
+      sent_(dds::topics::nav().name, StreamDirection::Out),
+      board_(context.participant(), context.service(), 0,
+             [this](ServiceStatus& status) {
+               status.streams = {imu_.status(), gnss_.status(), sent_.status()};
+               status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
+             }),
+      solutions_(context.participant(), dds::topics::nav()),
+      blocks_(context.participant(), dds::topics::block(dds::topics::nav())),
+      imu_(context, dds::topics::imu(app.imu, 1.0 / context.scenario().imu_number(app.imu).rate.period_s()),
+           [this](app::Arrived<ImuSample> arrived) { mailbox_.put(std::move(arrived)); }),
+      gnss_(context, dds::topics::gnss(app.gnss, 1.0 / context.scenario().gnss_number(app.gnss).rate.period_s()),
+            [this](app::Arrived<GnssFix> arrived) { mailbox_.put(std::move(arrived)); }),
+      credits_(context.participant(), dds::topics::credit(),
+               [this](const Credit& credit, const dds::SampleOrigin&) {
+                 const bool of_our_receiver =
+                     credit.consumer == app::kGnssEmulator && credit.consumer_number == app_.gnss;
+                 if (of_our_receiver && credit.topic == dds::topics::truth().name) mailbox_.put(credit);
+               }),
+      service_status_(context.participant(), dds::topics::service_status(),
+                      [this](const ServiceStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }),
+      sim_status_(context.participant(), dds::topics::sim_status(),
+                  [this](const SimStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }) {}
+
+void NavigatorOnBus::handle(const Message& message) {
+  std::visit([this](const auto& what) { handle(what); }, message);
+}
+
+void NavigatorOnBus::handle(const app::Arrived<ImuSample>& arrived) {
+  imu_.add(arrived);
+  while (const auto sample = imu_.take()) navigator_.add(*sample);
+}
+
+void NavigatorOnBus::handle(const app::Arrived<GnssFix>& arrived) {
+  gnss_.add(arrived);
+  while (const auto fix = gnss_.take()) {
+    navigator_.add(*fix);
+    next_fix_ = fix->header.sequence_number + 1;
+  }
+}
+
+void NavigatorOnBus::handle(const SimStatus& status) {
+  // Once a run has begun this process serves no other.
+  if (status.run_id != run_id_ && run_began_) return;
+  if (status.run_id != run_id_) {
+    run_id_ = status.run_id;
+    lockstep_ = status.clock == ClockMode::Lockstep;
+    navigator_.fixes_complete_up_to(lockstep_ ? -1 : Navigator::kEver);
+    board_.set_run(run_id_);
+    imu_.begin_run(run_id_, status.clock);
+    gnss_.begin_run(run_id_, status.clock);
+  }
+  run_began_ = run_began_ || next_imu_ > 0 || status.state != RunState::Waiting;
+  if (!has_ended(status.state) || run_ended_) return;
+  run_ended_ = true;
+  run_ended_at_ = monotonic_now();
+  if (status.state == RunState::Fault) fault_ = status.message;
+}
+
+/// What the sensors' services say when they have done.
+void NavigatorOnBus::handle(const ServiceStatus& status) {
+  if (status.run_id != run_id_ || (status.state != ServiceState::Finished && status.state != ServiceState::Fault)) {
+    return;
+  }
+  if (status.service == app::kGnssEmulator && status.sensor_number == app_.gnss) {
+    navigator_.fixes_complete_up_to(Navigator::kEver);
+  }
+  if (status.service != app::kImuInjector || status.sensor_number != app_.imu) return;
+  for (const StreamStatus& stream : status.streams) {
+    if (stream.topic == imu_.topic() && stream.direction == StreamDirection::Out) imu_sent_ = stream.samples;
+  }
+}
+
+/// The emulator has done with the truth before this credit, and this service has every fix that came of it.
+void NavigatorOnBus::handle(const Credit& credit) {
+  if (!lockstep_ || credit.run_id != run_id_ || credit.next_sequence == 0) return;
+  navigator_.fixes_complete_up_to(static_cast<std::int64_t>(credit.next_sequence - 1) * truth_period_.count());
+}
+
+void NavigatorOnBus::navigate() {
+  while (const auto step = navigator_.step()) {
+    board_.enter(ServiceState::Running);
+    next_imu_ = step->imu_sequence + 1;
+    if (step->solution) publish(*step->solution);
+  }
+  flush_block();
+  if (const std::string& why = navigator_.filter().alignment_refusal(); why != refusal_) {
+    refusal_ = why;
+    spdlog::warn("aligns anew: {}", why);
+  }
+}
+
+void NavigatorOnBus::publish(const NavSolution& solution) {
+  sent_.sent();
+  if (!lockstep_) {
+    if (!solutions_.write(solution)) spdlog::warn("a solution could not be sent");
+    return;
+  }
+  gathered_.samples.push_back(solution);
+  if (gathered_.samples.size() == kBlockSolutions) flush_block();
+}
+
+void NavigatorOnBus::flush_block() {
+  if (gathered_.samples.empty()) return;
+  if (!blocks_.write(gathered_)) spdlog::warn("a block of solutions could not be sent");
+  gathered_.samples.clear();
+}
+
+/// What this service waits for before it is ready; empty when nothing.
+std::string NavigatorOnBus::missing() const {
+  if (sim_status_.matched_writers() == 0) return "waits for the trajectory server";
+  if (!imu_.matched()) return "waits for a writer of " + imu_.topic();
+  if (!gnss_.matched()) return "waits for a writer of " + gnss_.topic();
+  return solutions_.matched_readers() > 0 && blocks_.matched_readers() > 0 ? "" : "waits for a reader of inslab/nav";
+}
+
+bool NavigatorOnBus::finished() const {
+  if (!run_ended_) return false;
+  // What has not come some seconds after the end will not come.
+  return (imu_sent_ && next_imu_ >= *imu_sent_) || monotonic_now() - run_ended_at_ > seconds(5);
+}
+
+int NavigatorOnBus::run() {
+  while (!app::shutdown_requested() && !finished()) {
+    if (const auto message = mailbox_.take(milliseconds(50))) handle(*message);
+    navigate();
+    imu_.tick(next_imu_);
+    gnss_.tick(next_fix_);
+    if (board_.state() == ServiceState::Starting) {
+      const std::string waits_for = missing();
+      board_.enter(waits_for.empty() ? ServiceState::Ready : ServiceState::Starting, waits_for);
+    }
+    board_.tick();
+  }
+  return end();
+}
+
+int NavigatorOnBus::end() {
+  const auto& counts = navigator_.filter().counts();
+  spdlog::info("{} solutions; fixes not used {}, too old {}; IMU samples not valid {}, gaps {}; begun anew {} times",
+               sent_.samples(), counts.fixes_not_used, counts.fixes_too_old, counts.imu_not_valid, counts.imu_gaps,
+               counts.restarts);
+  solutions_.wait_for_acknowledgments(seconds(2));
+  blocks_.wait_for_acknowledgments(seconds(2));
+  const bool by_signal = app::shutdown_requested() && !run_ended_;
+  std::string failure;
+  if (!fault_.empty()) {
+    failure = "the run ended as a fault: " + fault_;
+  } else if (!by_signal && (!imu_sent_ || next_imu_ < *imu_sent_)) {
+    failure = "IMU samples are missing";
+  }
+  if (!failure.empty()) spdlog::error("{}", failure);
+  board_.enter(failure.empty() ? ServiceState::Finished : ServiceState::Fault,
+               by_signal ? "ended by a signal" : failure);
+  board_.flush(seconds(2));
+  return failure.empty() ? app::kOk : app::kFailed;
+}
+
+}  // namespace inslab::reference_nav
