@@ -11,6 +11,7 @@
 #include "services/inslab/report_files.hpp"
 #include "services/inslab/run_summary.hpp"
 #include "services/inslab/score_log.hpp"
+#include "services/reference_nav/app_setup.hpp"
 
 namespace inslab::cli {
 
@@ -18,6 +19,7 @@ namespace {
 
 int run(RunOptions options, const std::string& junit) {
   const scenario::LoadedScenario loaded = scenario::load(options.scenario);
+  if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
   if (options.log_file.empty()) {
     options.log_file = "runs/" + loaded.scenario.name + "-" + app::utc_text(app::realtime_now()) + ".mcap";
   }

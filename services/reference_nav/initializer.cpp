@@ -18,7 +18,19 @@ Vector21 initial_sigmas(const NavigationParameters& p) {
 Initializer::Initializer(const NavigationParameters& parameters, const nav::Gravity& gravity)
     : parameters_(parameters), gravity_(gravity) {}
 
-void Initializer::restart() {
+void Initializer::add(const GnssFix& fix) {
+  fix_ = fix;
+  const double sigma_m_per_s = fix.velocity_sigma_ned_m_per_s.maxCoeff();
+  if (parameters_.initial.attitude == InitialAttitude::Given || sigma_m_per_s <= 0.0) return;
+  constexpr double kSurely = 5.0;  // standard deviations
+  if (fix.v_n.norm() > parameters_.zero_velocity.speed_m_per_s + kSurely * sigma_m_per_s) {
+    refuse("the receiver says that it moves; alignment needs rest");
+  }
+}
+
+/// Begins the alignment anew.
+void Initializer::refuse(const std::string& reason) {
+  refusal_ = reason;
   span_s_ = count_ = 0.0;
   dtheta_sum_ = dv_sum_ = f_sum_ = f_squares_ = Vector3::Zero();
 }
@@ -36,8 +48,7 @@ std::optional<Matrix3> Initializer::attitude() {
                          ? nav::levelled(means, rpy_rad.z(), gravity_m_per_s2, {})
                          : nav::coarse_alignment(means, fix_->latitude_rad, gravity_m_per_s2, {});
   if (const auto* reason = std::get_if<std::string>(&found)) {
-    refusal_ = *reason;
-    restart();
+    refuse(*reason);
     return std::nullopt;
   }
   return std::get<Matrix3>(found);

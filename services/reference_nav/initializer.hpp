@@ -25,8 +25,9 @@ class Initializer {
  public:
   Initializer(const NavigationParameters& parameters, const nav::Gravity& gravity);
 
-  /// Keeps the newest fix.
-  void add(const GnssFix& fix) { fix_ = fix; }
+  /// Keeps the newest fix. One that says that the antenna moves begins the alignment anew: the forces of a steady turn
+  /// look like a tilt.
+  void add(const GnssFix& fix);
 
   /// Takes a valid sample; the beginning, at its end, once there is one. When the IMU moved during the alignment, or
   /// its gyros do not feel the Earth, begins the alignment anew and keeps the reason.
@@ -37,7 +38,7 @@ class Initializer {
 
  private:
   std::optional<Matrix3> attitude();
-  void restart();
+  void refuse(const std::string& reason);
 
   NavigationParameters parameters_;
   nav::Gravity gravity_;

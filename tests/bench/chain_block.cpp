@@ -28,7 +28,7 @@ std::string write_scenario(const ChainSettings& settings) {
   json["duration_s"] = settings.duration_s;
   json["truth_rate_hz"] = settings.rate_hz;
   json["imu"][0]["rate_hz"] = settings.rate_hz;
-  json.erase("swaps");
+  for (const char* key : {"swaps", "reference_nav", "acceptance"}) json.erase(key);
   // A hiccup of the machine belongs into the figures, not to end the run.
   json["clock"] = {{"max_lag_ms", 1000.0}, {"mode", settings.lockstep ? "lockstep" : "real_time"}};
   if (settings.nav_app == NavApp::Reference) {

@@ -89,6 +89,17 @@ TestFolder::~TestFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
+std::vector<pid_t> children_named(pid_t parent, const std::string& program) {
+  std::ifstream list("/proc/" + std::to_string(parent) + "/task/" + std::to_string(parent) + "/children");
+  std::vector<pid_t> found;
+  for (pid_t pid = 0; list >> pid;) {
+    std::string command;
+    std::getline(std::ifstream("/proc/" + std::to_string(pid) + "/cmdline"), command, '\0');
+    if (command == program) found.push_back(pid);
+  }
+  return found;
+}
+
 std::string own_domain() { return std::to_string(20 + getpid() % 180); }
 
 std::string source(const std::string& path) { return std::string(INSLAB_SOURCE_DIR) + "/" + path; }

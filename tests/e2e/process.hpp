@@ -55,6 +55,9 @@ class TestFolder {
 /// A DDS domain of this test process's own, so that tests do not hear each other.
 std::string own_domain();
 
+/// The processes that `parent` has started and that run a program of this name.
+std::vector<pid_t> children_named(pid_t parent, const std::string& program);
+
 /// Path of a file in the product's sources.
 std::string source(const std::string& path);
 

@@ -18,20 +18,9 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using testing::HasSubstr;
+using testing::Not;
 
 using Names = std::vector<std::string>;
-
-/// The processes that `parent` has started and that run a program of this name.
-std::vector<pid_t> children_named(pid_t parent, const std::string& program) {
-  std::ifstream list("/proc/" + std::to_string(parent) + "/task/" + std::to_string(parent) + "/children");
-  std::vector<pid_t> found;
-  for (pid_t pid = 0; list >> pid;) {
-    std::string command;
-    std::getline(std::ifstream("/proc/" + std::to_string(pid) + "/cmdline"), command, '\0');
-    if (command == program) found.push_back(pid);
-  }
-  return found;
-}
 
 class Recovery : public testing::Test {
  protected:
@@ -191,6 +180,22 @@ TEST_F(Recovery, AServiceThatComesTooLateAndKnowsNothingSaysSo) {
   gnss = service("inslab-gnss-emulator", "recovery_long");
   EXPECT_EQ(gnss->wait(seconds(60)), 1) << gnss->output();
   EXPECT_THAT(gnss->output(), HasSubstr("cannot be had: there is no checkpoint of this run to go on from"));
+}
+
+/// It is lost after that, since it aligns only at rest. But it answers again, and nothing of the rest is missing.
+TEST_F(Recovery, AKilledReferenceNavigationAppAnswersAgainInLockstepToo) {
+  Process run("inslab",
+              {"run", scenario("reference_nav_long"), "--domain", own_domain(), "--log", log_, "--clock", "lockstep"});
+  ASSERT_TRUE(reaches(30.0)) << run.output();
+  kill_child(run, "inslab-reference-nav");
+  constexpr int kNotAccepted = 4;
+  EXPECT_EQ(run.wait(seconds(120)), kNotAccepted) << run.output();
+  EXPECT_THAT(run.output(), HasSubstr("inslab-reference-nav was ended by signal 9 and started again"));
+  EXPECT_THAT(run.output(), Not(HasSubstr("FAILED:")));
+  const auto solutions = samples_of_kind<NavSolution>(log_, "inslab/nav");
+  ASSERT_FALSE(solutions.empty());
+  EXPECT_EQ(solutions.back().imu_sequence, 59'999u);
+  EXPECT_EQ(solutions.back().mode, NavMode::Aligning);
 }
 
 }  // namespace

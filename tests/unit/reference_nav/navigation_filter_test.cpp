@@ -284,6 +284,22 @@ TEST(NavigationFilter, AlignsAtRestAndThenNavigates) {
   EXPECT_LT(nav::angle_between(solution->q_n_body, still.state().q_nb), 1e-9);
 }
 
+TEST(NavigationFilter, DoesNotLevelItselfInASteadyTurn) {
+  // 4 m/s at 0.1 rad/s press sideways with 0.4 m/s^2, as steadily as a tilt of 2 deg would.
+  NavigationParameters p;
+  p.initial.attitude = InitialAttitude::Levelled;
+  p.initial.alignment_s = 2.0;
+  Circling turning(4.0, 0.1);
+  NavigationFilter filter(p, kGravity);
+  std::optional<NavSolution> solution;
+  for (int k = 0; k < 2000; ++k) {
+    solution = filter.add(turning.next());
+    if (is_fix_time(turning)) filter.add(turning.fix());
+  }
+  EXPECT_EQ(solution->mode, NavMode::Aligning);
+  EXPECT_NE(filter.alignment_refusal().find("the receiver says that it moves"), std::string::npos);
+}
+
 TEST(NavigationFilter, RestHoldsTheVelocityThroughAnOutage) {
   // An unmodelled accelerometer error of 100 mGal: 30 s free would be 0.03 m/s and 0.45 m.
   const auto drift_m = [](bool use) {
