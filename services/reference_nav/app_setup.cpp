@@ -1,11 +1,9 @@
 #include "services/reference_nav/app_setup.hpp"
 
-#include "config/json_reader.hpp"
 #include "services/reference_nav/matching_parameters.hpp"
+#include "services/reference_nav/parameters_file.hpp"
 
 namespace inslab::reference_nav {
-
-NavigationParameters read_parameters(const std::string& file) { return config::read_file<NavigationParameters>(file); }
 
 AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app) {
   const scenario::LoadedImu& imu = scenario.imu_number(app.imu);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "scenario/load.hpp"
 #include "services/reference_nav/parameters.hpp"
 
@@ -16,8 +14,5 @@ struct AppSetup {
 /// For the sensors of a scenario: from the scenario's file of parameters, or those that match the sensors' profiles as
 /// the app is told they are mounted. Throws config::Error when the scenario lacks a sensor, or the file is not good.
 AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app);
-
-/// The parameters of a file. Throws config::Error.
-NavigationParameters read_parameters(const std::string& file);
 
 }  // namespace inslab::reference_nav
