@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "io/number_line.hpp"
 #include "samples/units.hpp"
 
 namespace inslab::io {
@@ -18,7 +17,7 @@ void GnssTextWriter::write(const GnssTextRecord& record) {
 bool GnssTextReader::next(GnssTextRecord& record) {
   std::array<double, 7> n{};
   if (!next_numbers(lines_, n)) return false;
-  record = {seconds_of_week(lines_, n[0]), {n[1] * units::kDeg, n[2] * units::kDeg, n[3]}, {n[4], n[5], n[6]}};
+  record = {time_.of_line(lines_, n[0]), {n[1] * units::kDeg, n[2] * units::kDeg, n[3]}, {n[4], n[5], n[6]}};
   try {
     nav::check_domain(record.position);
   } catch (const std::domain_error& error) {

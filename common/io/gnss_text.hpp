@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/text_lines.hpp"
+#include "io/number_line.hpp"
 #include "io/text_writer.hpp"
 #include "nav/geodesy.hpp"
 #include "time/gps_time.hpp"
@@ -34,11 +34,13 @@ class GnssTextReader {
   /// Throws ReadError when the file cannot be opened.
   explicit GnssTextReader(const std::string& path) : lines_(path) {}
   /// The next record; false at the end. Throws ReadError, naming file, line and what was expected, for a line that is
-  /// not 7 finite numbers, seconds outside a week, or a position outside the valid domain.
+  /// not 7 finite numbers, seconds outside a week or not after those of the line before, or a position outside
+  /// the valid domain.
   bool next(GnssTextRecord& record);
 
  private:
   TextLines lines_;
+  SecondsOfWeek time_;
 };
 
 }  // namespace inslab::io

@@ -1,7 +1,5 @@
 #include "io/imu_text.hpp"
 
-#include "io/number_line.hpp"
-
 namespace inslab::io {
 
 void ImuTextWriter::write(const ImuTextRecord& record) {
@@ -14,7 +12,7 @@ void ImuTextWriter::write(const ImuTextRecord& record) {
 bool ImuTextReader::next(ImuTextRecord& record) {
   std::array<double, 7> n{};
   if (!next_numbers(lines_, n)) return false;
-  record = {seconds_of_week(lines_, n[0]), {n[1], n[2], n[3]}, {n[4], n[5], n[6]}};
+  record = {time_.of_line(lines_, n[0]), {n[1], n[2], n[3]}, {n[4], n[5], n[6]}};
   return true;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/text_lines.hpp"
+#include "io/number_line.hpp"
 #include "io/text_writer.hpp"
 #include "nav/vectors.hpp"
 #include "time/gps_time.hpp"
@@ -34,11 +34,12 @@ class ImuTextReader {
   /// Throws ReadError when the file cannot be opened.
   explicit ImuTextReader(const std::string& path) : lines_(path) {}
   /// The next record; false at the end. Throws ReadError, naming file, line and column, for a line that is not 7 finite
-  /// numbers with the seconds in a week.
+  /// numbers with the seconds in a week and after those of the line before.
   bool next(ImuTextRecord& record);
 
  private:
   TextLines lines_;
+  SecondsOfWeek time_;
 };
 
 }  // namespace inslab::io

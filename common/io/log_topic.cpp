@@ -19,6 +19,13 @@ std::set<std::uint16_t> channels_of(const McapReader& log, const std::string& to
   return found;
 }
 
+std::set<std::uint16_t> needed_channels_of(const McapReader& log, const std::string& topic, std::string_view type) {
+  std::set<std::uint16_t> channels = channels_of(log, topic, type);
+  if (!channels.empty()) return channels;
+  throw ReadError(log.path() + ": has no topic " + topic + " of the type " + std::string(type) + "; it has " +
+                  topics_text(log));
+}
+
 std::string topics_text(const McapReader& log) {
   std::string text;
   for (const auto& [id, channel] : log.channels()) {

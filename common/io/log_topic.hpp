@@ -13,6 +13,9 @@ namespace inslab::io {
 /// The channels of a topic whose samples are of the named type; empty when the log has none.
 std::set<std::uint16_t> channels_of(const McapReader& log, const std::string& topic, std::string_view type);
 
+/// The same. Throws ReadError, saying what the log has, when it has none.
+std::set<std::uint16_t> needed_channels_of(const McapReader& log, const std::string& topic, std::string_view type);
+
 /// The topics of a log with their types, for messages: "inslab/truth (inslab::TruthState), ...".
 std::string topics_text(const McapReader& log);
 
@@ -21,11 +24,7 @@ std::string topics_text(const McapReader& log);
 /// count is returned. Throws ReadError, also when the log has no such topic of this type.
 template <class T, class Visit>
 std::uint64_t for_each_sample(const McapReader& log, const std::string& topic, Visit visit) {
-  const std::set<std::uint16_t> channels = channels_of(log, topic, wire::WireType<T>::name);
-  if (channels.empty()) {
-    throw ReadError(log.path() + ": has no topic " + topic + " of the type " + std::string(wire::WireType<T>::name) +
-                    "; it has " + topics_text(log));
-  }
+  const std::set<std::uint16_t> channels = needed_channels_of(log, topic, wire::WireType<T>::name);
   std::uint64_t number = 0;
   std::uint64_t unreadable = 0;
   T sample;

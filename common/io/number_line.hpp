@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "io/error.hpp"
@@ -37,13 +38,26 @@ bool next_numbers(TextLines& lines, std::array<double, N>& numbers) {
   return false;
 }
 
-/// Seconds of week as nanoseconds. Throws ReadError when they do not lie in a week.
-inline time::Nanoseconds seconds_of_week(const TextLines& lines, double seconds) {
-  if (!(seconds >= 0.0 && seconds <= 604800.0)) {
-    throw ReadError(lines.path() + ": line " + std::to_string(lines.number()) +
-                    ", column 1: expected seconds of week from 0 to 604800");
+/// The seconds of week that lines begin with, as nanoseconds.
+class SecondsOfWeek {
+ public:
+  /// Throws ReadError when they do not lie in a week, or not after those of the line before.
+  time::Nanoseconds of_line(const TextLines& lines, double seconds) {
+    const std::string place = lines.path() + ": line " + std::to_string(lines.number()) + ", column 1: ";
+    if (!(seconds >= 0.0 && seconds <= 604800.0)) {
+      throw ReadError(place + "expected seconds of week from 0 to 604800");
+    }
+    const time::Nanoseconds in_week = time::from_seconds(seconds);
+    if (last_ && in_week <= *last_) {
+      throw ReadError(place + "is " + std::to_string(seconds) + " after " + std::to_string(time::to_seconds(*last_)) +
+                      "; expected time to go on");
+    }
+    last_ = in_week;
+    return in_week;
   }
-  return time::from_seconds(seconds);
-}
+
+ private:
+  std::optional<time::Nanoseconds> last_;
+};
 
 }  // namespace inslab::io

@@ -38,6 +38,7 @@ std::optional<double> figure_of_the_run(const Scorer& scorer, Metric metric) {
   const SolutionCounts& counts = scorer.counts();
   const Quantiles& latency = scorer.latency_s();
   if (counts.received == 0) return std::nullopt;
+  if (scenario::is_latency(metric) && !scorer.why_no_latency().empty()) return std::nullopt;
   switch (metric) {
     case Metric::OutageDriftRms:
       return drift(scorer, &OutageDrift::horizontal_m, false);
@@ -140,6 +141,7 @@ std::vector<Verdict> judge(const Scorer& scorer, const std::vector<scenario::Acc
     } else if (!scenario::is_of_the_run(limit.metric)) {
       verdict.why = not_covered(scorer, phase);
     }
+    if (verdict.why.empty() && scenario::is_latency(limit.metric)) verdict.why = scorer.why_no_latency();
     if (verdict.why.empty() && !verdict.value) verdict.why = "there is no such figure";
     if (verdict.why.empty() && limit.at_most && !(*verdict.value <= *limit.at_most)) {
       verdict.why = number(*verdict.value) + " is above " + number(*limit.at_most);

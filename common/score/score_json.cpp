@@ -46,7 +46,8 @@ Json score_json(const Scorer& scorer, const std::vector<Verdict>& verdicts) {
              {"too_many", counts.too_many},
              {"gaps", scorer.gaps()},
              {"latencies", scorer.latency_s().count()},
-             {"negative_latencies", scorer.negative_latencies()}};
+             {"negative_latencies", scorer.negative_latencies()},
+             {"why_no_latency", scorer.why_no_latency()}};
   for (std::size_t i = 0; i < counts.modes.size(); ++i) {
     score["modes"][std::string(EnumNames<NavMode>::values[i])] = counts.modes[i];
   }

@@ -12,6 +12,18 @@ using scenario::Metric;
 
 std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : "-"; }
 
+std::string latency_text(const Scorer& scorer) {
+  if (!scorer.why_no_latency().empty()) return "  latency: not judged, " + scorer.why_no_latency() + "\n";
+  const auto of = [&](Metric metric) { return shown(figure(scorer, metric, {})); };
+  std::string text = fmt::format("  latency (IMU sample sent to solution received): p50 {}, p99 {}, max {} ms\n",
+                                 of(Metric::LatencyP50), of(Metric::LatencyP99), of(Metric::LatencyMax));
+  if (scorer.negative_latencies() > 0) {
+    text +=
+        fmt::format("  {} latencies are negative: the hosts' clocks are unsynchronised\n", scorer.negative_latencies());
+  }
+  return text;
+}
+
 std::string counts_text(const Scorer& scorer) {
   const SolutionCounts& counts = scorer.counts();
   const auto of = [&](Metric metric) { return shown(figure(scorer, metric, {})); };
@@ -27,13 +39,7 @@ std::string counts_text(const Scorer& scorer) {
   }
   text += fmt::format("  first solution at {} s; {} Hz; longest gap {} s, {} gaps\n", of(Metric::TimeToFirstSolution),
                       of(Metric::Rate), of(Metric::LongestGap), scorer.gaps());
-  text += fmt::format("  latency (IMU sample sent to solution received): p50 {}, p99 {}, max {} ms\n",
-                      of(Metric::LatencyP50), of(Metric::LatencyP99), of(Metric::LatencyMax));
-  if (scorer.negative_latencies() > 0) {
-    text +=
-        fmt::format("  {} latencies are negative: the hosts' clocks are unsynchronised\n", scorer.negative_latencies());
-  }
-  return text;
+  return text + latency_text(scorer);
 }
 
 std::string phases_text(const Scorer& scorer) {

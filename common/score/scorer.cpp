@@ -31,13 +31,21 @@ bool is_sound(const NavSolution& solution) {
          std::abs(solution.q_n_body.norm() - 1.0) < 1e-3;
 }
 
+/// The sensor of this number, or the first; null when there is none.
+template <class Sensor>
+const Sensor* chosen(const std::vector<Sensor>& sensors, const std::optional<std::uint32_t>& number) {
+  const auto found = std::find_if(sensors.begin(), sensors.end(),
+                                  [&](const Sensor& sensor) { return !number || sensor.number == *number; });
+  return found == sensors.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 Scorer::Scorer(const scenario::Scenario& scenario, Options options) : options_(std::move(options)) {
-  if (!scenario.imu.empty()) imu_ = SensorAddress{SensorKind::Imu, scenario.imu.front().number};
-  if (!scenario.gnss.empty()) {
-    gnss_ = SensorAddress{SensorKind::Gnss, scenario.gnss.front().number};
-    gnss_period_ns_ = std::llround(1e9 / scenario.gnss.front().rate_hz);
+  if (const auto* imu = chosen(scenario.imu, options_.imu_number)) imu_ = SensorAddress{SensorKind::Imu, imu->number};
+  if (const auto* gnss = chosen(scenario.gnss, options_.gnss_number)) {
+    gnss_ = SensorAddress{SensorKind::Gnss, gnss->number};
+    gnss_period_ns_ = std::llround(1e9 / gnss->rate_hz);
   }
   for (const scenario::AcceptanceLimit& line : scenario.acceptance) {
     if (std::find(after_s_.begin(), after_s_.end(), line.after_s) == after_s_.end()) after_s_.push_back(line.after_s);
@@ -143,7 +151,7 @@ const Scorer::Sent* Scorer::named_by(const NavSolution& solution) const {
 }
 
 void Scorer::note_latency(const Sent& sample, std::int64_t received_realtime_ns) {
-  if (sample.publish_realtime_ns == 0) return;
+  if (sample.publish_realtime_ns == 0 || received_realtime_ns == 0) return;
   const std::int64_t latency_ns = received_realtime_ns - sample.publish_realtime_ns;
   if (latency_ns < 0) {
     ++negative_latencies_;

@@ -58,14 +58,20 @@ struct ScoredSolution {
   const SolutionError& error;
 };
 
+/// What Scorer::without_latency() is told of a run in lockstep.
+inline constexpr const char* kLockstepHasNoLatency = "the run was in lockstep, where the clock waits for the app";
+
 /// Judges the solutions of one navigation app against the truth, as both come. docs/scoring.md defines every figure.
 ///
 /// Truth, fixes and solutions come in any order among each other, each stream in its own. A solution waits until the
-/// truth has gone on by the window, so that fixes and late solutions of its time are there; memory is bounded. The IMU
-/// and the antenna are the scenario's first. The journal's installation swaps move them.
+/// truth has gone on by the window, so that fixes and late solutions of its time are there; memory is bounded. The
+/// journal's installation swaps move the IMU and the antenna.
 class Scorer {
  public:
   struct Options {
+    /// The IMU and the receiver of the app; absent: the scenario's first.
+    std::optional<std::uint32_t> imu_number{};
+    std::optional<std::uint32_t> gnss_number{};
     /// Samples of the truth that are kept for late solutions, twice as many as lockstep lets the truth run ahead.
     std::size_t window = 4096;
     /// A solution valid further than this before or after the IMU sample it names is stale, or of the future.
@@ -83,7 +89,7 @@ class Scorer {
   /// Where a sensor sits after `apply_at_ns`; -1: from the start. Sensors that no solution refers to are passed over.
   void add(const InstallationProfile& installation, std::int64_t apply_at_ns);
   void add(const TruthState& truth);
-  /// Fixes of other receivers than the first are passed over, as are samples of other IMUs.
+  /// Fixes of other receivers and samples of other IMUs than the app's are passed over.
   void add(const GnssFix& fix);
   void add(const ImuSample& imu);
   /// `received_realtime_ns`: CLOCK_REALTIME of reception.
@@ -91,11 +97,15 @@ class Scorer {
   /// Nothing more comes: judges what waits. Solutions later than the newest truth count as future.
   void finish();
 
+  /// The run has no latency to judge, for this reason ("the run was in lockstep").
+  void without_latency(const std::string& why) { why_no_latency_ = why; }
+
   const SolutionCounts& counts() const { return counts_; }
   const std::map<PhaseKey, ErrorStatistics>& phases() const { return phases_; }
   const std::vector<OutageDrift>& outages() const { return outages_; }
   /// Seconds from an IMU sample's publish time to reception of the solution that names it as its newest.
   const Quantiles& latency_s() const { return latency_s_; }
+  const std::string& why_no_latency() const { return why_no_latency_; }     ///< empty: there may be one
   std::uint64_t negative_latencies() const { return negative_latencies_; }  ///< hosts whose clocks do not agree
   std::optional<double> rate_hz() const;
   double longest_gap_s() const { return longest_gap_s_; }
@@ -155,6 +165,7 @@ class Scorer {
   std::vector<OutageDrift> outages_;
   Quantiles latency_s_;
   std::uint64_t negative_latencies_ = 0;
+  std::string why_no_latency_;
   std::optional<std::int64_t> last_received_ns_;  ///< validity of the newest in order
   std::optional<std::int64_t> last_scored_ns_;
   std::int64_t first_navigating_ns_ = 0;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "io/log_topic.hpp"
 #include "wire/cdr.hpp"
+#include "wire/topic_names.hpp"
 #include "wire/wire_type.hpp"
 
 namespace inslab::cli {
@@ -18,6 +20,26 @@ bool taken(const std::string& type, const io::mcap::Message& message, const Take
   return true;
 }
 
+/// Truth and fixes, which are what solutions are measured by.
+bool took_what_is_true(const std::string& type, const io::mcap::Message& message, score::Scorer& scorer) {
+  const auto add = [&scorer](const auto& sample) { scorer.add(sample); };
+  return taken<TruthState>(type, message, add) || taken<GnssFix>(type, message, add);
+}
+
+const std::string& type_of(const io::McapReader& log, const io::mcap::Message& message) {
+  return log.schemas().at(log.channels().at(message.channel_id).schema_id).name;
+}
+
+/// With the installations that the log says were in use.
+score::Scorer scorer_of(const LogSummary& summary, const score::Scorer::Options& options) {
+  score::Scorer scorer(summary.scenario, options);
+  for (const ProfileInUse& entry : summary.profiles) {
+    const auto* installation = std::get_if<InstallationProfile>(&entry.profile);
+    if (installation != nullptr) scorer.add(*installation, entry.apply_at_ns);
+  }
+  return scorer;
+}
+
 }  // namespace
 
 bool LogScore::accepted() const {
@@ -28,17 +50,16 @@ LogScore score_log(const io::McapReader& log, const LogSummary& summary,
                    const std::function<void(const score::ScoredSolution&)>& on_scored) {
   score::Scorer::Options options;
   options.on_scored = on_scored;
-  LogScore result{score::Scorer(summary.scenario, options), {}};
+  LogScore result{scorer_of(summary, options), {}};
   score::Scorer& scorer = result.scorer;
-  for (const ProfileInUse& entry : summary.profiles) {
-    const auto* installation = std::get_if<InstallationProfile>(&entry.profile);
-    if (installation != nullptr) scorer.add(*installation, entry.apply_at_ns);
+  if (summary.last_status && summary.last_status->clock == ClockMode::Lockstep) {
+    scorer.without_latency(score::kLockstepHasNoLatency);
   }
   log.for_each([&](const io::mcap::Message& message) {
-    const std::string& type = log.schemas().at(log.channels().at(message.channel_id).schema_id).name;
+    const std::string& type = type_of(log, message);
+    if (took_what_is_true(type, message, scorer)) return true;
     const auto add = [&scorer](const auto& sample) { scorer.add(sample); };
-    if (taken<TruthState>(type, message, add) || taken<ImuSample>(type, message, add)) return true;
-    if (taken<GnssFix>(type, message, add)) return true;
+    if (taken<ImuSample>(type, message, add)) return true;
     taken<NavSolution>(type, message, [&](const NavSolution& solution) {
       scorer.add(solution, static_cast<std::int64_t>(message.log_time_ns));
     });
@@ -46,6 +67,32 @@ LogScore score_log(const io::McapReader& log, const LogSummary& summary,
   });
   scorer.finish();
   result.verdicts = score::judge(scorer, summary.scenario.acceptance);
+  return result;
+}
+
+LogScore score_app(const io::McapReader& log, const LogSummary& summary, const OfflineApp& app) {
+  const auto imu = io::needed_channels_of(log, wire::topic_names::imu(app.imu_number), wire::WireType<ImuSample>::name);
+  score::Scorer::Options options;
+  options.imu_number = app.imu_number;
+  options.gnss_number = app.gnss_number;
+  LogScore result{scorer_of(summary, options), {}};
+  score::Scorer& scorer = result.scorer;
+  scorer.without_latency("the app ran on a log");
+  log.for_each(
+      [&](const io::mcap::Message& message) {
+        const std::string& type = type_of(log, message);
+        if (imu.count(message.channel_id) == 0) {
+          took_what_is_true(type, message, scorer);
+          return true;
+        }
+        taken<ImuSample>(type, message, [&](const ImuSample& sample) {
+          scorer.add(sample);
+          if (const auto solution = app.answer(sample)) scorer.add(*solution, 0);
+        });
+        return true;
+      },
+      io::McapReader::Order::LogTime);
+  scorer.finish();
   return result;
 }
 

@@ -19,4 +19,16 @@ struct LogScore {
 LogScore score_log(const io::McapReader& log, const LogSummary& summary,
                    const std::function<void(const score::ScoredSolution&)>& on_scored = {});
 
+/// An app that works on a log's samples, in place of the one that took part in the run.
+struct OfflineApp {
+  std::uint32_t imu_number = 0;
+  std::uint32_t gnss_number = 0;
+  /// Called with every sample of the IMU, in order of time; its solution at the sample's end, if it has one.
+  std::function<std::optional<NavSolution>(const ImuSample&)> answer;
+};
+
+/// Reads the log once and scores the app's answers. There is no latency and there are no verdicts. Throws
+/// io::ReadError, also when the log has no such IMU.
+LogScore score_app(const io::McapReader& log, const LogSummary& summary, const OfflineApp& app);
+
 }  // namespace inslab::cli

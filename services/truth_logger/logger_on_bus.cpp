@@ -356,6 +356,7 @@ int LoggerOnBus::run() {
 /// the log, which has it all, can be scored.
 void LoggerOnBus::add_score() {
   scorer_.finish();
+  if (clock_ == ClockMode::Lockstep) scorer_.without_latency(score::kLockstepHasNoLatency);
   if (interrupted_) return;
   const auto verdicts = score::judge(scorer_, context_.scenario().scenario.acceptance);
   log_.file().metadata("score", {{"json", score::score_json(scorer_, verdicts).dump(2)}});

@@ -1,0 +1,98 @@
+#include "services/inslab/navigate/offline_filter.hpp"
+
+#include "io/gnss_text.hpp"
+#include "io/imu_text.hpp"
+#include "io/log_topic.hpp"
+#include "wire/topic_names.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+/// A position of the 7-column text; it has no velocity, which a sigma of 0 says.
+GnssFix fix_of(const io::GnssTextRecord& record) {
+  GnssFix fix;
+  fix.header.sim_time_ns = record.in_week.count();
+  fix.available_sim_time_ns = fix.header.sim_time_ns;
+  fix.fix_type = FixType::Single;
+  fix.latitude_rad = record.position.latitude_rad;
+  fix.longitude_rad = record.position.longitude_rad;
+  fix.height_m = record.position.height_m;
+  fix.position_sigma_ned_m = record.sigma_ned_m;
+  return fix;
+}
+
+bool navigates(const NavSolution& solution) {
+  return solution.mode == NavMode::Navigating || solution.mode == NavMode::Coasting;
+}
+
+}  // namespace
+
+OfflineFilter::OfflineFilter(const FilterSetup& setup, std::vector<GnssFix> fixes)
+    : filter_(setup.parameters, setup.gravity), fixes_(std::move(fixes)) {}
+
+void OfflineFilter::start_at(const ImuTruth& truth) {
+  starts_at_ns_ = truth.header.sim_time_ns;
+  filter_.start({{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb}, *starts_at_ns_);
+}
+
+std::optional<NavSolution> OfflineFilter::take(const ImuSample& sample) {
+  const std::int64_t end_ns = sample.header.sim_time_ns;
+  if (starts_at_ns_ && end_ns <= *starts_at_ns_) return std::nullopt;
+  for (; next_fix_ < fixes_.size() && fixes_[next_fix_].header.sim_time_ns <= end_ns; ++next_fix_) {
+    filter_.add(fixes_[next_fix_]);
+  }
+  auto solution = filter_.add(sample);
+  return solution && navigates(*solution) ? solution : std::nullopt;
+}
+
+OfflineFilter filter_with_fixes_of(const io::McapReader& log, std::uint32_t gnss_number, const FilterSetup& setup) {
+  std::vector<GnssFix> fixes;
+  io::for_each_sample<GnssFix>(log, wire::topic_names::gnss(gnss_number), [&](const GnssFix& fix, std::uint64_t) {
+    fixes.push_back(fix);
+    return true;
+  });
+  return {setup, std::move(fixes)};
+}
+
+ImuTruth first_true_state(const io::McapReader& log, std::uint32_t imu_number) {
+  std::optional<ImuTruth> first;
+  const std::string topic = wire::topic_names::imu_truth(imu_number);
+  io::for_each_sample<ImuTruth>(log, topic, [&](const ImuTruth& truth, std::uint64_t) {
+    first = truth;
+    return false;
+  });
+  if (!first) throw io::ReadError(log.path() + ": " + topic + " is empty; expected a true state to start at");
+  return *first;
+}
+
+OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const FilterSetup& setup) {
+  std::vector<GnssFix> fixes;
+  io::GnssTextReader reader(gnss_text);
+  for (io::GnssTextRecord record; reader.next(record);) fixes.push_back(fix_of(record));
+  if (fixes.empty()) throw io::ReadError(gnss_text + ": has no fix; expected at least one line of 7 numbers");
+  return {setup, std::move(fixes)};
+}
+
+void for_each_text_sample(const std::string& imu_text, std::uint32_t gps_week,
+                          const std::function<void(const ImuSample&)>& visit) {
+  io::ImuTextReader reader(imu_text);
+  std::optional<time::Nanoseconds> before;
+  ImuSample sample;
+  for (io::ImuTextRecord record; reader.next(record); before = record.in_week) {
+    if (!before) continue;
+    sample.interval_ns = (record.in_week - *before).count();
+    sample.header.sim_time_ns = sample.header.gps_time_of_week_ns = record.in_week.count();
+    sample.available_sim_time_ns = sample.header.sim_time_ns;
+    sample.header.gps_week = gps_week;
+    sample.header.sequence_number += 1;
+    sample.dtheta_b = record.dtheta_b;
+    sample.dv_b = record.dv_b;
+    visit(sample);
+  }
+  if (sample.header.sequence_number == 0) {
+    throw io::ReadError(imu_text + ": has no interval; expected at least two lines of 7 numbers");
+  }
+}
+
+}  // namespace inslab::cli
