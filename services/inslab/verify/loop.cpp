@@ -1,15 +1,9 @@
 #include "services/inslab/verify/loop.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
-#include <utility>
 
-#include "config/error.hpp"
-#include "io/nav_text.hpp"
-#include "io/trajectory_reader.hpp"
 #include "services/imu_error_injector/model.hpp"
+#include "services/inslab/verify/written_rows.hpp"
 #include "services/trajectory_server/inverse_mechanization_model.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
 
@@ -19,29 +13,12 @@ namespace {
 
 const time::GpsTime kStart{2300, 0};
 
-/// A name for a file that is gone with this object.
-class PassingFile {
- public:
-  explicit PassingFile(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() / ("inslab_" + std::to_string(getpid()) + "_" + name + ".nav")) {}
-  PassingFile(const PassingFile&) = delete;
-  PassingFile& operator=(const PassingFile&) = delete;
-  ~PassingFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-void write(io::NavTextWriter& file, const TruthState& truth) {
+void write(WrittenRows& rows, const TruthState& truth) {
   io::TrajectoryRow row;
   row.position = {truth.latitude_rad, truth.longitude_rad, truth.height_m};
   row.v_n = truth.v_n;
   row.rpy = nav::rpy_from_quaternion(truth.q_nv);
-  file.write({truth.header.gps_week, truth.header.gps_time_of_week_ns}, row);
+  rows.add({truth.header.gps_week, truth.header.gps_time_of_week_ns}, row);
 }
 
 nav::NavState state_of(const TruthState& truth) {
@@ -57,19 +34,14 @@ imu::ImuModel perfect_imu(const nav::Gravity& gravity, const time::Rate& rate) {
 std::shared_ptr<const io::TrajectoryFile> rows_as_written(const scenario::Trajectory& trajectory,
                                                           const std::string& name, const time::Rate& rate,
                                                           time::Nanoseconds duration) {
-  const PassingFile passing(name);
-  io::NavTextWriter written(passing.path());
+  WrittenRows written(name);
   trajectory::MotionTableModel model(trajectory, rate, kStart);
   TruthState truth = model.current();
   write(written, truth);
   while (time::Nanoseconds(truth.header.sim_time_ns) + rate.period() <= std::min(duration, model.end())) {
     write(written, truth = model.advance());
   }
-  written.close();
-  io::TrajectoryReading reading = io::read_trajectory(passing.path());
-  if (!reading.problems.empty()) throw config::Error(passing.path(), reading.problems.kept().front());
-  reading.file.name = name;
-  return std::make_shared<const io::TrajectoryFile>(std::move(reading.file));
+  return written.read();
 }
 
 DeviationFigures close_loop(trajectory::TruthModel& truth, const nav::Gravity& gravity,

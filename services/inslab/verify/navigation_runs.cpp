@@ -18,12 +18,8 @@ namespace {
 
 namespace ref = reference_nav;
 
-GnssErrorProfile always_fixed_rtk() {
-  auto profile = catalogue_profile<GnssErrorProfile>("gnss/rtk");
-  profile.lesser_solutions.clear();
-  profile.latency_s = 0.0;
-  return profile;
-}
+constexpr const char* kImuPlace = "installation/imu_trunk";
+constexpr const char* kAntennaPlace = "installation/antenna_roof";
 
 nav::NavState state_of(const ImuTruth& truth) {
   return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb};
@@ -40,12 +36,18 @@ Eigen::Matrix<double, 9, 1> errors_of(const nav::NavState& estimate, const nav::
 /// A filter beside one IMU of the run, and its score.
 class Scored {
  public:
-  Scored(const NavigationSetup& setup, std::size_t index, const ref::NavigationParameters& parameters,
+  Scored(const NavigationSetup& setup, std::size_t imu, std::size_t shift, const ref::NavigationParameters& parameters,
          const nav::Gravity& gravity)
-      : setup_(setup),
+      : imu_index(imu),
+        shift_index(shift),
+        setup_(setup),
+        first_outage_s_(setup.first_outage_s + setup.shifts_s[shift]),
         parameters_(parameters),
         filter_(parameters, gravity),
-        draws_(setup.seed, "verify/navigation/" + std::to_string(index)) {}
+        draws_(setup.seed, "verify/navigation/" + std::to_string(imu)) {}
+
+  const std::size_t imu_index;
+  const std::size_t shift_index;
 
   void imu(const ImuSample& sample, const ImuTruth& truth) {
     if (!begun_) {
@@ -54,7 +56,7 @@ class Scored {
     }
     filter_.add(sample);
     score(sample.header.sim_time_ns, filter_.filter()->state(), state_of(truth));
-    if (setup_.nees_every_s > 0.0) consistency(sample.header.sim_time_ns, state_of(truth));
+    consistency(sample.header.sim_time_ns, state_of(truth));
   }
   void gnss(GnssFix fix) {
     if (!begun_) return;
@@ -66,13 +68,7 @@ class Scored {
       if (!result.position_accepted || (setup_.gnss_velocity && !result.velocity_accepted)) ++run_.rejected;
     }
   }
-  NavigationRun result() {
-    if (scored_ > 0) {
-      run_.attitude_rms_rad = (attitude_squares_ / static_cast<double>(scored_)).cwiseSqrt();
-      run_.horizontal_rms_m = std::sqrt(horizontal_squares_ / static_cast<double>(scored_));
-    }
-    return run_;
-  }
+  const NavigationRun& result() const { return run_; }
 
  private:
   /// Truth plus errors drawn from the filter's own initial covariance.
@@ -89,29 +85,27 @@ class Scored {
   }
 
   void score(std::int64_t time_ns, const nav::NavState& estimate, const nav::NavState& truth) {
-    const double t_s = static_cast<double>(time_ns) * 1e-9;
-    const bool has_outages = setup_.first_outage_s < setup_.duration_s;
-    if (has_outages && t_s < setup_.first_outage_s) return;
+    const double since_s = static_cast<double>(time_ns) * 1e-9 - first_outage_s_;
+    if (since_s < 0.0) return;
+    const auto outage = static_cast<std::size_t>(since_s / setup_.outage_spacing_s);
+    const double begin_s = static_cast<double>(outage) * setup_.outage_spacing_s;
+    const bool ends_in_the_run = first_outage_s_ + begin_s + kOutage_s <= setup_.duration_s;
+    if (since_s - begin_s >= kOutage_s || !ends_in_the_run) return;
+    if (run_.outages.size() <= outage) run_.outages.resize(outage + 1);
+    OutageDrift& drift = run_.outages[outage];
     const Vector3 error_m = nav::ned_from(truth.position, estimate.position);
+    drift.horizontal_m = std::max(drift.horizontal_m, error_m.head<2>().norm());
+    drift.vertical_m = std::max(drift.vertical_m, std::abs(error_m.z()));
     const nav::RollPitchYaw found = nav::rpy_from_quaternion(estimate.q_nb);
     const nav::RollPitchYaw true_rpy = nav::rpy_from_quaternion(truth.q_nb);
     const Vector3 angles(nav::wrapped_to_pi(found.roll_rad - true_rpy.roll_rad), found.pitch_rad - true_rpy.pitch_rad,
                          nav::wrapped_to_pi(found.yaw_rad - true_rpy.yaw_rad));
-    ++scored_;
-    attitude_squares_ += angles.cwiseAbs2();
-    horizontal_squares_ += error_m.head<2>().squaredNorm();
-    if (!has_outages) return;
-    const double since_s = t_s - setup_.first_outage_s;
-    const auto outage = static_cast<std::size_t>(since_s / kOutageSpacing_s);
-    if (since_s - static_cast<double>(outage) * kOutageSpacing_s >= kOutage_s) return;
-    if (run_.outages.size() <= outage) run_.outages.resize(outage + 1);
-    OutageDrift& drift = run_.outages[outage];
-    drift.horizontal_m = std::max(drift.horizontal_m, error_m.head<2>().norm());
-    drift.vertical_m = std::max(drift.vertical_m, std::abs(error_m.z()));
+    drift.attitude_rad = drift.attitude_rad.cwiseMax(angles.cwiseAbs());
   }
 
   void consistency(std::int64_t time_ns, const nav::NavState& truth) {
-    if (time_ns % static_cast<std::int64_t>(setup_.nees_every_s * 1e9) != 0) return;
+    const auto here = [time_ns](double at_s) { return time::from_seconds(at_s).count() == time_ns; };
+    if (std::none_of(setup_.nees_at_s.begin(), setup_.nees_at_s.end(), here)) return;
     ref::InertialFilter now = *filter_.filter();
     now.settle();
     const Eigen::Matrix<double, 9, 1> e = errors_of(now.state(), truth);
@@ -120,14 +114,12 @@ class Scored {
   }
 
   NavigationSetup setup_;
+  double first_outage_s_;
   ref::NavigationParameters parameters_;
   ref::NavigationFilter filter_;
   random::Stream draws_;
   bool begun_ = false;
   NavigationRun run_;
-  std::uint64_t scored_ = 0;
-  Vector3 attitude_squares_ = Vector3::Zero();
-  double horizontal_squares_ = 0.0;
 };
 
 class ScoringSink : public cli::RunSink {
@@ -137,10 +129,14 @@ class ScoringSink : public cli::RunSink {
   void journal(const AnyProfile&) override {}
   void truth(const TruthState&) override {}
   void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override {
-    filters[index].imu(sample, truth);
+    for (Scored& filter : filters) {
+      if (filter.imu_index == index) filter.imu(sample, truth);
+    }
   }
-  void gnss(std::size_t, const GnssFix& fix) override {
-    for (Scored& filter : filters) filter.gnss(fix);
+  void gnss(std::size_t index, const GnssFix& fix) override {
+    for (Scored& filter : filters) {
+      if (filter.shift_index == index) filter.gnss(fix);
+    }
   }
   void ack(const ProfileAck&) override {}
 };
@@ -149,64 +145,66 @@ class ScoringSink : public cli::RunSink {
 
 scenario::LoadedScenario navigation_scenario(const NavigationSetup& setup) {
   scenario::LoadedScenario loaded;
-  loaded.scenario = catalogue_scenario("vehicle");
+  loaded.scenario.name = "navigation";
+  loaded.scenario.start = {scenario::StartAt::GpsTime, 2446, 36000.0};
   loaded.scenario.seed = setup.seed;
   loaded.scenario.duration_s = setup.duration_s;
-  loaded.scenario.imu.clear();
-  loaded.scenario.gnss.clear();
-  loaded.scenario.swaps.clear();
-  loaded.truth_rate = time::Rate(loaded.scenario.truth_rate_hz);
-  loaded.truth_samples = 1 + static_cast<std::uint64_t>(setup.duration_s * loaded.scenario.truth_rate_hz);
-  if (setup.file) {
-    loaded.scenario.trajectory.source = scenario::TrajectorySource::File;
-    loaded.scenario.trajectory.segments.clear();
-    loaded.trajectory_file = setup.file;
-  }
-  for (const ImuErrorProfile& errors : setup.imus) {
+  loaded.scenario.truth_rate_hz = kImuRate_hz;
+  loaded.scenario.trajectory = setup.motion;
+  loaded.trajectory_file = setup.file;
+  loaded.truth_rate = time::Rate(kImuRate_hz);
+  loaded.truth_samples = 1 + static_cast<std::uint64_t>(setup.duration_s * kImuRate_hz);
+  for (const TestedImu& tested : setup.imus) {
     scenario::LoadedImu imu;
     imu.number = static_cast<std::uint32_t>(loaded.imus.size());
     imu.rate = loaded.truth_rate;
-    imu.errors = errors;
-    imu.installation = catalogue_profile<InstallationProfile>("installation/imu_trunk");
+    imu.errors = tested.errors;
+    imu.vibration = tested.vibration;
+    imu.installation = catalogue_profile<InstallationProfile>(kImuPlace);
     imu.errors.target = imu.vibration.target = imu.installation.target = {SensorKind::Imu, imu.number};
     loaded.imus.push_back(imu);
   }
-  scenario::LoadedGnss gnss;
-  gnss.rate = time::Rate(setup.gnss_rate_hz);
-  gnss.errors = always_fixed_rtk();
-  gnss.installation = catalogue_profile<InstallationProfile>("installation/antenna_roof");
-  gnss.errors.target = gnss.installation.target = {SensorKind::Gnss, 0};
-  if (setup.first_outage_s < setup.duration_s) {
-    gnss.outages.push_back({setup.first_outage_s, kOutage_s, kOutageSpacing_s});
+  for (const double shift_s : setup.shifts_s) {
+    scenario::LoadedGnss gnss;
+    gnss.number = static_cast<std::uint32_t>(loaded.gnss.size());
+    gnss.rate = time::Rate(setup.gnss_rate_hz);
+    gnss.errors = setup.gnss;
+    gnss.installation = catalogue_profile<InstallationProfile>(kAntennaPlace);
+    gnss.errors.target = gnss.installation.target = {SensorKind::Gnss, gnss.number};
+    if (setup.first_outage_s < setup.duration_s) {
+      gnss.outages.push_back({setup.first_outage_s + shift_s, kOutage_s, setup.outage_spacing_s});
+    }
+    loaded.gnss.push_back(gnss);
   }
-  loaded.gnss.push_back(gnss);
   return loaded;
+}
+
+ref::NavigationParameters filter_parameters(const NavigationSetup& setup, std::size_t imu) {
+  ref::NavigationParameters parameters =
+      ref::matching_parameters(setup.imus[imu].believed, catalogue_profile<InstallationProfile>(kImuPlace),
+                               catalogue_profile<InstallationProfile>(kAntennaPlace));
+  parameters.zero_velocity.use = setup.zero_velocity_updates;
+  parameters.max_latency_s = 0.0;
+  parameters.initial.position_sigma_ned_m = Vector3::Constant(0.05);
+  parameters.initial.velocity_sigma_ned_m_per_s = Vector3::Constant(0.05);
+  parameters.initial.attitude_sigma_ned_deg = Vector3(0.05, 0.05, 0.5);
+  return parameters;
 }
 
 std::vector<NavigationRun> navigate(const NavigationSetup& setup) {
   const scenario::LoadedScenario loaded = navigation_scenario(setup);
   ScoringSink sink;
   for (std::size_t i = 0; i < setup.imus.size(); ++i) {
-    ref::NavigationParameters parameters =
-        ref::matching_parameters(loaded.imus[i].errors, loaded.imus[i].installation, loaded.gnss.front().installation);
-    parameters.zero_velocity.use = setup.zero_velocity_updates;
-    parameters.max_latency_s = 0.0;
-    parameters.initial.position_sigma_ned_m = Vector3::Constant(0.05);
-    parameters.initial.velocity_sigma_ned_m_per_s = Vector3::Constant(0.05);
-    parameters.initial.attitude_sigma_ned_deg = Vector3(0.05, 0.05, 0.5);
-    sink.filters.emplace_back(setup, i, parameters, loaded.gravity());
+    for (std::size_t shift = 0; shift < setup.shifts_s.size(); ++shift) {
+      sink.filters.emplace_back(setup, i, shift, filter_parameters(setup, i), loaded.gravity());
+    }
   }
-  cli::OfflineRun run(loaded, {2446, 36000000000000}, RunId{}, sink);
+  cli::OfflineRun run(loaded, kNavigationStart, RunId{}, sink);
   while (run.step()) {
   }
   std::vector<NavigationRun> runs;
-  for (Scored& filter : sink.filters) runs.push_back(filter.result());
+  for (const Scored& filter : sink.filters) runs.push_back(filter.result());
   return runs;
-}
-
-std::shared_ptr<const io::TrajectoryFile> car_as_file(double duration_s) {
-  return rows_as_written(catalogue_scenario("vehicle").trajectory, "car", time::Rate(200.0),
-                         time::from_seconds(duration_s));
 }
 
 }  // namespace inslab::verify

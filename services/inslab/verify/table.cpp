@@ -7,6 +7,7 @@
 namespace inslab::verify {
 
 bool Table::held() const {
+  if (!judged) return true;
   return !rows.empty() && std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.held; });
 }
 
@@ -26,7 +27,9 @@ std::string to_text(const Table& table) {
     return text;
   };
   std::string text = table.title + "\n\n" + line(table.columns) + "\n";
-  for (const Row& row : table.rows) text += line(row.cells) + (row.held ? "  PASS\n" : "  FAIL\n");
+  for (const Row& row : table.rows) {
+    text += line(row.cells) + (!table.judged ? "\n" : row.held ? "  PASS\n" : "  FAIL\n");
+  }
   for (const std::string& note : table.notes) text += "\n" + note + "\n";
   return text;
 }

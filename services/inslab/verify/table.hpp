@@ -18,8 +18,9 @@ struct Table {
   std::vector<std::string> columns;
   std::vector<Row> rows;
   std::vector<std::string> notes;  ///< printed under the table: the reference used, what a column means
+  bool judged = true;              ///< false: figures to look at, no row passes or fails
 
-  /// Whether every row held; a table without rows has shown nothing.
+  /// Whether every row held; a judged table without rows has shown nothing.
   bool held() const;
 };
 

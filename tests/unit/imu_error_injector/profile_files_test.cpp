@@ -31,7 +31,8 @@ void check_files(const std::string& kind, const std::set<std::string>& expected)
 TEST(ProfileFiles, ImuProfilesAreValid) {
   check_files<ImuErrorProfile>(
       "imu", {"ideal", "pos830", "stim300", "adis16488", "mems_automotive", "grade_marine", "grade_aviation",
-              "grade_intermediate", "grade_tactical", "grade_automotive", "span100c", "every_term"});
+              "grade_intermediate", "grade_tactical", "grade_automotive", "span100c", "every_term", "pos830_thesis",
+              "stim300_thesis", "adis16488_thesis", "pos830_full", "stim300_full", "adis16488_full"});
 }
 
 TEST(ProfileFiles, VibrationProfilesAreValid) {
@@ -45,7 +46,8 @@ TEST(ProfileFiles, InstallationProfilesAreValid) {
 }
 
 TEST(ProfileFiles, GnssProfilesAreValid) {
-  check_files<GnssErrorProfile>("gnss", {"rtk", "ppp", "dgnss", "single_point", "degraded_urban"});
+  check_files<GnssErrorProfile>("gnss",
+                                {"rtk", "rtk_white", "rtk_coloured", "ppp", "dgnss", "single_point", "degraded_urban"});
 }
 
 /// Grows where a term is declared that the example leaves out.
