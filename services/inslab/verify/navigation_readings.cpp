@@ -59,6 +59,21 @@ void tell_more_noise(NavigationSetup& setup) {
   told.accel.scale_factor_gm_sigma_ppm.setConstant(300.0);
 }
 
+void go_beyond(NavigationSetup& setup) { setup = full_setup(setup.seed, MotionFrom::Parameters); }
+
+/// Beyond the thesis, with filters that know nothing of it.
+void tell_the_thesis(NavigationSetup& setup) {
+  const std::vector<TestedImu> thesis = setup.imus;
+  go_beyond(setup);
+  for (std::size_t i = 0; i < thesis.size(); ++i) setup.imus[i].believed = thesis[i].errors;
+}
+
+template <class Change>
+void go_beyond_without(NavigationSetup& setup, Change change) {
+  go_beyond(setup);
+  for (TestedImu& imu : setup.imus) change(imu.errors);
+}
+
 constexpr Reading kReadings[] = {
     {"as above", [](NavigationSetup&) {}},
     {"table 4-10 alone, no scale factors",
@@ -92,6 +107,32 @@ constexpr Reading kReadings[] = {
     {"zero-velocity updates", [](NavigationSetup& s) { s.zero_velocity_updates = true; }},
     {"town drive at first hand", [](NavigationSetup& s) { s.motion = town_drive(s.seed, 300.0, s.duration_s); }},
     {"pos830's filter told more noise", tell_more_noise},
+    {"beyond the thesis", go_beyond},
+    {"beyond, filters told the thesis's errors", tell_the_thesis},
+    {"beyond, RTK noise white, 0.03 m",
+     [](NavigationSetup& s) {
+       const GnssErrorProfile white = s.gnss;
+       go_beyond(s);
+       s.gnss = white;
+     }},
+    {"beyond, without vibration",
+     [](NavigationSetup& s) {
+       go_beyond(s);
+       for (TestedImu& imu : s.imus) imu.vibration = {};
+     }},
+    {"beyond, at 20 deg C",
+     [](NavigationSetup& s) { go_beyond_without(s, [](ImuErrorProfile& imu) { imu.temperature.clear(); }); }},
+    {"beyond, without flicker",
+     [](NavigationSetup& s) {
+       go_beyond_without(s, [](ImuErrorProfile& imu) {
+         imu.gyro.bias_instability_deg_per_h.setZero();
+         imu.accel.bias_instability_mgal.setZero();
+       });
+     }},
+    {"beyond, without g-sensitivity",
+     [](NavigationSetup& s) {
+       go_beyond_without(s, [](ImuErrorProfile& imu) { imu.gyro.g_sensitivity_deg_per_h_per_g.setZero(); });
+     }},
 };
 
 }  // namespace
