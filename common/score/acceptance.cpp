@@ -36,9 +36,9 @@ std::optional<double> scaled(const std::optional<double>& value, double factor) 
 
 std::optional<double> figure_of_the_run(const Scorer& scorer, Metric metric) {
   const SolutionCounts& counts = scorer.counts();
-  const Quantiles& latency = scorer.latency_s();
+  const Quantiles& latency = scorer.latency().seconds();
   if (counts.received == 0) return std::nullopt;
-  if (scenario::is_latency(metric) && !scorer.why_no_latency().empty()) return std::nullopt;
+  if (scenario::is_latency(metric) && !scorer.latency().why_none().empty()) return std::nullopt;
   switch (metric) {
     case Metric::OutageDriftRms:
       return drift(scorer, &OutageDrift::horizontal_m, false);
@@ -55,11 +55,11 @@ std::optional<double> figure_of_the_run(const Scorer& scorer, Metric metric) {
     case Metric::LatencyMax:
       return latency.count() == 0 ? std::nullopt : std::optional(latency.largest() * 1e3);
     case Metric::Rate:
-      return scorer.rate_hz();
+      return scorer.rhythm().rate_hz();
     case Metric::LongestGap:
-      return scorer.rate_hz() ? std::optional(scorer.longest_gap_s()) : std::nullopt;
+      return scorer.rhythm().longest_gap_s();
     case Metric::TimeToFirstSolution:
-      return scorer.first_solution_s();
+      return scorer.rhythm().first_solution_s();
     case Metric::Stale:
       return static_cast<double>(counts.stale);
     case Metric::Future:
@@ -141,7 +141,7 @@ std::vector<Verdict> judge(const Scorer& scorer, const std::vector<scenario::Acc
     } else if (!scenario::is_of_the_run(limit.metric)) {
       verdict.why = not_covered(scorer, phase);
     }
-    if (verdict.why.empty() && scenario::is_latency(limit.metric)) verdict.why = scorer.why_no_latency();
+    if (verdict.why.empty() && scenario::is_latency(limit.metric)) verdict.why = scorer.latency().why_none();
     if (verdict.why.empty() && !verdict.value) verdict.why = "there is no such figure";
     if (verdict.why.empty() && limit.at_most && !(*verdict.value <= *limit.at_most)) {
       verdict.why = number(*verdict.value) + " is above " + number(*limit.at_most);

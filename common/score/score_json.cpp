@@ -44,10 +44,10 @@ Json score_json(const Scorer& scorer, const std::vector<Verdict>& verdicts) {
   Json score{{"received", counts.received},
              {"scored", counts.scored},
              {"too_many", counts.too_many},
-             {"gaps", scorer.gaps()},
-             {"latencies", scorer.latency_s().count()},
-             {"negative_latencies", scorer.negative_latencies()},
-             {"why_no_latency", scorer.why_no_latency()}};
+             {"gaps", scorer.rhythm().gaps()},
+             {"latencies", scorer.latency().seconds().count()},
+             {"negative_latencies", scorer.latency().negative()},
+             {"why_no_latency", scorer.latency().why_none()}};
   for (std::size_t i = 0; i < counts.modes.size(); ++i) {
     score["modes"][std::string(EnumNames<NavMode>::values[i])] = counts.modes[i];
   }

@@ -13,13 +13,13 @@ using scenario::Metric;
 std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : "-"; }
 
 std::string latency_text(const Scorer& scorer) {
-  if (!scorer.why_no_latency().empty()) return "  latency: not judged, " + scorer.why_no_latency() + "\n";
+  if (!scorer.latency().why_none().empty()) return "  latency: not judged, " + scorer.latency().why_none() + "\n";
   const auto of = [&](Metric metric) { return shown(figure(scorer, metric, {})); };
   std::string text = fmt::format("  latency (IMU sample sent to solution received): p50 {}, p99 {}, max {} ms\n",
                                  of(Metric::LatencyP50), of(Metric::LatencyP99), of(Metric::LatencyMax));
-  if (scorer.negative_latencies() > 0) {
+  if (scorer.latency().negative() > 0) {
     text +=
-        fmt::format("  {} latencies are negative: the hosts' clocks are unsynchronised\n", scorer.negative_latencies());
+        fmt::format("  {} latencies are negative: the hosts' clocks are unsynchronised\n", scorer.latency().negative());
   }
   return text;
 }
@@ -38,7 +38,7 @@ std::string counts_text(const Scorer& scorer) {
                         i + 1 < counts.modes.size() ? "," : "\n");
   }
   text += fmt::format("  first solution at {} s; {} Hz; longest gap {} s, {} gaps\n", of(Metric::TimeToFirstSolution),
-                      of(Metric::Rate), of(Metric::LongestGap), scorer.gaps());
+                      of(Metric::Rate), of(Metric::LongestGap), scorer.rhythm().gaps());
   return text + latency_text(scorer);
 }
 

@@ -73,8 +73,8 @@ ReportPage report_page(const io::McapReader& log, const LogSummary& summary) {
     add_figure(page, curves.velocity(score, summary), how);
     add_figure(page, curves.attitude(score, summary), how);
   }
-  if (score.scorer.latency_s().count() > 0 && score.scorer.why_no_latency().empty()) {
-    add_figure(page, latency_picture(score.scorer.latency_s()), "Both times by CLOCK_REALTIME of their hosts.");
+  if (score.scorer.latency().seconds().count() > 0 && score.scorer.latency().why_none().empty()) {
+    add_figure(page, latency_picture(score.scorer.latency().seconds()), "Both times by CLOCK_REALTIME of their hosts.");
   }
   add_allan(page, log, summary);
   return page;

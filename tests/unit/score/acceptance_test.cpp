@@ -61,6 +61,43 @@ TEST(Acceptance, AFigureThatDoesNotExistFails) {
   EXPECT_FALSE(judged[0].passed);
 }
 
+TEST(Acceptance, ALatencyInLockstepIsNoneAndItsLineFailsSayingSo) {
+  Scorer scorer(scenario_with());
+  for (int k = 0; k <= 100; ++k) {
+    const double t_s = k * 0.01;
+    ImuSample imu;
+    imu.header.sequence_number = static_cast<std::uint64_t>(k) + 1;
+    stamp(imu.header, t_s);
+    imu.header.publish_realtime_ns = ns(1000.0 + t_s);
+    scorer.add(imu);
+    scorer.add(standing(t_s));
+    NavSolution solution = solution_at(standing(t_s), Vector3::Zero());
+    solution.imu_sequence = imu.header.sequence_number;
+    scorer.add(solution, ns(1000.001 + t_s));
+  }
+  scorer.finish();
+  const std::vector<AcceptanceLimit> line{at_most(Metric::LatencyMax, 5.0)};
+  EXPECT_TRUE(judge(scorer, line)[0].passed);
+  scorer.without_latency(kLockstepHasNoLatency);
+  EXPECT_FALSE(judge(scorer, line)[0].passed);
+  EXPECT_THAT(score_text(scorer, judge(scorer, line)),
+              HasSubstr("FAIL  latency_max_ms, at most 5: - (the run was in lockstep"));
+}
+
+TEST(Acceptance, AnAppThatFallsSilentFailsTheLinesOfItsGapAndOfItsErrors) {
+  const std::vector<AcceptanceLimit> lines{at_most(Metric::LongestGap, 1.0), at_most(Metric::HorizontalRms, 1.1)};
+  Scorer scorer(scenario_with(lines));
+  for (int k = 0; k <= 1000; ++k) {
+    const TruthState truth = standing(k * 0.01);
+    scorer.add(truth);
+    if (k <= 600) scorer.add(solution_at(truth, Vector3(1.0, 0.0, 0.0)), 0);
+  }
+  scorer.finish();
+  const auto judged = judge(scorer, lines);
+  EXPECT_EQ(judged[0].why, "4 is above 1");
+  EXPECT_EQ(judged[1].why, "solutions cover 7 s of 10 s");
+}
+
 TEST(Acceptance, JUnitSaysWhichLinesFailedAndWhy) {
   const std::string xml =
       junit_xml("a <run>", verdicts({at_most(Metric::HorizontalRms, 1.1), at_most(Metric::HorizontalMax, 0.5)}, 0.0));

@@ -30,21 +30,6 @@ void add_fix(Scorer& scorer, double t_s, FixType type) {
   scorer.add(fix);
 }
 
-TEST(Scorer, AConstantErrorIsItsOwnMeanRmsAndQuantile) {
-  Scorer scorer(scenario_with());
-  run(scorer, 2.0, [](const TruthState&) { return Vector3(3.0, -4.0, 2.0); });
-  const ErrorStatistics& all = scorer.phases().at({});
-  EXPECT_EQ(all.count(), 201u);
-  EXPECT_LT((all.position().mean(201) - Vector3(3.0, -4.0, 2.0)).norm(), 1e-8);
-  EXPECT_NEAR(*in_all(scorer, Metric::HorizontalRms), 5.0, 1e-8);
-  EXPECT_NEAR(*in_all(scorer, Metric::HorizontalMax), 5.0, 1e-8);
-  EXPECT_NEAR(*in_all(scorer, Metric::Cep50), 5.0, 0.025);  // half a bin of 1 %
-  EXPECT_NEAR(*in_all(scorer, Metric::Vertical95), 2.0, 0.01);
-  EXPECT_NEAR(*in_all(scorer, Metric::PositionNees), 29.0, 1e-6);  // 9 + 16 + 4, sigmas of 1
-  EXPECT_NEAR(*in_all(scorer, Metric::Rate), 100.0, 1e-9);
-  EXPECT_EQ(*in_all(scorer, Metric::TimeToFirstSolution), 0.0);
-}
-
 TEST(Scorer, CepAndNeesOfNormalErrorsAreThoseOfTheirDistributions) {
   Scorer scorer(scenario_with());
   std::mt19937_64 engine(7);
@@ -136,8 +121,90 @@ TEST(Scorer, CountsWhatCannotBeScoredAndScoresTheRest) {
   EXPECT_EQ(counts.future, 1u);
   EXPECT_EQ(counts.non_finite, 1u);
   EXPECT_EQ(counts.modes[static_cast<std::size_t>(NavMode::Aligning)], 1u);
-  EXPECT_EQ(scorer.gaps(), 1u);
-  EXPECT_DOUBLE_EQ(scorer.longest_gap_s(), 1.0);
+}
+
+// An absurd time, without the name of an IMU sample, 40 s ahead: the honest solutions after it are scored.
+TEST(Scorer, ASingleSolutionOfTheFutureSpoilsNone) {
+  Scorer scorer(scenario_with());
+  for (int k = 0; k <= 6000; ++k) {
+    const TruthState truth = standing(k * 0.01);
+    scorer.add(truth);
+    if (k == 100) scorer.add(solution_at(standing(41.0), Vector3(1000.0, 0.0, 0.0)), 0);
+    scorer.add(solution_at(truth, Vector3(1.0, 0.0, 0.0)), 0);
+  }
+  scorer.finish();
+  EXPECT_EQ(scorer.counts().future, 1u);
+  EXPECT_EQ(scorer.counts().scored, 6001u);
+  EXPECT_NEAR(*in_all(scorer, Metric::HorizontalMax), 1.0, 1e-8);
+}
+
+TEST(Scorer, ASolutionMoreThanASecondFromTheImuSampleItNamesIsStaleOrOfTheFuture) {
+  Scorer scorer(scenario_with());
+  for (int k = 0; k <= 500; ++k) scorer.add(standing(k * 0.01));
+  ImuSample imu;
+  imu.header.sequence_number = 7;
+  imu.header.sim_time_ns = ns(2.5);
+  scorer.add(imu);
+  for (const double t_s : {1.49, 1.5, 3.5, 3.51}) {
+    NavSolution solution = solution_at(standing(t_s), Vector3::Zero());
+    solution.imu_sequence = 7;
+    scorer.add(solution, 0);
+  }
+  scorer.finish();
+  EXPECT_EQ(scorer.counts().stale, 1u);
+  EXPECT_EQ(scorer.counts().future, 1u);
+  EXPECT_EQ(scorer.counts().scored, 2u);
+}
+
+TEST(Scorer, ASolutionBeforeTheTruthThatIsKeptIsStale) {
+  Scorer::Options options;
+  options.window = 10;
+  Scorer scorer(scenario_with(), options);
+  for (int k = 0; k <= 100; ++k) scorer.add(standing(k * 0.01));
+  scorer.add(solution_at(standing(0.5), Vector3::Zero()), 0);
+  scorer.add(solution_at(standing(0.95), Vector3::Zero()), 0);
+  scorer.finish();
+  EXPECT_EQ(scorer.counts().stale, 1u);
+  EXPECT_EQ(scorer.counts().scored, 1u);
+}
+
+TEST(Scorer, CountsWhatIsNotFiniteOrNowhere) {
+  Scorer scorer(scenario_with());
+  for (int k = 0; k <= 100; ++k) scorer.add(standing(k * 0.01));
+  const auto add = [&](const std::function<void(NavSolution&)>& spoil) {
+    NavSolution solution = solution_at(standing(0.5), Vector3::Zero());
+    spoil(solution);
+    scorer.add(solution, 0);
+  };
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  add([](NavSolution& s) { s.latitude_rad = kNan; });
+  add([](NavSolution& s) { s.longitude_rad = kInf; });
+  add([](NavSolution& s) { s.height_m = 2e5; });
+  add([](NavSolution& s) { s.latitude_rad = 1.6; });
+  add([](NavSolution& s) { s.v_n.z() = -kInf; });
+  add([](NavSolution& s) { s.q_n_body.x() = kNan; });
+  add([](NavSolution& s) { s.q_n_body.coeffs() *= 1.1; });
+  add([](NavSolution& s) { s.gps_time_of_week_ns = -1; });
+  add([](NavSolution& s) { s.gps_week = 4'000'000'000; });
+  scorer.finish();
+  EXPECT_EQ(scorer.counts().non_finite, 9u);
+  EXPECT_EQ(scorer.counts().scored, 0u);
+}
+
+// 100 Hz from 1 s on, silent from 2 to 2.6 s, and again from 3 s to the end at 4 s.
+TEST(Scorer, SilenceBetweenSolutionsAndAfterTheLastIsAGap) {
+  Scorer scorer(scenario_with());
+  for (int k = 0; k <= 400; ++k) {
+    const TruthState truth = standing(k * 0.01);
+    scorer.add(truth);
+    if ((k >= 100 && k <= 200) || (k >= 260 && k <= 300)) scorer.add(solution_at(truth, Vector3::Zero()), 0);
+  }
+  scorer.finish();
+  EXPECT_EQ(*in_all(scorer, Metric::TimeToFirstSolution), 1.0);
+  EXPECT_DOUBLE_EQ(*in_all(scorer, Metric::LongestGap), 1.0);
+  EXPECT_EQ(scorer.rhythm().gaps(), 2u);
+  EXPECT_DOUBLE_EQ(*in_all(scorer, Metric::Rate), 141.0 / 2.0);  // 142 solutions in 2 s
 }
 
 TEST(Scorer, ASolutionThatComesBeforeItsTruthWaits) {
@@ -170,6 +237,25 @@ TEST(Scorer, LatencyIsFromTheSendingOfTheImuSampleThatASolutionNames) {
   scorer.finish();
   EXPECT_NEAR(*in_all(scorer, Metric::LatencyP50), 2.0, 0.01);
   EXPECT_NEAR(*in_all(scorer, Metric::LatencyMax), 20.0, 1e-3);
+  scorer.without_latency("the run was in lockstep");
+  EXPECT_FALSE(in_all(scorer, Metric::LatencyP50));
+}
+
+TEST(Latency, OfASolutionThatCameBeforeItsImuSampleWasSentIsCountedApart) {
+  Latency latency;
+  ImuSample imu;
+  imu.header.sequence_number = 1;
+  imu.header.publish_realtime_ns = ns(1000.0);
+  latency.add(imu);
+  NavSolution solution;
+  solution.imu_sequence = 1;
+  latency.note(*latency.named_by(solution), ns(999.9));
+  EXPECT_EQ(latency.negative(), 1u);
+  EXPECT_EQ(latency.seconds().count(), 0u);
+  latency.note(*latency.named_by(solution), ns(1000.25));
+  EXPECT_EQ(latency.seconds().largest(), 0.25);
+  solution.imu_sequence = 2;
+  EXPECT_EQ(latency.named_by(solution), nullptr);
 }
 
 TEST(Scorer, SwapsPartTheRun) {
