@@ -11,7 +11,7 @@
 #include "services/inslab/navigate/offline_filter.hpp"
 #include "services/inslab/navigate/result_files.hpp"
 #include "services/inslab/score_log.hpp"
-#include "services/reference_nav/matching_parameters.hpp"
+#include "services/reference_nav/app_setup.hpp"
 #include "services/reference_nav/parameters_file.hpp"
 #include "wire/topic_names.hpp"
 
@@ -31,15 +31,15 @@ struct NavigateOptions {
   bool start_at_truth = false;
 };
 
-/// From a file of parameters, or those that match the scenario's sensors as the app is told they are mounted.
-FilterSetup setup_of(const NavigateOptions& options) {
-  FilterSetup setup;
+/// A file of parameters; else what the scenario says its app is told, or what matches its sensors.
+reference_nav::AppSetup setup_of(const NavigateOptions& options) {
+  reference_nav::AppSetup setup;
   if (!options.scenario.empty()) {
     const scenario::LoadedScenario loaded = scenario::load(options.scenario, {}, scenario::TrajectoryRows::LeaveOut);
-    const scenario::LoadedImu& imu = loaded.imu_number(options.imu_number);
-    setup.parameters = reference_nav::matching_parameters(imu.errors, imu.nominal_installation,
-                                                          loaded.gnss_number(options.gnss_number).nominal_installation);
-    setup.gravity = loaded.gravity();
+    scenario::ReferenceNav app = loaded.scenario.reference_nav.value_or(scenario::ReferenceNav{});
+    app.imu = options.imu_number;
+    app.gnss = options.gnss_number;
+    setup = reference_nav::setup_for(loaded, app);
   }
   if (!options.parameters.empty()) setup.parameters = reference_nav::read_parameters(options.parameters);
   return setup;
@@ -80,6 +80,8 @@ int navigate_log(const NavigateOptions& options) {
 
 int navigate_files(const NavigateOptions& options) {
   OfflineFilter filter = filter_with_fixes_of(options.gnss_file, setup_of(options));
+  for_each_text_sample(options.imu_file, options.gps_week,
+                       [](const ImuSample&) {});  // a bad line leaves no half result
   ResultFiles files(options.output);
   for_each_text_sample(options.imu_file, options.gps_week, [&](const ImuSample& sample) {
     if (const auto solution = filter.take(sample)) files.write(*solution);
@@ -113,8 +115,9 @@ void add_navigate(CLI::App& app, std::function<int()>& action) {
   imu->needs(gnss)->excludes(log);
   gnss->needs(imu)->excludes(log);
   command->add_option("--parameters", options->parameters, "what the filter believes (config/nav)");
-  command->add_option("--scenario", options->scenario,
-                      "parameters that match this scenario's sensors; its gravity, with --parameters too");
+  command->add_option(
+      "--scenario", options->scenario,
+      "what this scenario's app is told, or parameters that match its sensors; with --parameters its gravity");
   command->add_option("--imu-number", options->imu_number, "of a log: inslab/imu/N")->capture_default_str();
   command->add_option("--gnss-number", options->gnss_number, "of a log: inslab/gnss/N")->capture_default_str();
   command->add_option("--week", options->gps_week, "of text files, which do not say it")->capture_default_str();

@@ -113,7 +113,9 @@ Transition InertialFilter::transition() const {
   const Matrix3 C_nb = sums_.C_nb_dt / dt_s;
   t.attitude_noise = C_nb * (dt_s * noise_.gyro_density).asDiagonal() * C_nb.transpose() + sums_.attitude_noise;
   t.velocity_noise = C_nb * (dt_s * noise_.accel_density).asDiagonal() * C_nb.transpose() + sums_.velocity_noise;
-  t.sensor_noise = noise_.sigma.cwiseAbs2().array() * (1.0 - t.sensor_decay.array().square());
+  // Half comes in before the decay and half after it; together they are sigma^2 (1 - decay^2).
+  const Eigen::Array<double, 12, 1> decay_squared = t.sensor_decay.array().square();
+  t.sensor_noise = 2.0 * noise_.sigma.cwiseAbs2().array() * (1.0 - decay_squared) / (1.0 + decay_squared);
   return t;
 }
 

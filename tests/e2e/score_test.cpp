@@ -70,10 +70,30 @@ TEST(Score, AnAppThatMissesALimitFailsTheRunAndTheLogSaysTheSame) {
 
 TEST(Score, AMissingAppFailsTheRun) {
   const TestFolder folder;
-  Process run("inslab",
-              {"run", source("tests/data/app_missing.json"), "--domain", own_domain(), "--log", folder / "log.mcap"});
+  const std::string junit = folder / "junit.xml";
+  Process run("inslab", {"run", source("tests/data/app_missing.json"), "--domain", own_domain(), "--log",
+                         folder / "log.mcap", "--junit", junit});
   EXPECT_EQ(run.wait(seconds(90)), kNotAccepted) << run.output();
   EXPECT_THAT(run.output(), HasSubstr("FAIL  stale, at most 0: - (no solution came: the app is missing)"));
+  EXPECT_THAT(text_of(junit), HasSubstr("<testsuite name=\"app_missing\" tests=\"1\" failures=\"1\" errors=\"0\">"));
+  EXPECT_THAT(text_of(junit), HasSubstr("<failure message=\"no solution came: the app is missing\"/>"));
+}
+
+// The app is levelled for 2 of 3 seconds of sim time. What it gives then is good, but it comes too late.
+TEST(Score, ALateAppFailsTheRun) {
+  const TestFolder folder;
+  const std::string junit = folder / "junit.xml";
+  Process run("inslab", {"run", source("tests/data/app_late.json"), "--domain", own_domain(), "--log",
+                         folder / "log.mcap", "--junit", junit});
+  EXPECT_EQ(run.wait(seconds(90)), kNotAccepted) << run.output();
+  EXPECT_THAT(run.output(), HasSubstr("FAIL  horizontal_rms_m, at most 5: "));
+  EXPECT_THAT(run.output(), HasSubstr("(solutions cover "));
+  EXPECT_THAT(run.output(), HasSubstr("FAIL  time_to_first_solution_s, at most 1: 2"));
+  EXPECT_THAT(run.output(), HasSubstr("PASS  horizontal_rms_m, all, after 2.2 s, at most 5: "));
+  EXPECT_THAT(run.output(), HasSubstr("latency: not judged, the run was in lockstep"));
+  EXPECT_THAT(text_of(junit), HasSubstr("tests=\"3\" failures=\"2\""));
+  EXPECT_THAT(text_of(junit), HasSubstr("<failure message=\"solutions cover "));
+  EXPECT_THAT(text_of(junit), HasSubstr("is above 1\"/>"));
 }
 
 }  // namespace

@@ -28,31 +28,31 @@ bool navigates(const NavSolution& solution) {
 
 }  // namespace
 
-OfflineFilter::OfflineFilter(const FilterSetup& setup, std::vector<GnssFix> fixes)
-    : filter_(setup.parameters, setup.gravity), fixes_(std::move(fixes)) {}
+OfflineFilter::OfflineFilter(const reference_nav::AppSetup& setup, const std::vector<GnssFix>& fixes)
+    : navigator_(setup.parameters, setup.gravity) {
+  for (const GnssFix& fix : fixes) navigator_.add(fix);
+}
 
 void OfflineFilter::start_at(const ImuTruth& truth) {
   starts_at_ns_ = truth.header.sim_time_ns;
-  filter_.start({{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb}, *starts_at_ns_);
+  navigator_.start({{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb}, *starts_at_ns_);
 }
 
 std::optional<NavSolution> OfflineFilter::take(const ImuSample& sample) {
-  const std::int64_t end_ns = sample.header.sim_time_ns;
-  if (starts_at_ns_ && end_ns <= *starts_at_ns_) return std::nullopt;
-  for (; next_fix_ < fixes_.size() && fixes_[next_fix_].header.sim_time_ns <= end_ns; ++next_fix_) {
-    filter_.add(fixes_[next_fix_]);
-  }
-  auto solution = filter_.add(sample);
-  return solution && navigates(*solution) ? solution : std::nullopt;
+  if (starts_at_ns_ && sample.header.sim_time_ns <= *starts_at_ns_) return std::nullopt;
+  navigator_.add(sample);
+  const auto step = navigator_.step();
+  return step && step->solution && navigates(*step->solution) ? step->solution : std::nullopt;
 }
 
-OfflineFilter filter_with_fixes_of(const io::McapReader& log, std::uint32_t gnss_number, const FilterSetup& setup) {
+OfflineFilter filter_with_fixes_of(const io::McapReader& log, std::uint32_t gnss_number,
+                                   const reference_nav::AppSetup& setup) {
   std::vector<GnssFix> fixes;
   io::for_each_sample<GnssFix>(log, wire::topic_names::gnss(gnss_number), [&](const GnssFix& fix, std::uint64_t) {
     fixes.push_back(fix);
     return true;
   });
-  return {setup, std::move(fixes)};
+  return {setup, fixes};
 }
 
 ImuTruth first_true_state(const io::McapReader& log, std::uint32_t imu_number) {
@@ -66,12 +66,12 @@ ImuTruth first_true_state(const io::McapReader& log, std::uint32_t imu_number) {
   return *first;
 }
 
-OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const FilterSetup& setup) {
+OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const reference_nav::AppSetup& setup) {
   std::vector<GnssFix> fixes;
   io::GnssTextReader reader(gnss_text);
   for (io::GnssTextRecord record; reader.next(record);) fixes.push_back(fix_of(record));
   if (fixes.empty()) throw io::ReadError(gnss_text + ": has no fix; expected at least one line of 7 numbers");
-  return {setup, std::move(fixes)};
+  return {setup, fixes};
 }
 
 void for_each_text_sample(const std::string& imu_text, std::uint32_t gps_week,

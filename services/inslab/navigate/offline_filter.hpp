@@ -7,22 +7,16 @@
 
 #include "io/mcap_reader.hpp"
 #include "samples/imu_truth.hpp"
-#include "services/reference_nav/navigation_filter.hpp"
+#include "services/reference_nav/app_setup.hpp"
+#include "services/reference_nav/navigator.hpp"
 
 namespace inslab::cli {
 
-/// What the filter is told.
-struct FilterSetup {
-  reference_nav::NavigationParameters parameters;
-  nav::Gravity gravity;
-};
-
-/// The reference navigation filter on samples that are all there: a fix goes in before the first IMU sample that ends
-/// at or after its time of validity.
+/// The reference navigation filter on samples that are all there. Each fix goes in when the app of a live run would
+/// have it, so the solutions are that app's.
 class OfflineFilter {
  public:
-  /// `fixes` in order of their times.
-  OfflineFilter(const FilterSetup& setup, std::vector<GnssFix> fixes);
+  OfflineFilter(const reference_nav::AppSetup& setup, const std::vector<GnssFix>& fixes);
 
   /// Begins at the IMU's true state; samples up to then are passed over.
   void start_at(const ImuTruth& truth);
@@ -30,23 +24,22 @@ class OfflineFilter {
   /// The solution at the sample's end; nothing while the filter does not navigate.
   std::optional<NavSolution> take(const ImuSample& sample);
 
-  const reference_nav::NavigationFilter& filter() const { return filter_; }
+  const reference_nav::NavigationFilter& filter() const { return navigator_.filter(); }
 
  private:
-  reference_nav::NavigationFilter filter_;
-  std::vector<GnssFix> fixes_;
-  std::size_t next_fix_ = 0;
+  reference_nav::Navigator navigator_;
   std::optional<std::int64_t> starts_at_ns_;
 };
 
 /// The filter with the fixes of a log's receiver. Throws io::ReadError when the log has none.
-OfflineFilter filter_with_fixes_of(const io::McapReader& log, std::uint32_t gnss_number, const FilterSetup& setup);
+OfflineFilter filter_with_fixes_of(const io::McapReader& log, std::uint32_t gnss_number,
+                                   const reference_nav::AppSetup& setup);
 
 /// The first true state of a log's IMU. Throws io::ReadError when the log has none.
 ImuTruth first_true_state(const io::McapReader& log, std::uint32_t imu_number);
 
-/// The filter with the fixes of a 7-column text, which have no velocity. Throws io::ReadError.
-OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const FilterSetup& setup);
+/// The filter with the fixes of a 7-column text, which have no velocity and come without latency. Throws io::ReadError.
+OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const reference_nav::AppSetup& setup);
 
 /// Calls `visit` with the samples of a 7-column IMU text, which does not say its week. The first line's interval has no
 /// known beginning and makes no sample. Throws io::ReadError, also when there is no sample.

@@ -41,6 +41,14 @@ class RestingFile {
   RestingFile(const RestingFile&) = delete;
   RestingFile& operator=(const RestingFile&) = delete;
 
+  /// One more line, of another IMU.
+  void add_line_of_type(std::uint32_t imu_type) {
+    io::NovatelImuFormatter format(imu_type, io::NovatelAxes::RightForwardUp);
+    const auto next = static_cast<std::int64_t>(lines_.size()) + 1;
+    lines_.push_back(
+        format.line({2300, next * 5000000LL}, dtheta(nav::Matrix3::Identity()), dv(nav::Matrix3::Identity())));
+    std::ofstream(path_, std::ios::app) << lines_.back() << "\n";
+  }
   void damage_last() {
     lines_.back()[lines_.back().size() - 1] = lines_.back().back() == '0' ? '1' : '0';
     std::ofstream file(path_);
@@ -91,6 +99,15 @@ TEST(AlignRecording, LeavesADamagedLineOutAndNamesIt) {
   ASSERT_EQ(aligned.bad_lines.size(), 1U);
   EXPECT_EQ(aligned.bad_lines.front().line, 400U);
   EXPECT_TRUE(aligned.alignment.whole);
+}
+
+// Counts of one type read with the factors of another would be an attitude like any other.
+TEST(AlignRecording, RefusesSamplesOfTwoImuTypesNamingTheLine) {
+  RestingFile file(400);
+  file.add_line_of_type(16);
+  EXPECT_THAT([&] { align_recording(file.path(), at_site()); },
+              testing::ThrowsMessage<io::ReadError>(
+                  testing::HasSubstr("resting.asc: line 401 is of IMU type 16; expected 26, as the lines before it")));
 }
 
 TEST(AlignRecording, RefusesAFileWithoutAGoodSample) {

@@ -36,6 +36,51 @@ TEST(CoarseAlignment, FindsAnyAttitudeFromPerfectMeans) {
   }
 }
 
+// Every 15 deg of roll and yaw, every 7.5 deg of pitch and up to the last thousandth of a degree before the vertical,
+// in both hemispheres: C_nb itself has no gimbal lock. The rounding of the cross product is over the cosine of the
+// latitude, 1e-16 / cos(70 deg) some times.
+TEST(CoarseAlignment, FindsAttitudesAllAroundAndUpToGimbalLock) {
+  std::vector<double> pitches_deg{-90.0, -89.999, -89.9, 89.9, 89.999, 90.0};
+  for (double pitch_deg = -82.5; pitch_deg < 90.0; pitch_deg += 7.5) pitches_deg.push_back(pitch_deg);
+  double largest = 0.0;
+  for (const double latitude_rad : {-70.0 * kRadPerDeg, 0.0, kLatitude_rad}) {
+    const double gravity = Gravity().g_n(Geodetic{latitude_rad, 0.0, 0.0}).norm();
+    for (const double pitch_deg : pitches_deg) {
+      for (double roll_deg = -180.0; roll_deg < 180.0; roll_deg += 15.0) {
+        for (double yaw_deg = 0.0; yaw_deg < 360.0; yaw_deg += 15.0) {
+          const Matrix3 C_nb = matrix_from_rpy({roll_deg * kRadPerDeg, pitch_deg * kRadPerDeg, yaw_deg * kRadPerDeg});
+          StaticMeans means;
+          means.f_b = C_nb.transpose() * Vector3(0.0, 0.0, -gravity);
+          means.omega_ib_b = C_nb.transpose() * omega_ie_n(latitude_rad);
+          const auto result = coarse_alignment(means, latitude_rad, gravity, {});
+          ASSERT_TRUE(std::holds_alternative<Matrix3>(result));
+          largest = std::max(largest, (std::get<Matrix3>(result) - C_nb).cwiseAbs().maxCoeff());
+        }
+      }
+    }
+  }
+  EXPECT_LT(largest, 3e-15);
+}
+
+// phi_D = -b_E/(omega_e cos L) and a level error of b/g, whatever the attitude: the errors belong to n. To first order;
+// the second is their square, 1e-8 and less.
+TEST(CoarseAlignment, BiasesTiltAndTurnAsTheirFormulasSayInAnyAttitude) {
+  const double horizontal_rad_per_s = omega_ie_n(kLatitude_rad).x();
+  for (const RollPitchYaw rpy : {RollPitchYaw{0.0, 0.0, 0.0}, {1.0, -0.5, 4.0}, {-2.0, 1.5, 2.0}, {3.0, -1.57, 5.0}}) {
+    const Matrix3 C_nb = matrix_from_rpy(rpy);
+    StaticMeans means = perfect_means(C_nb);
+    means.f_b += C_nb.transpose() * Vector3(1e-4, 0.0, 0.0) * gravity_m_per_s2();
+    means.omega_ib_b += C_nb.transpose() * Vector3(0.0, 1e-4 * horizontal_rad_per_s, 0.0);
+    const Matrix3 found = std::get<Matrix3>(coarse_alignment(means, kLatitude_rad, gravity_m_per_s2(), {}));
+    const Matrix3 error = found * C_nb.transpose();  // exp(-phi)
+    // North force of 1e-4 g: the specific force leans by 1e-4 about east, and the computed level with it.
+    EXPECT_NEAR(std::abs(error(0, 2)), 1e-4, 1e-7);
+    EXPECT_NEAR(std::abs(error(1, 2)), 0.0, 1e-7);
+    // East rate of 1e-4 of the horizontal rate: yaw turns by as much.
+    EXPECT_NEAR(std::abs(error(1, 0)), 1e-4, 1e-7);
+  }
+}
+
 TEST(CoarseAlignment, AnEastGyroBiasTurnsYawByTheBiasOverTheHorizontalRate) {
   StaticMeans means = perfect_means(Matrix3::Identity());
   const double horizontal_rad_per_s = means.omega_ib_b.x();

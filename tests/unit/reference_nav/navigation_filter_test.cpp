@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "nav/attitude.hpp"
 #include "samples/units.hpp"
@@ -126,6 +127,39 @@ TEST(NavigationFilter, ALateFixGivesTheSameBitsAsOneInTime) {
   EXPECT_EQ(a->v_n, b->v_n);
   EXPECT_EQ(a->position_sigma_ned_m, b->position_sigma_ned_m);
   EXPECT_EQ(late.counts().fixes_too_old, 0U);
+}
+
+// Fix i comes after 0.1 s plus 0.15 s times (0, 3, 1, 4, 2 ...), so later ones overtake earlier ones.
+TEST(NavigationFilter, FixesThatOvertakeEachOtherGiveTheSameBitsAsFixesInTime) {
+  Circling truth;
+  NavigationFilter in_time = begun(truth), shuffled = begun(truth);
+  std::multimap<std::int64_t, GnssFix> on_their_way;
+  std::optional<NavSolution> a, b;
+  std::int64_t count = 0;
+  for (int k = 0; k < 2200; ++k) {
+    const ImuSample sample = truth.next();
+    a = in_time.add(sample);
+    b = shuffled.add(sample);
+    if (is_fix_time(truth) && truth.time_ns() <= 10'000'000'000) {
+      GnssFix fix = truth.fix();
+      fix.height_m += 0.03 * std::sin(k);
+      in_time.add(fix);
+      on_their_way.emplace(truth.time_ns() + 100'000'000 + 150'000'000 * (3 * count++ % 5), fix);
+    }
+    while (!on_their_way.empty() && on_their_way.begin()->first <= truth.time_ns()) {
+      shuffled.add(on_their_way.begin()->second);
+      on_their_way.erase(on_their_way.begin());
+    }
+  }
+  // All 50 are there 0.7 s after the last at the latest, and a second has passed since.
+  EXPECT_EQ(a->latitude_rad, b->latitude_rad);
+  EXPECT_EQ(a->height_m, b->height_m);
+  EXPECT_EQ(a->v_n, b->v_n);
+  EXPECT_EQ(a->q_n_body.coeffs(), b->q_n_body.coeffs());
+  EXPECT_EQ(a->position_sigma_ned_m, b->position_sigma_ned_m);
+  EXPECT_EQ(a->attitude_sigma_rad, b->attitude_sigma_rad);
+  EXPECT_EQ(shuffled.counts().fixes_too_old, 0U);
+  EXPECT_EQ(shuffled.take_fix_results().size(), 50U);
 }
 
 TEST(NavigationFilter, AFixBetweenTwoSamplesIsTakenInAtItsOwnTime) {
