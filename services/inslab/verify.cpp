@@ -6,6 +6,7 @@
 #include "app/exit_code.hpp"
 #include "io/output_file.hpp"
 #include "services/inslab/commands.hpp"
+#include "services/inslab/outages_over_dds.hpp"
 #include "services/inslab/verify/alignment.hpp"
 #include "services/inslab/verify/allan.hpp"
 #include "services/inslab/verify/closed_loop.hpp"
@@ -23,6 +24,8 @@ namespace {
 struct Request {
   bool full = false;               ///< all seeds
   std::vector<std::string> files;  ///< the user's own, to be shown too
+  bool over_dds = false;           ///< through the real processes, too
+  app::NetworkOptions network;     ///< of these
   std::string picture;             ///< where the block's picture goes; empty: nowhere
 };
 
@@ -33,6 +36,7 @@ struct Verification {
   std::vector<verify::Table> (*run)(const Request& request);
   bool takes_files = false;
   io::Picture (*picture)() = nullptr;
+  verify::Table (*over_dds)(const app::NetworkOptions& network) = nullptr;
 };
 
 void say(const std::string& what) { spdlog::info(what); }
@@ -52,7 +56,7 @@ const std::vector<Verification>& verifications() {
       {"gnss", "Errors of the receivers and the lever arm of their antenna (thesis tables 4-8, 4-9)",
        [](const Request& request) { return verify::gnss(request.full); }},
       {"navigation", "Drift in GNSS outages and the filter's honesty (thesis tables 4-10 to 4-13)",
-       [](const Request& request) { return verify::navigation(request.full); }},
+       [](const Request& request) { return verify::navigation(request.full); }, false, nullptr, outages_over_dds},
       {"propagation", "How errors of inertial navigation grow, against closed forms and the linear model (lecture)",
        [](const Request& request) { return verify::propagation(request.full); }, false, verify::propagation_picture},
       {"vibration", "Increments, coning, sculling and spectra of vibration",
@@ -63,7 +67,9 @@ const std::vector<Verification>& verifications() {
 
 int verify_one(const Verification& verification, const Request& request) {
   bool held = true;
-  for (const verify::Table& table : verification.run(request)) {
+  std::vector<verify::Table> tables = verification.run(request);
+  if (request.over_dds) tables.push_back(verification.over_dds(request.network));
+  for (const verify::Table& table : tables) {
     fmt::print("{}\n", verify::to_text(table));
     held = held && table.held();
   }
@@ -91,6 +97,10 @@ void add_verify(CLI::App& app, std::function<int()>& action) {
     }
     if (verification.picture != nullptr) {
       command->add_option("--picture", request->picture, "write the curves there (SVG)");
+    }
+    if (verification.over_dds != nullptr) {
+      command->add_flag("--dds", request->over_dds, "through the real processes in lockstep, too");
+      request->network.add_to(*command);
     }
     command->callback([&action, &verification, request] {
       action = [&verification, request] { return verify_one(verification, *request); };

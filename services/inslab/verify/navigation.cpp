@@ -11,26 +11,7 @@ namespace inslab::verify {
 
 namespace {
 
-constexpr double kFactor = 2.0;
-
-const char* name_of(MotionFrom motion) { return motion == MotionFrom::File ? "from a file" : "from parameters"; }
-
-const DriftFigures& simulated(const PublishedDrift& published, MotionFrom motion) {
-  return motion == MotionFrom::File ? published.from_file : published.from_parameters;
-}
-
 std::string seeds_text(std::uint64_t seeds) { return fmt::format("{} seed{}", seeds, seeds == 1 ? "" : "s"); }
-
-/// "within 2", or the names of the figures that are not.
-std::string verdict(const DriftFigures& ratio) {
-  std::string worse, better;
-  for (std::size_t i = 0; i < ratio.size(); ++i) {
-    if (!(ratio[i] <= kFactor)) worse += std::string(" ") + kDriftNames[i];
-    if (ratio[i] < 1.0 / kFactor) better += std::string(" ") + kDriftNames[i];
-  }
-  if (!worse.empty()) return "worse than twice:" + worse;
-  return better.empty() ? "within a factor 2" : "better than half:" + better;
-}
 
 /// Differences to the real figures, %.
 DriftFigures differences(const DriftFigures& figures, const DriftFigures& real) {
@@ -54,13 +35,12 @@ Table outage_table(std::uint64_t seeds, const std::vector<MotionFrom>& motions) 
         drifts(seeds, [motion](std::uint64_t seed) { return thesis_setup(seed, motion); });
     for (std::size_t i = 0; i < found.size(); ++i) {
       const PublishedDrift& published = published_drifts()[i];
-      DriftFigures ratio = found[i];
-      for (std::size_t k = 0; k < ratio.size(); ++k) ratio[k] /= simulated(published, motion)[k];
+      const DriftFigures ratio = ratios(found[i], simulated(published, motion));
       table.rows.push_back(
           {{published.imu, name_of(motion), text_of(found[i]), text_of(simulated(published, motion)),
             fmt::format("{:.2f} {:.2f}; {:.2f} {:.2f} {:.2f}", ratio[0], ratio[1], ratio[2], ratio[3], ratio[4]),
             verdict(ratio)},
-           std::all_of(ratio.begin(), ratio.end(), [](double r) { return r <= kFactor; })});
+           none_is_worse(ratio)});
     }
   }
   table.notes = {

@@ -41,7 +41,7 @@ class Scored {
       : imu_index(imu),
         shift_index(shift),
         setup_(setup),
-        first_outage_s_(setup.first_outage_s + setup.shifts_s[shift]),
+        score_({setup.first_outage_s + setup.shifts_s[shift], kOutage_s, setup.outage_spacing_s, setup.duration_s}),
         parameters_(parameters),
         filter_(parameters, gravity),
         draws_(setup.seed, "verify/navigation/" + std::to_string(imu)) {}
@@ -55,7 +55,7 @@ class Scored {
       return;
     }
     filter_.add(sample);
-    score(sample.header.sim_time_ns, filter_.filter()->state(), state_of(truth));
+    score_.add(sample.header.sim_time_ns, filter_.filter()->state(), state_of(truth));
     consistency(sample.header.sim_time_ns, state_of(truth));
   }
   void gnss(GnssFix fix) {
@@ -68,7 +68,11 @@ class Scored {
       if (!result.position_accepted || (setup_.gnss_velocity && !result.velocity_accepted)) ++run_.rejected;
     }
   }
-  const NavigationRun& result() const { return run_; }
+  NavigationRun result() const {
+    NavigationRun run = run_;
+    run.outages = score_.outages();
+    return run;
+  }
 
  private:
   /// Truth plus errors drawn from the filter's own initial covariance.
@@ -84,25 +88,6 @@ class Scored {
     begun_ = true;
   }
 
-  void score(std::int64_t time_ns, const nav::NavState& estimate, const nav::NavState& truth) {
-    const double since_s = static_cast<double>(time_ns) * 1e-9 - first_outage_s_;
-    if (since_s < 0.0) return;
-    const auto outage = static_cast<std::size_t>(since_s / setup_.outage_spacing_s);
-    const double begin_s = static_cast<double>(outage) * setup_.outage_spacing_s;
-    const bool ends_in_the_run = first_outage_s_ + begin_s + kOutage_s <= setup_.duration_s;
-    if (since_s - begin_s >= kOutage_s || !ends_in_the_run) return;
-    if (run_.outages.size() <= outage) run_.outages.resize(outage + 1);
-    OutageDrift& drift = run_.outages[outage];
-    const Vector3 error_m = nav::ned_from(truth.position, estimate.position);
-    drift.horizontal_m = std::max(drift.horizontal_m, error_m.head<2>().norm());
-    drift.vertical_m = std::max(drift.vertical_m, std::abs(error_m.z()));
-    const nav::RollPitchYaw found = nav::rpy_from_quaternion(estimate.q_nb);
-    const nav::RollPitchYaw true_rpy = nav::rpy_from_quaternion(truth.q_nb);
-    const Vector3 angles(nav::wrapped_to_pi(found.roll_rad - true_rpy.roll_rad), found.pitch_rad - true_rpy.pitch_rad,
-                         nav::wrapped_to_pi(found.yaw_rad - true_rpy.yaw_rad));
-    drift.attitude_rad = drift.attitude_rad.cwiseMax(angles.cwiseAbs());
-  }
-
   void consistency(std::int64_t time_ns, const nav::NavState& truth) {
     const auto here = [time_ns](double at_s) { return time::from_seconds(at_s).count() == time_ns; };
     if (std::none_of(setup_.nees_at_s.begin(), setup_.nees_at_s.end(), here)) return;
@@ -114,7 +99,7 @@ class Scored {
   }
 
   NavigationSetup setup_;
-  double first_outage_s_;
+  OutageScore score_;
   ref::NavigationParameters parameters_;
   ref::NavigationFilter filter_;
   random::Stream draws_;

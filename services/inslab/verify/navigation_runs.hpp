@@ -6,16 +6,10 @@
 
 #include "io/trajectory_file.hpp"
 #include "scenario/load.hpp"
+#include "services/inslab/verify/outage_score.hpp"
 #include "services/reference_nav/navigation_filter.hpp"
 
 namespace inslab::verify {
-
-/// The largest errors of the solution in one GNSS outage.
-struct OutageDrift {
-  double horizontal_m = 0.0;
-  double vertical_m = 0.0;
-  Vector3 attitude_rad = Vector3::Zero();  ///< roll, pitch, yaw
-};
 
 /// One filter in one run against the IMU's truth.
 struct NavigationRun {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "samples/units.hpp"
@@ -12,6 +13,7 @@ namespace inslab::verify {
 
 namespace {
 
+constexpr double kFactor = 2.0;
 constexpr double kStanding_s = 300.0;  // as long as the catalogue's car
 
 ImuErrorProfile imu_profile(const char* imu, const char* kind) {
@@ -77,6 +79,32 @@ NavigationSetup full_setup(std::uint64_t seed, MotionFrom motion) {
     setup.imus[i].vibration = vibration;
   }
   return setup;
+}
+
+const char* name_of(MotionFrom motion) { return motion == MotionFrom::File ? "from a file" : "from parameters"; }
+
+const DriftFigures& simulated(const PublishedDrift& published, MotionFrom motion) {
+  return motion == MotionFrom::File ? published.from_file : published.from_parameters;
+}
+
+DriftFigures ratios(const DriftFigures& found, const DriftFigures& expected) {
+  DriftFigures ratios{};
+  for (std::size_t i = 0; i < ratios.size(); ++i) ratios[i] = found[i] / expected[i];
+  return ratios;
+}
+
+bool none_is_worse(const DriftFigures& ratios) {
+  return std::all_of(ratios.begin(), ratios.end(), [](double ratio) { return ratio <= kFactor; });
+}
+
+std::string verdict(const DriftFigures& ratios) {
+  std::string worse, better;
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    if (!(ratios[i] <= kFactor)) worse += std::string(" ") + kDriftNames[i];
+    if (ratios[i] < 1.0 / kFactor) better += std::string(" ") + kDriftNames[i];
+  }
+  if (!worse.empty()) return "worse than twice:" + worse;
+  return better.empty() ? "within a factor 2" : "better than half:" + better;
 }
 
 DriftFigures drift_of(const std::vector<NavigationRun>& runs) {

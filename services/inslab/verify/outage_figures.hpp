@@ -26,6 +26,20 @@ const std::array<PublishedDrift, 3>& published_drifts();
 /// Where the motion comes from: the catalogue's car, or the file of a drive through a town.
 enum class MotionFrom { Parameters, File };
 
+const char* name_of(MotionFrom motion);
+
+/// What the thesis's simulation found with such a motion.
+const DriftFigures& simulated(const PublishedDrift& published, MotionFrom motion);
+
+/// Figure by figure.
+DriftFigures ratios(const DriftFigures& found, const DriftFigures& expected);
+
+/// Whether no ratio is above 2.
+bool none_is_worse(const DriftFigures& ratios);
+
+/// "within a factor 2", or the names of the figures that are not.
+std::string verdict(const DriftFigures& ratios);
+
 /// The thesis's outages (docs/navigation.md says which of it is from where): its IMUs as it simulates them in 20
 /// minutes of driving after a rest, RTK positions at 1 Hz with white noise, outages of 60 s every 180 s from 420 s on,
 /// three times over. Each filter is told its IMU's errors.

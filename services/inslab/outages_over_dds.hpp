@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/service_options.hpp"
+#include "services/inslab/verify/table.hpp"
+
+namespace inslab::cli {
+
+/// The outage protocol of `verify navigation` through the real processes: for each IMU and motion a set in lockstep,
+/// with the reference navigation app on the bus, and beside it the same scenario in one process without DDS. A row
+/// holds when every solution is the same to the bit and no figure is worse than twice the thesis's. Throws
+/// std::runtime_error when a run fails.
+verify::Table outages_over_dds(const app::NetworkOptions& network);
+
+}  // namespace inslab::cli
