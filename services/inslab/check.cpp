@@ -27,12 +27,28 @@ std::optional<Enum> value_named(const std::string& name) {
   return static_cast<Enum>(found - names.begin());
 }
 
+/// Where the motion comes from.
+std::string words_of(const scenario::LoadedScenario& loaded) {
+  const scenario::Trajectory& trajectory = loaded.scenario.trajectory;
+  switch (trajectory.source) {
+    case scenario::TrajectorySource::MotionTable:
+      return fmt::format("{} segments", trajectory.segments.size());
+    case scenario::TrajectorySource::File:
+      return fmt::format("{} rows of a file", loaded.trajectory_file->rows.size());
+    case scenario::TrajectorySource::Waypoints:
+      return fmt::format("{} waypoints", trajectory.waypoints.size());
+    case scenario::TrajectorySource::VehicleState:
+      return "a live vehicle";
+  }
+  return "";
+}
+
 int check_scenario(const std::string& file) {
   const scenario::LoadedScenario loaded = scenario::load(file);
   if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
-  fmt::print("{}: good: {:.3f} s at {} Hz, {} segments, {} IMUs, {} GNSS receivers, {} swaps\n", file,
-             loaded.scenario.duration_s, loaded.scenario.truth_rate_hz, loaded.scenario.trajectory.segments.size(),
-             loaded.imus.size(), loaded.gnss.size(), loaded.swaps.size());
+  fmt::print("{}: good: {:.3f} s at {} Hz, {}, {} IMUs, {} GNSS receivers, {} swaps\n", file,
+             loaded.scenario.duration_s, loaded.scenario.truth_rate_hz, words_of(loaded), loaded.imus.size(),
+             loaded.gnss.size(), loaded.swaps.size());
   return app::kOk;
 }
 

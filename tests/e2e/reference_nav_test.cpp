@@ -50,5 +50,15 @@ TEST(ReferenceNav, InLockstepItsSolutionsAreThoseOfTheOfflineRunToTheBit) {
   }
 }
 
+TEST(ReferenceNav, TakesPartInASecuredSetAsTheAppUnderTest) {
+  const TestFolder folder;
+  Process make_keys(source("deploy/security/make-keys"), {folder / "keys", "2"});
+  ASSERT_EQ(make_keys.wait(seconds(60)), 0) << make_keys.output();
+  Process run("inslab", {"run", source("tests/data/reference_nav.json"), "--domain", own_domain(), "--log",
+                         folder / "secured.mcap", "--clock", "lockstep", "--security", folder / "keys"});
+  ASSERT_EQ(run.wait(seconds(90)), 0) << run.output();
+  EXPECT_EQ(solutions_of(folder / "secured.mcap").size(), kImuSamples);
+}
+
 }  // namespace
 }  // namespace inslab::e2e
