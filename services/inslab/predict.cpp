@@ -9,19 +9,19 @@
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
+#include "app/shutdown.hpp"
 #include "io/error.hpp"
 #include "io/output_file.hpp"
 #include "io/picture.hpp"
 #include "services/inslab/commands.hpp"
-#include "services/inslab/predict/error_growth.hpp"
-#include "services/trajectory_server/truth_model.hpp"
+#include "services/inslab/offline_run.hpp"
+#include "services/inslab/predict/expected_errors.hpp"
 
 namespace inslab::cli {
 namespace {
 
 constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr std::size_t kTableRows = 12;
-constexpr double kStep_s = 1.0;
 
 struct PredictOptions {
   std::string scenario;
@@ -32,6 +32,7 @@ struct PredictOptions {
   double tilt_deg = 0.0;
   double yaw_deg = 0.0;
   bool hold_vertical = false;
+  bool free_inertial = false;
 };
 
 predict::PredictedError start_of(const PredictOptions& options) {
@@ -42,18 +43,74 @@ predict::PredictedError start_of(const PredictOptions& options) {
   return start;
 }
 
-std::vector<predict::PredictedError> predicted(const scenario::LoadedScenario& loaded, const PredictOptions& options) {
+std::vector<AnyProfile> profiles_of(const scenario::LoadedScenario& loaded) {
+  std::vector<AnyProfile> profiles;
+  for (const auto& imu : loaded.imus) {
+    for (const AnyProfile& profile :
+         {AnyProfile(imu.errors), AnyProfile(imu.vibration), AnyProfile(imu.installation)}) {
+      profiles.push_back(profile);
+    }
+  }
+  for (const auto& gnss : loaded.gnss) {
+    for (const AnyProfile& profile : {AnyProfile(gnss.errors), AnyProfile(gnss.installation)}) {
+      profiles.push_back(profile);
+    }
+  }
+  profiles.insert(profiles.end(), loaded.swaps.begin(), loaded.swaps.end());
+  return profiles;
+}
+
+/// What a run lets one expect, and when it has no fixes.
+struct Prediction {
+  predict::ExpectedErrors errors;
+  std::vector<io::Band> outages = {};
+};
+
+class PredictionSink : public RunSink {
+ public:
+  PredictionSink(Prediction& prediction, const scenario::LoadedScenario& loaded, bool uses_fixes)
+      : prediction_(prediction) {
+    if (uses_fixes) longest_s_ = 1.5 * loaded.gnss.front().rate.period_s();
+  }
+  void journal(const AnyProfile&) override {}
+  void truth(const TruthState&) override {}
+  void imu(std::size_t, const ImuSample&, const ImuTruth& truth) override { prediction_.errors.add(truth); }
+  void gnss(std::size_t index, const GnssFix& fix) override {
+    prediction_.errors.add(fix);
+    if (index == 0 && fix.fix_type != FixType::None) end_gap(static_cast<double>(fix.header.sim_time_ns) * 1e-9);
+  }
+  void ack(const ProfileAck&) override {}
+
+  /// The next fix, or the end of the run.
+  void end_gap(double time_s) {
+    if (longest_s_ && time_s - last_fix_s_ > *longest_s_) prediction_.outages.push_back({last_fix_s_, time_s});
+    last_fix_s_ = time_s;
+  }
+
+ private:
+  Prediction& prediction_;
+  std::optional<double> longest_s_;  ///< between fixes in a row; nothing: there are none
+  double last_fix_s_ = 0.0;
+};
+
+Prediction predicted(const scenario::LoadedScenario& loaded, const PredictOptions& options) {
   if (loaded.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) {
     throw io::ReadError(loaded.file.string() + ": follows a live vehicle, whose motion is not known beforehand");
   }
-  const auto truth = trajectory::make_truth_model(loaded, loaded.start(app::realtime_now()));
-  predict::ErrorGrowth growth(loaded.imu_number(options.sensor_number).errors, start_of(options), loaded.gravity(),
-                              options.hold_vertical ? predict::Vertical::Held : predict::Vertical::Free, kStep_s);
-  std::vector<predict::PredictedError> errors{growth.current()};
-  for (std::uint64_t k = 1; k < loaded.truth_samples && loaded.truth_rate.at(k) <= truth->end(); ++k) {
-    if (growth.advance(truth->advance())) errors.push_back(growth.current());
+  predict::ExpectedErrors::Setup setup;
+  setup.gravity = loaded.gravity();
+  setup.imu_number = loaded.imu_number(options.sensor_number).number;
+  const bool uses_fixes = !options.free_inertial && !loaded.gnss.empty();
+  if (uses_fixes) setup.gnss_number = loaded.gnss.front().number;
+  setup.start = start_of(options);
+  setup.vertical = options.hold_vertical ? predict::Vertical::Held : predict::Vertical::Free;
+  Prediction prediction{predict::ExpectedErrors(setup, profiles_of(loaded))};
+  PredictionSink sink(prediction, loaded, uses_fixes);
+  OfflineRun run(loaded, loaded.start(app::realtime_now()), RunId{}, sink);
+  while (!app::shutdown_requested() && run.step()) {
   }
-  return errors;
+  sink.end_gap(time::to_seconds(run.sim_time()));
+  return prediction;
 }
 
 using Figures = std::array<double, 10>;
@@ -94,11 +151,11 @@ std::string table(const std::vector<predict::PredictedError>& errors) {
   return text;
 }
 
-io::Picture picture_of(const std::vector<predict::PredictedError>& errors, const std::string& title) {
+io::Picture picture_of(const Prediction& prediction, const scenario::Scenario& scenario) {
   const std::array<const char*, 3> quantities{"position, m", "velocity, m/s", "phi angle, deg"};
   const std::array<const char*, 3> axes{"north", "east", "down"};
   io::Picture picture;
-  picture.title = title;
+  picture.title = scenario.name + ": expected errors, 1 sigma";
   picture.panel_width_px = 800;
   for (std::size_t quantity = 0; quantity < 3; ++quantity) {
     io::Panel panel;
@@ -107,28 +164,40 @@ io::Picture picture_of(const std::vector<predict::PredictedError>& errors, const
     for (std::size_t axis = 0; axis < 3; ++axis) {
       io::Curve curve;
       curve.title = axes[axis];
-      for (const predict::PredictedError& error : errors) {
+      for (const predict::PredictedError& error : prediction.errors.curve()) {
         curve.x.push_back(error.time_s);
         curve.y.push_back(figures(error)[1 + 3 * quantity + axis]);
       }
       constexpr std::size_t kBins = 1000;
       panel.curves.push_back(io::thinned(curve, kBins));
     }
+    panel.bands = prediction.outages;
+    for (const scenario::ScheduledSwap& swap : scenario.swaps) panel.marks.push_back(swap.at_s);
     picture.panels.push_back(panel);
   }
   return picture;
 }
 
+std::string heading(const scenario::LoadedScenario& loaded, const PredictOptions& options) {
+  const bool has_fixes = !options.free_inertial && !loaded.gnss.empty();
+  return fmt::format("{}: {} with imu {}, {}, 1 sigma", loaded.scenario.name,
+                     has_fixes ? fmt::format("the best filter of the fixes of gnss {}", loaded.gnss.front().number)
+                               : std::string("free inertial navigation"),
+                     options.sensor_number, options.hold_vertical ? "height held" : "height free");
+}
+
 int run_predict(const PredictOptions& options) {
   const scenario::LoadedScenario loaded = scenario::load(options.scenario);
-  const std::vector<predict::PredictedError> errors = predicted(loaded, options);
-  fmt::print("{}: free inertial navigation with imu {} ({}), 1 sigma\n\n{}\n", loaded.scenario.name,
-             options.sensor_number, options.hold_vertical ? "height held" : "height free", table(errors));
+  const Prediction prediction = predicted(loaded, options);
+  const std::vector<predict::PredictedError>& errors = prediction.errors.curve();
+  if (app::shutdown_requested() || errors.empty()) return app::kFailed;
+  const std::vector<std::string> left_out = prediction.errors.left_out();
+  fmt::print("{}\n\n{}\n", heading(loaded, options), table(errors));
+  if (!left_out.empty()) fmt::print("left out: {}\n", fmt::join(left_out, ", "));
   std::filesystem::create_directories(options.directory);
   const std::string stem = (std::filesystem::path(options.directory) / (loaded.scenario.name + "_predicted")).string();
   write(stem + ".csv", csv(errors));
-  write(stem + ".svg",
-        io::drawn(picture_of(errors, loaded.scenario.name + ": expected errors, 1 sigma"), io::PictureFormat::Svg));
+  write(stem + ".svg", io::drawn(picture_of(prediction, loaded.scenario), io::PictureFormat::Svg));
   return app::kOk;
 }
 
@@ -137,7 +206,7 @@ int run_predict(const PredictOptions& options) {
 void add_predict(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<PredictOptions>();
   CLI::App* command = app.add_subcommand(
-      "predict", "Errors to expect of free inertial navigation along a scenario, from its IMU's profile");
+      "predict", "Errors to expect along a scenario from its sensors' profiles, its outages and its swaps");
   command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
   command->add_option("-o,--output", options->directory, "folder for NAME_predicted.csv and .svg")
       ->capture_default_str();
@@ -149,6 +218,7 @@ void add_predict(CLI::App& app, std::function<int()>& action) {
   sigma("--velocity", options->velocity_m_per_s, "sigma of each axis at the start, m/s");
   sigma("--tilt", options->tilt_deg, "sigma of roll and pitch at the start, deg");
   sigma("--yaw", options->yaw_deg, "sigma of yaw at the start, deg");
+  command->add_flag("--free-inertial", options->free_inertial, "without the fixes of the scenario's first receiver");
   command->add_flag("--hold-vertical", options->hold_vertical, "height and vertical velocity are known");
   command->callback([options, &action] { action = [options] { return run_predict(*options); }; });
 }

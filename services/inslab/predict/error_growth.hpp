@@ -1,15 +1,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "nav/gravity.hpp"
-#include "samples/imu_error_profile.hpp"
-#include "samples/truth_state.hpp"
+#include "samples/gnss_error_profile.hpp"
+#include "samples/imu_truth.hpp"
+#include "services/inslab/predict/sensor_terms.hpp"
 
-/// What errors an IMU's data sheet lets one expect of free inertial navigation along a known motion.
+/// What errors an IMU's data sheet lets one expect of inertial navigation along a known motion.
 namespace inslab::predict {
-
-using nav::Vector3;
 
 /// Root mean squares of an estimate's errors in n; at the start what is known of them.
 struct PredictedError {
@@ -22,47 +22,68 @@ struct PredictedError {
 /// Whether the height is part of the game, or held to the truth as by a perfect barometer.
 enum class Vertical { Free, Held };
 
-/// The nine-state model (nav/error_model.hpp) along the truth, with the sensor errors of a profile as further states:
-/// for each axis of both triads a constant bias that may walk, a Gauss-Markov bias, a constant scale factor and a
-/// Gauss-Markov one, and white noise beside them.
+/// The nine-state model (nav/error_model.hpp) along the IMU's true motion, with a state for each term of its profile
+/// (sensor_terms.hpp), six Gauss-Markov states for a receiver's slow errors, and white noise beside them: the
+/// covariance of the best linear estimate. Without fixes it is that of free inertial navigation.
 ///
-/// Fixed values of a profile count with their square, as do turn-on sigmas; bias instability counts as a constant of
-/// its size. Temperature, cross axes, nonlinearity, g-sensitivity, bandwidth, quantization and the installation are
-/// left out: the IMU is at the vehicle's reference point in its axes. Linear: meant for errors that are small beside
-/// the Earth's radius and a radian.
+/// Linear: meant for errors that are small beside the Earth's radius and a radian.
 class ErrorGrowth {
  public:
   /// `step_s`: the covariance goes on in steps of this length or of one sample, whichever is longer; the motion in
-  /// between counts with its mean. Throws std::invalid_argument when it is not positive.
+  /// between counts with its means. Throws std::invalid_argument when it is not positive.
   ErrorGrowth(const ImuErrorProfile& profile, const PredictedError& start, const nav::Gravity& gravity,
               Vertical vertical, double step_s);
 
-  /// The truth goes on by the interval that ends at `truth`; true when a step was made and current() is new.
-  bool advance(const TruthState& truth);
+  /// Another profile from the next interval on. States keep, lose or redraw their value as its `continuity` says of
+  /// theirs (imu::Bias::retune); a fixed value that changes is unknown anew.
+  void swap(const ImuErrorProfile& profile);
 
-  /// At the end of the last step.
+  /// The IMU goes on by the interval that ends at `truth`, at a temperature above that of calibration; true when a step
+  /// was made and current() is new.
+  bool advance(const ImuTruth& truth, double warmer_k);
+
+  /// A fix at the end of the last interval: `lever_arm_b_m` leads from the IMU to the antenna and is known. A velocity
+  /// without errors is none.
+  void measure(const SolutionErrors& fix, const Vector3& lever_arm_b_m);
+
+  /// At the end of the last step or fix.
   PredictedError current() const;
 
  private:
-  static constexpr int kStates = 33;
-  using Matrix = Eigen::Matrix<double, kStates, kStates>;
-  using Vector = Eigen::Matrix<double, kStates, 1>;
+  using Matrix9N = Eigen::Matrix<double, 9, Eigen::Dynamic>;
+  /// The motion since the last step: integrals.
+  struct Gathered {
+    double time_s = 0.0;
+    double warmer_k = 0.0;
+    nav::Matrix3 C_nb = nav::Matrix3::Zero();
+    Vector3 dv_n = Vector3::Zero();
+    SensedMeans gyro;
+    SensedMeans accel;
+  };
+  /// How the states but the nine go on in a step, and what drives them.
+  struct Steps {
+    Eigen::VectorXd decay, integral, drive, drive_with_integral, drive_of_integral;
+  };
 
-  void step(const TruthState& truth);
+  void step();
+  Steps steps_of(double dt_s) const;
+  Matrix9N effects(const SensedMotion& motion, const nav::Matrix3& C_nb) const;
+  void set_density(const ImuErrorProfile& profile);
+  void renew(Eigen::Index state, double variance);
+  void update(const Eigen::VectorXd& row, double variance);
   void hold_vertical();
 
   nav::Gravity gravity_;
   Vertical vertical_;
   double step_s_;
   double time_s_ = 0.0;
-  double gathered_s_ = 0.0;
-  Vector3 dtheta_b_ = Vector3::Zero();  ///< since the last step, rad
-  Vector3 dv_b_ = Vector3::Zero();      ///< the same, m/s
-  Vector3 gyro_density_;                ///< rad^2/s
-  Vector3 accel_density_;               ///< (m/s)^2/s
-  Vector decay_per_s_ = Vector::Zero();
-  Vector drive_ = Vector::Zero();  ///< spectral density of each state's own white drive
-  Matrix P_ = Matrix::Zero();
+  Gathered gathered_;
+  ImuTruth last_;
+  Vector3 gyro_density_;           ///< rad^2/s
+  Vector3 accel_density_;          ///< (m/s)^2/s
+  std::vector<SensorTerm> terms_;  ///< state kTerms + i
+  Vector3 fix_times_s_[2];         ///< correlation times of a receiver's position and velocity errors
+  Eigen::MatrixXd P_;
 };
 
 }  // namespace inslab::predict

@@ -44,6 +44,12 @@ nav::NavState with_error(nav::NavState state, const ErrorState& x) {
   return state;
 }
 
+imu::ImuModel imu_of(const RestingRun& run) {
+  const time::Rate rate(kRestingRateHz);
+  return imu::ImuModel(
+      {run.seed, 0, rate, rate, nav::Gravity(), run.errors, VibrationProfile{}, InstallationProfile{}});
+}
+
 ErrorState error_of(const nav::NavState& found, const nav::NavState& truth) {
   ErrorState x;
   x << (found.position.latitude_rad - truth.position.latitude_rad) * metres_per_rad_north(),
@@ -61,7 +67,7 @@ std::vector<ErrorState> navigate_at_rest(const RestingRun& run, int every_s) {
   const time::Rate rate(kRestingRateHz);
   const nav::Gravity gravity;
   trajectory::MotionTableModel truth(at_rest(run.duration_s), rate, kStart);
-  imu::ImuModel imu({run.seed, 0, rate, rate, gravity, run.errors, VibrationProfile{}, InstallationProfile{}});
+  imu::ImuModel imu = imu_of(run);
   imu.measure(truth.current());
   nav::Strapdown strapdown(with_error(state_of(truth.current()), run.start), gravity, {});
   std::vector<ErrorState> errors{run.start};
@@ -110,8 +116,11 @@ predict::PredictedError predict_at_rest(const RestingRun& run) {
   start.velocity_n_m_per_s = run.start.segment<3>(3).cwiseAbs();
   start.attitude_n_rad = run.start.tail<3>().cwiseAbs();
   predict::ErrorGrowth growth(run.errors, start, nav::Gravity(), run.vertical, kPredictionStep_s);
-  for (int k = 0; k < static_cast<int>(std::lround(run.duration_s * kRestingRateHz)); ++k)
-    growth.advance(truth.advance());
+  imu::ImuModel imu = imu_of(run);
+  imu.measure(truth.current());
+  for (int k = 0; k < static_cast<int>(std::lround(run.duration_s * kRestingRateHz)); ++k) {
+    growth.advance(imu.measure(truth.advance())->truth, 0.0);
+  }
   return growth.current();
 }
 
