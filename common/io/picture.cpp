@@ -49,7 +49,10 @@ void write_panel(std::ostringstream& script, const Panel& panel, std::size_t fir
   const std::string tics = panel.tic_step > 0.0 ? std::to_string(panel.tic_step) : "autofreq";
   script << "set xtics " << tics << "\nset ytics " << tics << '\n';
   script << (panel.log_x ? "set logscale x\n" : "unset logscale x\n")
-         << (panel.log_y ? "set logscale y\n" : "unset logscale y\n");
+         << (panel.log_y ? "set logscale y\n" : "unset logscale y\n") << "set format y '"
+         << (panel.log_y ? "%g" : "% h") << "'\n";
+  script << (panel.tight_x ? "set autoscale xfix\n" : "set autoscale x\n")
+         << (panel.has_key ? "set key on\n" : "unset key\n");
   script << "unset object\nunset arrow\n";
   for (const Band& band : panel.bands) {
     script << "set object rectangle from first " << band.begin << ", graph 0 to first " << band.end
@@ -161,7 +164,8 @@ std::string gnuplot_script(const Picture& picture, PictureFormat format) {
   script
       << "set terminal " << (format == PictureFormat::Svg ? "svg" : "pngcairo") << " noenhanced size "
       << picture.panel_width_px * static_cast<int>(picture.columns) << ','
-      << picture.panel_height_px * static_cast<int>(rows) + 30 << " font 'sans,11' background rgb 'white'\n"
+      << picture.panel_height_px * static_cast<int>(rows) + (picture.title.empty() ? 0 : 30)
+      << " font 'sans,11' background rgb 'white'\n"
       << "set key outside bottom center horizontal\nset tics nomirror\nset border 3\n"
       << "set linetype 1 linecolor rgb '#0060ad' linewidth 1.2\nset linetype 2 linecolor rgb '#c03020' linewidth 1.2\n"
       << "set linetype 3 linecolor rgb '#208040' linewidth 1.2\n";
@@ -169,7 +173,11 @@ std::string gnuplot_script(const Picture& picture, PictureFormat format) {
   for (const Panel& panel : picture.panels) {
     for (const Curve& curve : panel.curves) write_data(script, curve, number++);
   }
-  script << "set multiplot layout " << rows << ',' << picture.columns << " title " << quoted(picture.title) << '\n';
+  // One below the other, panels of the same x have the same edges.
+  if (picture.columns == 1 && picture.panels.size() > 1) script << "set lmargin 11\nset rmargin 3\n";
+  script << "set multiplot layout " << rows << ',' << picture.columns;
+  if (!picture.title.empty()) script << " title " << quoted(picture.title);
+  script << '\n';
   number = 0;
   for (const Panel& panel : picture.panels) {
     write_panel(script, panel, number);
@@ -186,6 +194,12 @@ std::string drawn(const Picture& picture, PictureFormat format, const std::strin
   std::string bytes = output.read();
   if (status == 0 && !bytes.empty()) return bytes;
   throw PictureError(program + " drew nothing (wait status " + std::to_string(status) + "): " + messages.read());
+}
+
+double tic_step_over(double extent) {
+  const double decade = std::pow(10.0, std::floor(std::log10(extent / 4.0)));
+  const double leading = extent / 4.0 / decade;
+  return decade * (leading >= 5.0 ? 5.0 : leading >= 2.0 ? 2.0 : 1.0);
 }
 
 Curve thinned(const Curve& curve, std::size_t bins) {

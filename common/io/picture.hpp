@@ -39,11 +39,13 @@ struct Panel {
   double tic_step = 0.0;      ///< of both axes; 0: as gnuplot likes
   bool log_x = false;
   bool log_y = false;
+  bool tight_x = false;  ///< x reaches from the first to the last value, not to the next tic
+  bool has_key = true;
 };
 
 /// Panels in rows of `columns`.
 struct Picture {
-  std::string title;
+  std::string title;  ///< empty: none
   std::vector<Panel> panels;
   std::size_t columns = 1;
   int panel_width_px = 420;
@@ -57,6 +59,9 @@ std::string gnuplot_script(const Picture& picture, PictureFormat format);
 
 /// The picture as the bytes of a file. Throws PictureError, saying what is missing or what gnuplot said.
 std::string drawn(const Picture& picture, PictureFormat format, const std::string& program = "gnuplot");
+
+/// 1, 2 or 5 times a power of ten, some four to nine of which make the extent, which is above 0.
+double tic_step_over(double extent);
 
 /// At most 2 `bins` points of a curve over time that show it as all of them would: the smallest and the largest of each
 /// bin and both ends, without those that a straight line shows as well. `x` increases; nothing is NaN.

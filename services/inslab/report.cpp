@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
-#include "score/score_json.hpp"
 #include "score/score_text.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/report_files.hpp"
@@ -23,13 +23,12 @@ struct ReportOptions {
 
 int report(const ReportOptions& options) {
   const io::McapReader log(options.log);
-  const LogSummary summary = summarize(log);
-  const LogScore score = score_log(log, summary);
-  const std::string text = score::score_text(score.scorer, score.verdicts);
-  const std::string json = score::score_json(score.scorer, score.verdicts).dump(2) + "\n";
+  const ReportData data = report_data(log);
+  const std::string text = report_text(data);
+  const std::string json = report_json(data).dump(2) + "\n";
   fmt::print("{}", options.json ? json : text);
   if (!options.junit.empty()) {
-    write_text_file(options.junit, score::junit_xml(summary.scenario.name, score.verdicts));
+    write_text_file(options.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
   }
   if (!options.directory.empty()) {
     std::filesystem::create_directories(options.directory);
@@ -37,10 +36,10 @@ int report(const ReportOptions& options) {
         (std::filesystem::path(options.directory) / std::filesystem::path(options.log).stem()).string();
     write_text_file(stem + ".txt", text);
     write_text_file(stem + ".json", json);
-    write_text_file(stem + ".html", html(report_page(log, summary)));
+    write_text_file(stem + ".html", html(report_page(log, data)));
     if (!options.json) fmt::print("\n{0}.txt, {0}.json and {0}.html written\n", stem);
   }
-  return score.accepted() ? app::kOk : app::kNotAccepted;
+  return data.score.accepted() ? app::kOk : app::kNotAccepted;
 }
 
 }  // namespace

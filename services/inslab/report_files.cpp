@@ -1,23 +1,32 @@
 #include "services/inslab/report_files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "io/error.hpp"
+#include "score/score_json.hpp"
 #include "score/score_text.hpp"
 #include "services/inslab/allan/analysis.hpp"
 #include "services/inslab/allan/report.hpp"
-#include "services/inslab/report_pictures.hpp"
+#include "services/inslab/report_tables.hpp"
 
 namespace inslab::cli {
 
 namespace {
 
-void add_figure(ReportPage& page, const io::Picture& picture, const std::string& caption) {
-  page.figures.push_back({picture.title, caption, io::drawn(picture, io::PictureFormat::Svg)});
+using Json = nlohmann::ordered_json;
+
+/// The page says the picture's title.
+void add_figure(ReportPage& page, io::Picture picture, const std::string& caption) {
+  const std::string title = std::exchange(picture.title, "");
+  page.figures.push_back({title, caption, io::drawn(picture, io::PictureFormat::Svg)});
 }
 
 void add_allan(ReportPage& page, const io::McapReader& log, const LogSummary& summary) {
@@ -32,9 +41,82 @@ void add_allan(ReportPage& page, const io::McapReader& log, const LogSummary& su
     page.notes.push_back(std::string("No Allan deviation: ") + error.what());
     return;
   }
-  add_figure(page, curve_picture(analysis),
-             fmt::format("IMU {} less its truth; points, 99 % bands dotted, fitted model as a line.",
-                         summary.scenario.imu.front().number));
+  const SensorAddress imu{SensorKind::Imu, options.recording.sensor_number};
+  const bool was_swapped = std::any_of(
+      summary.profiles.begin(), summary.profiles.end(),
+      [&imu](const ProfileInUse& entry) { return entry.apply_at_ns >= 0 && target_of(entry.profile) == imu; });
+  add_figure(
+      page, curve_picture(analysis),
+      fmt::format("IMU {} less its truth over the whole run{}; points, 99 % bands dotted, fitted model as a line.",
+                  imu.number, was_swapped ? ", across its swaps" : ""));
+}
+
+std::string ratios_text(const ErrorRatios& ratios, const std::string& where) {
+  if (ratios.solutions == 0) return "";
+  return fmt::format("; {}: position {:.2f}, velocity {:.2f}, attitude {:.2f}", where, ratios.position, ratios.velocity,
+                     ratios.attitude);
+}
+
+/// Empty when there is nothing to expect.
+std::string expectation_text(const ReportData& data) {
+  const Expectation& expectation = data.expectation;
+  if (expectation.curve.empty()) return "";
+  return fmt::format(
+      "Measured over expected (1 sigma of {}, told every profile), RMS{}{}.{}", expectation.of,
+      ratios_text(data.curves.ratios(expectation, false), "between outages"),
+      ratios_text(data.curves.ratios(expectation, true), "in outages"),
+      expectation.left_out.empty() ? "" : fmt::format(" Left out of it: {}.", fmt::join(expectation.left_out, ", ")));
+}
+
+Json ratios_json(const ErrorRatios& ratios) {
+  if (ratios.solutions == 0) return nullptr;
+  return {{"position", ratios.position}, {"velocity", ratios.velocity}, {"attitude", ratios.attitude}};
+}
+
+/// A row a second is enough to draw from.
+Json curve_json(const Expectation& expectation) {
+  constexpr double kEvery_s = 1.0;
+  Json rows = Json::array();
+  double next_s = -std::numeric_limits<double>::infinity();
+  for (const predict::PredictedError& error : expectation.curve) {
+    if (error.time_s < next_s) continue;
+    next_s = error.time_s + kEvery_s;
+    Json row{error.time_s};
+    for (const Vector3& sigma : {error.position_n_m, error.velocity_n_m_per_s, error.attitude_n_rad}) {
+      for (const double value : sigma) row.push_back(value);
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json expectation_json(const ReportData& data) {
+  const Expectation& expectation = data.expectation;
+  if (expectation.curve.empty()) return {{"missing", expectation.missing}};
+  Json json{{"of", expectation.of},
+            {"left_out", expectation.left_out},
+            {"measured_over_expected_between_outages", ratios_json(data.curves.ratios(expectation, false))},
+            {"measured_over_expected_in_outages", ratios_json(data.curves.ratios(expectation, true))}};
+  json["outages"] = Json::array();
+  for (const score::OutageDrift& outage : data.score.scorer.outages()) {
+    const predict::PredictedError* end = expectation.before(static_cast<double>(outage.end_ns) * 1e-9);
+    if (end == nullptr) continue;
+    json["outages"].push_back({{"end_s", static_cast<double>(outage.end_ns) * 1e-9},
+                               {"horizontal_sigma_m", end->position_n_m.head<2>().norm()},
+                               {"vertical_sigma_m", end->position_n_m.z()}});
+  }
+  json["columns"] = {"time_s",
+                     "position_north_m",
+                     "position_east_m",
+                     "position_down_m",
+                     "velocity_north_m_per_s",
+                     "velocity_east_m_per_s",
+                     "velocity_down_m_per_s",
+                     "phi_north_rad",
+                     "phi_east_rad",
+                     "phi_down_rad"};
+  json["sigma"] = curve_json(expectation);
+  return json;
 }
 
 std::string verdict_text(const LogScore& score) {
@@ -54,27 +136,59 @@ void write_text_file(const std::string& path, const std::string& text) {
   if (!file) throw io::WriteError(path, "writing the file", errno);
 }
 
-ReportPage report_page(const io::McapReader& log, const LogSummary& summary) {
-  ErrorCurves curves;
-  const LogScore score = score_log(log, summary, [&](const score::ScoredSolution& scored) { curves.add(scored); });
+ReportData report_data(const io::McapReader& log) {
+  ReportData data{summarize(log), {score::Scorer(scenario::Scenario()), {}}, {}, {}};
+  std::optional<predict::PredictedError> start;
+  data.score = score_log(log, data.summary, [&](const score::ScoredSolution& scored) {
+    if (!start) start = beginning_of(scored);
+    data.curves.add(scored);
+  });
+  if (start) {
+    data.expectation = expectation_of(log, data.summary, *start);
+  } else {
+    data.expectation.missing = "no solution was scored";
+  }
+  return data;
+}
+
+std::string report_text(const ReportData& data) {
+  std::string text = score::score_text(data.score.scorer, data.score.verdicts);
+  const std::string expected = expectation_text(data);
+  return expected.empty() ? text : text + "\n" + expected + "\n";
+}
+
+Json report_json(const ReportData& data) {
+  Json report = score::score_json(data.score.scorer, data.score.verdicts);
+  report["expected"] = expectation_json(data);
+  return report;
+}
+
+ReportPage report_page(const io::McapReader& log, const ReportData& data) {
+  const auto& [summary, score, curves, expectation] = data;
   ReportPage page{"Inslab report: " + summary.scenario.name,
                   summary.scenario.description,
                   verdict_text(score),
                   score.accepted(),
-                  score::score_text(score.scorer, score.verdicts),
+                  report_tables(score, summary, curves, expectation),
                   {},
                   {}};
   if (curves.empty()) {
     page.notes.push_back("No solution was scored: there are no errors to draw.");
   } else {
-    const std::string how = "Estimate less truth; 3 sigma as the app reports; outages shaded, swaps dashed.";
+    const std::string how =
+        "Estimate less truth; 3 sigma as the app reports and to expect; outages shaded, swaps dashed.";
     add_figure(page, curves.track(), "Horizontal track of the reference point, true and as the app has it.");
-    add_figure(page, curves.position(score, summary), how);
-    add_figure(page, curves.velocity(score, summary), how);
-    add_figure(page, curves.attitude(score, summary), how);
+    add_figure(page, curves.position(score, summary, expectation), how);
+    add_figure(
+        page, curves.sizes(score, summary, expectation),
+        "The same by logarithms with 1 sigma; horizontal: north and east together; less than 1 mm is drawn as 1 mm.");
+    add_figure(page, curves.velocity(score, summary, expectation), how);
+    add_figure(page, curves.attitude(score, summary, expectation), how);
   }
+  if (expectation.curve.empty()) page.notes.push_back("No errors to expect: " + expectation.missing + ".");
   if (score.scorer.latency().seconds().count() > 0 && score.scorer.latency().why_none().empty()) {
-    add_figure(page, latency_picture(score.scorer.latency().seconds()), "Both times by CLOCK_REALTIME of their hosts.");
+    add_figure(page, latency_picture(score.scorer.latency().seconds()),
+               "20 bins a decade; both times by CLOCK_REALTIME of their hosts.");
   }
   add_allan(page, log, summary);
   return page;

@@ -1,17 +1,35 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "services/inslab/report_page.hpp"
-#include "services/inslab/score_log.hpp"
+#include "services/inslab/report_pictures.hpp"
 
 namespace inslab::cli {
 
-/// Writes a whole file. Throws io::WriteError.
-void write_text_file(const std::string& path, const std::string& text);
+/// Everything that a report is made of.
+struct ReportData {
+  LogSummary summary;
+  LogScore score;
+  ErrorCurves curves;
+  Expectation expectation;
+};
+
+/// Scores a log and finds what was to be expected. Throws io::ReadError, config::Error.
+ReportData report_data(const io::McapReader& log);
+
+/// The figures for the terminal; score::score_text with what was to be expected.
+std::string report_text(const ReportData& data);
+
+/// The same as JSON: score::score_json with the member `expected`.
+nlohmann::ordered_json report_json(const ReportData& data);
 
 /// What a log says of the app, with its pictures; the Allan deviation is that of the first IMU less its truth. What
 /// cannot be drawn is said in the notes.
-ReportPage report_page(const io::McapReader& log, const LogSummary& summary);
+ReportPage report_page(const io::McapReader& log, const ReportData& data);
+
+/// Writes a whole file. Throws io::WriteError.
+void write_text_file(const std::string& path, const std::string& text);
 
 }  // namespace inslab::cli

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/xml_text.hpp"
 
 namespace inslab::cli {
@@ -9,19 +11,28 @@ namespace inslab::cli {
 namespace {
 
 constexpr const char* kStyle = R"(
-:root { color-scheme: light dark; --text: #1b1f24; --back: #ffffff; --line: #c8ced6; }
-@media (prefers-color-scheme: dark) { :root { --text: #e6e9ed; --back: #16191d; --line: #444b54; } }
-body { font: 16px/1.5 system-ui, sans-serif; color: var(--text); background: var(--back); max-width: 62rem;
+:root { color-scheme: light dark; --text: #1b1f24; --soft: #57606a; --back: #ffffff; --line: #c8ced6; --band: #f3f5f8;
+  --good: #1f7a33; --bad: #b3261e; }
+@media (prefers-color-scheme: dark) { :root { --text: #e6e9ed; --soft: #a3acb8; --back: #16191d; --line: #444b54;
+  --band: #20252b; --good: #58c272; --bad: #ff7b72; } figure svg { filter: invert(0.91) hue-rotate(180deg); } }
+body { font: 16px/1.5 system-ui, sans-serif; color: var(--text); background: var(--back); max-width: 64rem;
   margin: 2rem auto; padding: 0 1rem; }
-pre { font-size: 0.8rem; line-height: 1.35; overflow-x: auto; border: 1px solid var(--line); padding: 0.75rem; }
-figure { margin: 0; background: #ffffff; color: #1b1f24; border: 1px solid var(--line); padding: 0.5rem;
-  break-inside: avoid; }
-figure svg { width: 100%; height: auto; display: block; }
-figcaption { font-size: 0.9rem; padding: 0.25rem 0.5rem; }
-.verdict { font-weight: bold; border-left: 0.5rem solid #2f7d32; padding-left: 0.75rem; }
-.failed { border-color: #b3261e; }
-@media print { body { max-width: none; margin: 0; color: #000000; background: #ffffff; }
-  pre { font-size: 6.5pt; white-space: pre; } h2 { break-after: avoid; } }
+h1 { font-size: 1.7rem; margin-bottom: 0.25rem; } h2 { font-size: 1.15rem; margin: 2rem 0 0.5rem; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; font-size: 0.875rem; font-variant-numeric: tabular-nums; }
+th, td { padding: 0.25rem 0.45rem; border-bottom: 1px solid var(--line); text-align: right; vertical-align: bottom; }
+th { font-weight: 600; color: var(--soft); } tbody tr:nth-child(even) { background: var(--band); }
+td { white-space: nowrap; } .word { text-align: left; white-space: normal; }
+.good { color: var(--good); font-weight: 700; } .bad { color: var(--bad); font-weight: 700; }
+figure { margin: 0; border: 1px solid var(--line); padding: 0.5rem; break-inside: avoid; }
+figure svg { width: 100%; min-width: 40rem; height: auto; display: block; }
+figcaption, .caption { font-size: 0.875rem; color: var(--soft); padding: 0.25rem; margin: 0; }
+.verdict { font-size: 1.15rem; font-weight: 700; border-left: 0.5rem solid var(--good); background: var(--band);
+  padding: 0.5rem 0.75rem; }
+.failed { border-color: var(--bad); }
+@media print { :root { --text: #000000; --soft: #333333; --back: #ffffff; --line: #999999; --band: #ffffff; }
+  body { max-width: none; margin: 0; } table { font-size: 7pt; } h2 { break-after: avoid; }
+  figure svg { min-width: 0; filter: none; } }
 )";
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
@@ -45,6 +56,35 @@ std::string inlined(const Figure& figure, std::size_t number) {
                      "<svg role=\"img\" aria-label=\"" + io::xml_text(figure.title + ": " + figure.caption) + "\"");
 }
 
+std::string cell(const std::string& text, const char* element, bool is_word) {
+  const char* kind = text == "PASS"   ? " class=\"word good\""
+                     : text == "FAIL" ? " class=\"word bad\""
+                     : is_word        ? " class=\"word\""
+                                      : "";
+  return fmt::format("<{0}{1}>{2}</{0}>", element, kind, io::xml_text(text));
+}
+
+std::string row_of(const std::vector<std::string>& cells, const char* element, std::size_t words) {
+  std::string row = "<tr>";
+  for (std::size_t i = 0; i < cells.size(); ++i) row += cell(cells[i], element, i < words);
+  return row + "</tr>\n";
+}
+
+std::string table_of(const PageTable& table) {
+  std::string out = fmt::format(
+      "<h2>{0}</h2>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\">\n"
+      "<table>\n",
+      io::xml_text(table.title));
+  const bool has_head =
+      std::any_of(table.head.begin(), table.head.end(), [](const std::string& t) { return !t.empty(); });
+  if (has_head) out += "<thead>" + row_of(table.head, "th", table.words) + "</thead>\n";
+  out += "<tbody>\n";
+  for (const auto& row : table.rows) out += row_of(row, "td", table.words);
+  out += "</tbody>\n</table>\n</div>\n";
+  if (!table.caption.empty()) out += fmt::format("<p class=\"caption\">{}</p>\n", io::xml_text(table.caption));
+  return out;
+}
+
 }  // namespace
 
 std::string html(const ReportPage& page) {
@@ -56,13 +96,14 @@ std::string html(const ReportPage& page) {
   if (!page.verdict.empty()) {
     out += fmt::format("<p class=\"verdict{}\">{}</p>\n", page.accepted ? "" : " failed", io::xml_text(page.verdict));
   }
-  out += "<h2>Figures</h2>\n<pre tabindex=\"0\">" + io::xml_text(page.text) + "</pre>\n";
+  for (const PageTable& table : page.tables) out += table_of(table);
+  if (!page.notes.empty()) out += "<h2>Notes</h2>\n";
+  for (const std::string& note : page.notes) out += fmt::format("<p>{}</p>\n", io::xml_text(note));
   for (std::size_t i = 0; i < page.figures.size(); ++i) {
     const Figure& figure = page.figures[i];
-    out += fmt::format("<h2>{}</h2>\n<figure>{}<figcaption>{}</figcaption></figure>\n", io::xml_text(figure.title),
-                       inlined(figure, i), io::xml_text(figure.caption));
+    out += fmt::format("<h2>{}</h2>\n<figure><div class=\"wide\">{}</div><figcaption>{}</figcaption></figure>\n",
+                       io::xml_text(figure.title), inlined(figure, i), io::xml_text(figure.caption));
   }
-  for (const std::string& note : page.notes) out += fmt::format("<p>{}</p>\n", io::xml_text(note));
   return out + "</main>\n</body>\n</html>\n";
 }
 

@@ -22,13 +22,6 @@ constexpr double kFinestTrack = 1.0 / 600.0;  // of the track's extent: a pixel
 constexpr std::size_t kMostTrackPoints = 800;
 constexpr double kStandsWithin_m = 1e-3;
 
-/// 1, 2 or 5 times a power of ten, some four to nine of which make the extent.
-double tic_step_for(double extent) {
-  const double decade = std::pow(10.0, std::floor(std::log10(extent / 4.0)));
-  const double leading = extent / 4.0 / decade;
-  return decade * (leading >= 5.0 ? 5.0 : leading >= 2.0 ? 2.0 : 1.0);
-}
-
 /// An angle over time, thinned; interrupted where it turns over.
 io::Curve thinned_angle(const io::Curve& curve) {
   io::Curve joined{curve.title, {}, {}, curve.style};
@@ -97,7 +90,7 @@ io::Panel Track::ground_panel() const {
   panel.y_label = in_km ? "north (km)" : "north (m)";
   panel.equal_scales = true;
   if (extent_m > kStandsWithin_m) {
-    panel.tic_step = tic_step_for(extent_m * per_m);
+    panel.tic_step = io::tic_step_over(extent_m * per_m);
     panel.curves.push_back(io::thinned_by_distance(track, kFinestTrack * extent_m * per_m, kMostTrackPoints));
   }
   panel.curves.push_back({"", {0.0}, {0.0}, "points pointtype 6 linecolor rgb '#c03020'"});
