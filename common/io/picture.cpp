@@ -224,6 +224,18 @@ Curve thinned(const Curve& curve, std::size_t bins) {
   return without_straight_points(kept);
 }
 
+Curve thinned_by_logarithm(const Curve& curve, std::size_t bins) {
+  Curve logarithms{curve.title, {}, {}, curve.style};
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (!(curve.y[i] > 0.0)) continue;
+    logarithms.x.push_back(curve.x[i]);
+    logarithms.y.push_back(std::log10(curve.y[i]));
+  }
+  Curve kept = thinned(logarithms, bins);
+  for (double& y : kept.y) y = std::pow(10.0, y);
+  return kept;
+}
+
 Curve thinned_by_distance(const Curve& track, double distance, std::size_t most) {
   Curve kept{track.title, {}, {}, track.style};
   for (std::size_t i = 0; i < track.x.size(); ++i) {

@@ -67,6 +67,9 @@ double tic_step_over(double extent);
 /// bin and both ends, without those that a straight line shows as well. `x` increases; nothing is NaN.
 Curve thinned(const Curve& curve, std::size_t bins);
 
+/// The same of a curve that a logarithmic y axis shows; points whose y is not above 0 are left out.
+Curve thinned_by_logarithm(const Curve& curve, std::size_t bins);
+
 /// The points of a track further than `distance` from the last one kept, and the last; at most `most` in all, or else
 /// the distance is doubled until they are.
 Curve thinned_by_distance(const Curve& track, double distance, std::size_t most);

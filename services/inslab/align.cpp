@@ -62,7 +62,7 @@ void show_bad_lines(const align::AlignedRecording& aligned) {
 /// Each second's departure from the mean of the seconds.
 io::Picture picture_of(const align::AlignmentResult& result, const std::string& title) {
   io::Picture picture;
-  picture.title = title;
+  picture.title = title + ": each second's angles from the mean of the seconds";
   const std::array<const char*, 3> names{"roll", "pitch", "yaw"};
   for (int i = 0; i < 3; ++i) {
     io::Curve curve;
@@ -73,9 +73,9 @@ io::Picture picture_of(const align::AlignmentResult& result, const std::string& 
       curve.y.push_back(nav::wrapped_to_pi(angles[i] - result.seconds.mean_rad[i]) * kDegPerRad);
     }
     io::Panel panel;
-    panel.title = fmt::format("{} of each second, from their mean", names[static_cast<std::size_t>(i)]);
-    panel.x_label = "time, s";
-    panel.y_label = "deg";
+    panel.x_label = i == 2 ? "time (s)" : "";
+    panel.y_label = fmt::format("{} (deg)", names[static_cast<std::size_t>(i)]);
+    panel.tight_x = true;
     panel.curves = {io::thinned(curve, kPlottedBins)};
     picture.panels.push_back(panel);
   }

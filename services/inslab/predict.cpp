@@ -152,14 +152,16 @@ std::string table(const std::vector<predict::PredictedError>& errors) {
 }
 
 io::Picture picture_of(const Prediction& prediction, const scenario::Scenario& scenario) {
-  const std::array<const char*, 3> quantities{"position, m", "velocity, m/s", "phi angle, deg"};
+  const std::array<const char*, 3> quantities{"position (m)", "velocity (m/s)", "phi angle (deg)"};
   const std::array<const char*, 3> axes{"north", "east", "down"};
   io::Picture picture;
   picture.title = scenario.name + ": expected errors, 1 sigma";
-  picture.panel_width_px = 800;
+  picture.panel_width_px = 900;
   for (std::size_t quantity = 0; quantity < 3; ++quantity) {
     io::Panel panel;
-    panel.x_label = "time, s";
+    panel.x_label = quantity == 2 ? "sim time (s)" : "";
+    panel.log_y = panel.tight_x = true;
+    panel.has_key = quantity == 2;
     panel.y_label = quantities[quantity];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       io::Curve curve;
@@ -169,7 +171,7 @@ io::Picture picture_of(const Prediction& prediction, const scenario::Scenario& s
         curve.y.push_back(figures(error)[1 + 3 * quantity + axis]);
       }
       constexpr std::size_t kBins = 1000;
-      panel.curves.push_back(io::thinned(curve, kBins));
+      panel.curves.push_back(io::thinned_by_logarithm(curve, kBins));
     }
     panel.bands = prediction.outages;
     for (const scenario::ScheduledSwap& swap : scenario.swaps) panel.marks.push_back(swap.at_s);

@@ -23,6 +23,7 @@ table { border-collapse: collapse; font-size: 0.875rem; font-variant-numeric: ta
 th, td { padding: 0.25rem 0.45rem; border-bottom: 1px solid var(--line); text-align: right; vertical-align: bottom; }
 th { font-weight: 600; color: var(--soft); } tbody tr:nth-child(even) { background: var(--band); }
 td { white-space: nowrap; } .word { text-align: left; white-space: normal; }
+td.word:first-child:not(.good):not(.bad) { min-width: 7rem; }
 .good { color: var(--good); font-weight: 700; } .bad { color: var(--bad); font-weight: 700; }
 figure { margin: 0; border: 1px solid var(--line); padding: 0.5rem; break-inside: avoid; }
 figure svg { width: 100%; min-width: 40rem; height: auto; display: block; }

@@ -39,25 +39,12 @@ void mark(io::Panel& panel, const LogScore& score, const LogSummary& summary) {
 
 constexpr double kSmallestSize_m = 1e-3;
 
-/// A curve of sizes, thinned as its logarithm shows it; without the depths at which an error passes through 0.
-class SizeCurve {
- public:
-  SizeCurve(const std::string& title, const std::string& style) : logarithms_{title, {}, {}, style} {}
-  void add(double t_s, double size) {
-    if (!std::isfinite(size)) return;
-    logarithms_.x.push_back(t_s);
-    logarithms_.y.push_back(std::log10(std::max(size, kSmallestSize_m)));
-  }
-  void draw(io::Panel& panel) const {
-    if (logarithms_.x.empty()) return;
-    io::Curve curve = io::thinned(logarithms_, kBins);
-    for (double& y : curve.y) y = std::pow(10.0, y);
-    panel.curves.push_back(std::move(curve));
-  }
-
- private:
-  io::Curve logarithms_;
-};
+/// A size on a logarithmic axis, without the depths at which an error passes through 0.
+void add_size(io::Curve& curve, double t_s, double size_m) {
+  if (!std::isfinite(size_m)) return;
+  curve.x.push_back(t_s);
+  curve.y.push_back(std::max(size_m, kSmallestSize_m));
+}
 
 /// Plus and minus three sigmas; `y` gives one and whether there is one.
 class Bounds {
@@ -144,19 +131,22 @@ io::Picture ErrorCurves::sizes(const LogScore& score, const LogSummary& summary,
     const auto size = [is_horizontal](const Vector3& v) {
       return is_horizontal ? v.head<2>().norm() : std::abs(v.z());
     };
-    SizeCurve error("error", kErrorStyle), reported("1 sigma as reported", kReportedStyle),
-        expected("1 sigma to expect", kExpectedStyle);
+    io::Curve error{"error", {}, {}, kErrorStyle}, reported{"1 sigma as reported", {}, {}, kReportedStyle},
+        expected{"1 sigma to expect", {}, {}, kExpectedStyle};
     for (const Point& point : points_) {
-      error.add(point.t_s, size(point.error[0]));
-      reported.add(point.t_s, size(point.sigma[0]));
+      add_size(error, point.t_s, size(point.error[0]));
+      add_size(reported, point.t_s, size(point.sigma[0]));
     }
-    for (const predict::PredictedError& sigma : expectation.curve) expected.add(sigma.time_s, size(sigma.position_n_m));
+    for (const predict::PredictedError& sigma : expectation.curve)
+      add_size(expected, sigma.time_s, size(sigma.position_n_m));
     io::Panel panel;
     panel.x_label = is_horizontal ? "" : "sim time (s)";
     panel.y_label = is_horizontal ? "horizontal (m)" : "vertical (m)";
     panel.tight_x = panel.log_y = true;
     panel.has_key = !is_horizontal;
-    for (const SizeCurve* curve : {&error, &reported, &expected}) curve->draw(panel);
+    for (const io::Curve& curve : {error, reported, expected}) {
+      if (!curve.x.empty()) panel.curves.push_back(io::thinned_by_logarithm(curve, kBins));
+    }
     mark(panel, score, summary);
     picture.panels.push_back(panel);
   }

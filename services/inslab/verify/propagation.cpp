@@ -192,8 +192,10 @@ io::Curve curve(const std::string& title, const std::string& style) { return {ti
 
 io::Panel panel_of(const Source& source) {
   const std::vector<ErrorState> run = navigate_at_rest(source.run(), kEvery_s), linear = source.linear();
-  io::Curve whole = curve("whole chain", "lines linewidth 2"), model = curve("linear model", "lines dashtype 2"),
-            closed = curve("closed form", "lines dashtype 3");
+  // The chain and the model lie on each other: the one wide and light, the other thin upon it.
+  io::Curve whole = curve("whole chain", "lines linewidth 6 linecolor rgb '#a9c4e6'"),
+            model = curve("linear model", "lines linewidth 1.5 linecolor rgb '#1f3f75'"),
+            closed = curve("closed form", "lines dashtype 2 linewidth 1.5 linecolor rgb '#c03020'");
   for (std::size_t k = 0; k < run.size(); k += 6) {
     for (io::Curve* one : {&whole, &model, &closed}) one->x.push_back(time_of(k) / 3600.0);
     whole.y.push_back(run[k][0]);
@@ -202,9 +204,10 @@ io::Panel panel_of(const Source& source) {
   }
   io::Panel panel;
   panel.title = source.name;
-  panel.x_label = "time, h";
-  panel.y_label = "north, m";
-  panel.curves = {whole, model, closed};
+  panel.x_label = "time (h)";
+  panel.y_label = "north (m)";
+  constexpr std::size_t kBins = 200;
+  for (const io::Curve& one : {whole, model, closed}) panel.curves.push_back(io::thinned(one, kBins));
   return panel;
 }
 
@@ -292,6 +295,7 @@ io::Picture propagation_picture() {
   io::Picture picture;
   picture.title = "Errors of pure inertial navigation at rest, latitude 30 deg, height held";
   picture.columns = 2;
+  picture.panel_width_px = 460;
   for (const Source& source : sources()) picture.panels.push_back(panel_of(source));
   return picture;
 }

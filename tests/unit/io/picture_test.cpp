@@ -50,6 +50,37 @@ TEST(GnuplotScript, ShadesBandsAndMarksOfTheirOwnPanelAlone) {
   EXPECT_LT(cleared, second);
 }
 
+TEST(GnuplotScript, EndsATightPanelAtItsDataAndLeavesOutWhatIsNotWanted) {
+  Picture picture = two_panels();
+  picture.title = "";
+  picture.panels[0].tight_x = true;
+  picture.panels[1].has_key = false;
+  const std::string script = gnuplot_script(picture, PictureFormat::Svg);
+  const std::size_t first = script.find("plot $curve0");
+  EXPECT_LT(script.find("set autoscale xfix"), first);
+  EXPECT_LT(script.find("set key on"), first);
+  EXPECT_NE(script.find("set autoscale x\n", first), std::string::npos);
+  EXPECT_NE(script.find("unset key", first), std::string::npos);
+  EXPECT_THAT(script, HasSubstr("set multiplot layout 2,1\n"));
+}
+
+TEST(Thinned, ByLogarithmKeepsWhatIsSmall) {
+  Curve curve;
+  for (int i = 0; i < 100; ++i) {
+    curve.x.push_back(i);
+    curve.y.push_back(i == 10 ? 1e-3 : i == 20 ? 0.0 : i < 50 ? 1e-2 : 1e3);
+  }
+  const Curve kept = thinned_by_logarithm(curve, 400);
+  EXPECT_DOUBLE_EQ(*std::min_element(kept.y.begin(), kept.y.end()), 1e-3);
+  EXPECT_LT(kept.x.size(), 10u);
+}
+
+TEST(TicStep, IsARoundNumber) {
+  EXPECT_DOUBLE_EQ(tic_step_over(2700.0), 500.0);
+  EXPECT_DOUBLE_EQ(tic_step_over(0.9), 0.2);
+  EXPECT_DOUBLE_EQ(tic_step_over(4.0), 1.0);
+}
+
 TEST(Picture, IsDrawnByGnuplot) {
   try {
     EXPECT_THAT(drawn(two_panels(), PictureFormat::Png), StartsWith("\x89PNG"));
