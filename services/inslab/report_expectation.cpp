@@ -75,9 +75,10 @@ Expectation expectation_of(const io::McapReader& log, const LogSummary& summary,
   }
   predict::ExpectedErrors::Setup setup;
   setup.gravity = gravity_of(scenario);
-  setup.imu_number = scenario.imu.front().number;
+  const auto& app = scenario.reference_nav;
+  setup.imu_number = app ? app->imu : scenario.imu.front().number;
   setup.start = start;
-  if (!scenario.gnss.empty()) setup.gnss_number = scenario.gnss.front().number;
+  if (!scenario.gnss.empty()) setup.gnss_number = app ? app->gnss : scenario.gnss.front().number;
   expectation.of = setup.gnss_number ? fmt::format("the best filter of the fixes of gnss {}", *setup.gnss_number)
                                      : std::string("free inertial navigation");
   const std::string topic = wire::topic_names::imu_truth(setup.imu_number);

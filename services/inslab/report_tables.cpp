@@ -124,9 +124,11 @@ PageTable app_table(const LogScore& score) {
     if (counts.modes[i] == 0) continue;
     table.rows.push_back({fmt::format("of mode {}", EnumNames<NavMode>::values[i]), std::to_string(counts.modes[i])});
   }
-  if (scorer.negative_latencies() > 0) {
+  if (!scorer.latency().why_none().empty()) {
+    table.caption = "Latency is not judged: " + scorer.latency().why_none() + ".";
+  } else if (scorer.latency().negative() > 0) {
     table.caption =
-        fmt::format("{} latencies are negative: the hosts' clocks are unsynchronised.", scorer.negative_latencies());
+        fmt::format("{} latencies are negative: the hosts' clocks are unsynchronised.", scorer.latency().negative());
   }
   return table;
 }
