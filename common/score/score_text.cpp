@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/xml_text.hpp"
 
 namespace inslab::score {
@@ -42,20 +44,42 @@ std::string counts_text(const Scorer& scorer) {
   return text + latency_text(scorer);
 }
 
-std::string phases_text(const Scorer& scorer) {
-  std::string text = fmt::format("\n{:<32}{:>10}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}{:>10}{:>9}{:>9}{:>9}\n", "errors",
-                                 "solutions", "hor RMS", "CEP50", "CEP95", "ver RMS", "vel RMS", "tilt RMS", "head RMS",
-                                 "NEES p", "NEES v", "NEES a");
-  text += fmt::format("{:<32}{:>10}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}{:>10}{:>27}\n", "", "", "m", "m", "m", "m", "m/s",
-                      "deg", "deg", "3 is expected");
-  for (const auto& [key, errors] : scorer.phases()) {
-    const auto of = [&, &phase = key](Metric metric) { return shown(figure(scorer, metric, phase)); };
-    text += fmt::format("{:<32}{:>10}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}{:>10}{:>9}{:>9}{:>9}\n", words_of(key),
-                        errors.count(), of(Metric::HorizontalRms), of(Metric::Cep50), of(Metric::Cep95),
-                        of(Metric::VerticalRms), of(Metric::VelocityRms), of(Metric::TiltRms), of(Metric::HeadingRms),
-                        of(Metric::PositionNees), of(Metric::VelocityNees), of(Metric::AttitudeNees));
+/// Whether a phase says what no other row says, or an acceptance line asks for it.
+bool is_shown(const PhaseKey& key, const Scorer& scorer, const std::vector<Verdict>& verdicts) {
+  const auto asks = [&key](const Verdict& verdict) {
+    const scenario::AcceptanceLimit& limit = verdict.limit;
+    return !is_of_the_run(limit.metric) && limit.phase == key.phase && limit.swap_interval == key.swap_interval &&
+           limit.after_s == key.after_s;
+  };
+  if (std::any_of(verdicts.begin(), verdicts.end(), asks)) return true;
+  if (key.after_s > 0.0) return false;
+  switch (key.phase) {
+    case scenario::Phase::All:
+    case scenario::Phase::Outages:
+      return true;
+    case scenario::Phase::BetweenOutages:
+      return !scorer.outages().empty();
+    case scenario::Phase::SwapInterval:
+      return scorer.phases().count({scenario::Phase::SwapInterval, 1, 0.0}) > 0;
   }
-  return text;
+  return true;
+}
+
+std::string phases_text(const Scorer& scorer, const std::vector<Verdict>& verdicts) {
+  constexpr const char* kColumns = "{:<32}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>11}{:>11}{:>11}\n";
+  std::string text = "\n";
+  text += fmt::format(kColumns, "errors", "solutions", "hor RMS", "CEP50", "CEP95", "ver RMS", "vel RMS", "tilt RMS",
+                      "head RMS", "NEES p", "NEES v", "NEES a");
+  text += fmt::format(kColumns, "", "", "m", "m", "m", "m", "m/s", "deg", "deg", "(3)", "(3)", "(3)");
+  for (const auto& [key, errors] : scorer.phases()) {
+    if (!is_shown(key, scorer, verdicts)) continue;
+    const auto of = [&, &phase = key](Metric metric) { return shown(figure(scorer, metric, phase)); };
+    text += fmt::format(kColumns, words_of(key), errors.count(), of(Metric::HorizontalRms), of(Metric::Cep50),
+                        of(Metric::Cep95), of(Metric::VerticalRms), of(Metric::VelocityRms), of(Metric::TiltRms),
+                        of(Metric::HeadingRms), of(Metric::PositionNees), of(Metric::VelocityNees),
+                        of(Metric::AttitudeNees));
+  }
+  return text + "NEES: squared error over the app's own variance; 3 is expected of an app that knows how good it is\n";
 }
 
 std::string outages_text(const Scorer& scorer) {
@@ -72,7 +96,7 @@ std::string outages_text(const Scorer& scorer) {
 
 std::string score_text(const Scorer& scorer, const std::vector<Verdict>& verdicts) {
   std::string text = counts_text(scorer);
-  if (scorer.counts().scored > 0) text += phases_text(scorer) + outages_text(scorer);
+  if (scorer.counts().scored > 0) text += phases_text(scorer, verdicts) + outages_text(scorer);
   if (!verdicts.empty()) text += "\n";
   for (const Verdict& verdict : verdicts) {
     text += fmt::format("{}  {}: {}{}\n", verdict.passed ? "PASS" : "FAIL", words_of(verdict.limit),
