@@ -123,7 +123,7 @@ std::size_t same_bits(const std::vector<NavSolution>& a, const std::vector<NavSo
 
 verify::DriftFigures drift_of(const std::vector<NavSolution>& solutions, const std::vector<ImuTruth>& truths,
                               const verify::NavigationSetup& setup) {
-  verify::OutageScore score({setup.first_outage_s, verify::kOutage_s, setup.outage_spacing_s, setup.duration_s});
+  verify::OutageScore score(setup.outages, setup.duration_s);
   for (const NavSolution& s : solutions) {
     const ImuTruth& truth = truths.at(s.imu_sequence);
     score.add(truth.header.sim_time_ns, {{s.latitude_rad, s.longitude_rad, s.height_m}, s.v_n, s.q_n_body},
@@ -136,12 +136,13 @@ verify::DriftFigures drift_of(const std::vector<NavSolution>& solutions, const s
 
 }  // namespace
 
-verify::Table outages_over_dds(const app::NetworkOptions& network) {
+verify::Table outages_over_dds(const app::NetworkOptions& network, const verify::OutageTimes& outages) {
   verify::Table table;
+  table.judged = outages == verify::OutageTimes{};
   table.title = "The same over DDS in lockstep: horizontal / vertical m; roll pitch yaw deg";
   table.columns = {"IMU", "motion", "over DDS", "same bits as in one process", "thesis simulated", ""};
   for (const verify::MotionFrom motion : {verify::MotionFrom::Parameters, verify::MotionFrom::File}) {
-    verify::NavigationSetup setup = verify::thesis_setup(kSeed, motion);
+    verify::NavigationSetup setup = verify::thesis_setup(kSeed, motion, outages);
     setup.shifts_s = {0.0};
     for (std::size_t i = 0; i < setup.imus.size(); ++i) {
       const TemporaryFolder folder;

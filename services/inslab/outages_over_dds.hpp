@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/service_options.hpp"
+#include "services/inslab/verify/outage_score.hpp"
 #include "services/inslab/verify/table.hpp"
 
 namespace inslab::cli {
@@ -9,6 +10,6 @@ namespace inslab::cli {
 /// with the reference navigation app on the bus, and beside it the same scenario in one process without DDS. A row
 /// holds when every solution is the same to the bit and no figure is worse than twice the thesis's. Throws
 /// std::runtime_error when a run fails.
-verify::Table outages_over_dds(const app::NetworkOptions& network);
+verify::Table outages_over_dds(const app::NetworkOptions& network, const verify::OutageTimes& outages);
 
 }  // namespace inslab::cli

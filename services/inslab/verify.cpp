@@ -24,6 +24,7 @@ namespace {
 struct Request {
   bool full = false;               ///< all seeds
   std::vector<std::string> files;  ///< the user's own, to be shown too
+  verify::OutageTimes outages;     ///< of `navigation`
   bool over_dds = false;           ///< through the real processes, too
   app::NetworkOptions network;     ///< of these
   std::string picture;             ///< where the block's picture goes; empty: nowhere
@@ -36,7 +37,7 @@ struct Verification {
   std::vector<verify::Table> (*run)(const Request& request);
   bool takes_files = false;
   io::Picture (*picture)() = nullptr;
-  verify::Table (*over_dds)(const app::NetworkOptions& network) = nullptr;
+  verify::Table (*over_dds)(const app::NetworkOptions& network, const verify::OutageTimes& outages) = nullptr;
 };
 
 void say(const std::string& what) { spdlog::info(what); }
@@ -56,7 +57,8 @@ const std::vector<Verification>& verifications() {
       {"gnss", "Errors of the receivers and the lever arm of their antenna (thesis tables 4-8, 4-9)",
        [](const Request& request) { return verify::gnss(request.full); }},
       {"navigation", "Drift in GNSS outages and the filter's honesty (thesis tables 4-10 to 4-13)",
-       [](const Request& request) { return verify::navigation(request.full); }, false, nullptr, outages_over_dds},
+       [](const Request& request) { return verify::navigation(request.full, request.outages); }, false, nullptr,
+       outages_over_dds},
       {"propagation", "How errors of inertial navigation grow, against closed forms and the linear model (lecture)",
        [](const Request& request) { return verify::propagation(request.full); }, false, verify::propagation_picture},
       {"vibration", "Increments, coning, sculling and spectra of vibration",
@@ -68,7 +70,7 @@ const std::vector<Verification>& verifications() {
 int verify_one(const Verification& verification, const Request& request) {
   bool held = true;
   std::vector<verify::Table> tables = verification.run(request);
-  if (request.over_dds) tables.push_back(verification.over_dds(request.network));
+  if (request.over_dds) tables.push_back(verification.over_dds(request.network, request.outages));
   for (const verify::Table& table : tables) {
     fmt::print("{}\n", verify::to_text(table));
     held = held && table.held();
@@ -81,6 +83,19 @@ int verify_one(const Verification& verification, const Request& request) {
   }
   fmt::print("{}: {}\n", verification.name, held ? "every row held" : "NOT every row held");
   return held ? app::kOk : app::kFailed;
+}
+
+void add_outages(CLI::App& command, verify::OutageTimes& outages) {
+  command.add_option("--outage", outages.length_s, "length of an outage, s")
+      ->check(CLI::Range(1.0, 600.0))
+      ->capture_default_str();
+  command.add_option("--every", outages.spacing_s, "from the beginning of one outage to that of the next, s")
+      ->check(CLI::Range(2.0, 1200.0))
+      ->capture_default_str();
+  command
+      .add_option("--from", outages.first_s, "beginning of the first, s; the drive begins at 300 s and ends at 1200 s")
+      ->check(CLI::Range(1.0, 1100.0))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -101,6 +116,7 @@ void add_verify(CLI::App& app, std::function<int()>& action) {
     if (verification.over_dds != nullptr) {
       command->add_flag("--dds", request->over_dds, "through the real processes in lockstep, too");
       request->network.add_to(*command);
+      add_outages(*command, request->outages);
     }
     command->callback([&action, &verification, request] {
       action = [&verification, request] { return verify_one(verification, *request); };

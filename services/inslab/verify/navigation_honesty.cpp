@@ -21,7 +21,7 @@ NavigationSetup short_drive(std::uint64_t seed) {
   setup.duration_s = kDuration_s;
   setup.gnss_rate_hz = 5.0;
   setup.gnss_velocity = true;
-  setup.first_outage_s = kOutageBegins_s;
+  setup.outages.first_s = kOutageBegins_s;
   setup.shifts_s = {0.0};
   setup.nees_at_s = {10.0, 20.0, 30.0, kOutageBegins_s, kDuration_s - 1.0};
   return setup;

@@ -102,7 +102,7 @@ constexpr Reading kReadings[] = {
     {"fixes at 5 Hz", [](NavigationSetup& s) { s.gnss_rate_hz = 5.0; }},
     {"outages every 120 s",
      [](NavigationSetup& s) {
-       s.outage_spacing_s = 120.0, s.shifts_s = {0.0, 60.0};
+       s.outages.spacing_s = 120.0, s.shifts_s = {0.0, 60.0};
      }},
     {"zero-velocity updates", [](NavigationSetup& s) { s.zero_velocity_updates = true; }},
     {"town drive at first hand", [](NavigationSetup& s) { s.motion = town_drive(s.seed, 300.0, s.duration_s); }},

@@ -33,6 +33,11 @@ Eigen::Matrix<double, 9, 1> errors_of(const nav::NavState& estimate, const nav::
   return errors;
 }
 
+OutageTimes shifted(OutageTimes times, double shift_s) {
+  times.first_s += shift_s;
+  return times;
+}
+
 /// A filter beside one IMU of the run, and its score.
 class Scored {
  public:
@@ -41,7 +46,7 @@ class Scored {
       : imu_index(imu),
         shift_index(shift),
         setup_(setup),
-        score_({setup.first_outage_s + setup.shifts_s[shift], kOutage_s, setup.outage_spacing_s, setup.duration_s}),
+        score_(shifted(setup.outages, setup.shifts_s[shift]), setup.duration_s),
         parameters_(parameters),
         filter_(parameters, gravity),
         draws_(setup.seed, "verify/navigation/" + std::to_string(imu)) {}
@@ -156,8 +161,9 @@ scenario::LoadedScenario navigation_scenario(const NavigationSetup& setup) {
     gnss.errors = setup.gnss;
     gnss.installation = catalogue_profile<InstallationProfile>(kAntennaPlace);
     gnss.errors.target = gnss.installation.target = {SensorKind::Gnss, gnss.number};
-    if (setup.first_outage_s < setup.duration_s) {
-      gnss.outages.push_back({setup.first_outage_s + shift_s, kOutage_s, setup.outage_spacing_s});
+    if (setup.outages.first_s < setup.duration_s) {
+      const OutageTimes times = shifted(setup.outages, shift_s);
+      gnss.outages.push_back({times.first_s, times.length_s, times.spacing_s});
     }
     loaded.gnss.push_back(gnss);
   }

@@ -36,14 +36,12 @@ struct NavigationSetup {
   double gnss_rate_hz = 1.0;
   bool gnss_velocity = false;  ///< false: positions alone, as 7-column texts have them
   double duration_s = 1200.0;
-  double first_outage_s = 420.0;  ///< beyond the duration: none
-  double outage_spacing_s = 180.0;
+  OutageTimes outages;
   std::vector<double> shifts_s = {0.0, 60.0, 120.0};  ///< of all outages: the same run anew for each, but for the fixes
   std::vector<double> nees_at_s;                      ///< instants of IMU samples
   bool zero_velocity_updates = false;
 };
 
-inline constexpr double kOutage_s = 60.0;
 inline constexpr double kImuRate_hz = 200.0;
 inline constexpr time::GpsTime kNavigationStart{2446, 36000000000000};
 

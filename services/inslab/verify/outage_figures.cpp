@@ -51,8 +51,10 @@ const std::array<PublishedDrift, 3>& published_drifts() {
   return drifts;
 }
 
-NavigationSetup thesis_setup(std::uint64_t seed, MotionFrom motion) {
+NavigationSetup thesis_setup(std::uint64_t seed, MotionFrom motion, const OutageTimes& outages) {
   NavigationSetup setup;
+  setup.outages = outages;
+  setup.shifts_s = {0.0, outages.spacing_s / 3.0, 2.0 * outages.spacing_s / 3.0};
   setup.seed = seed;
   setup.gnss = catalogue_profile<GnssErrorProfile>("gnss/rtk_white");
   for (const PublishedDrift& published : published_drifts()) {

@@ -43,7 +43,8 @@ std::string verdict(const DriftFigures& ratios);
 /// The thesis's outages (docs/navigation.md says which of it is from where): its IMUs as it simulates them in 20
 /// minutes of driving after a rest, RTK positions at 1 Hz with white noise, outages of 60 s every 180 s from 420 s on,
 /// three times over. Each filter is told its IMU's errors.
-NavigationSetup thesis_setup(std::uint64_t seed, MotionFrom motion);
+/// Other outages come three times over likewise, a third of their spacing apart.
+NavigationSetup thesis_setup(std::uint64_t seed, MotionFrom motion, const OutageTimes& outages = {});
 
 /// The same drive with what the thesis left out: terms of data sheets and papers, a vibrating car, RTK positions whose
 /// errors last. Each filter is told its IMU's noise, and as an unknown bias what the data sheet lets warming and

@@ -9,12 +9,12 @@
 namespace inslab::verify {
 
 void OutageScore::add(std::int64_t sim_time_ns, const nav::NavState& estimate, const nav::NavState& truth) {
-  const double since_s = static_cast<double>(sim_time_ns) * 1e-9 - plan_.first_s;
+  const double since_s = static_cast<double>(sim_time_ns) * 1e-9 - times_.first_s;
   if (since_s < 0.0) return;
-  const auto outage = static_cast<std::size_t>(since_s / plan_.spacing_s);
-  const double begin_s = static_cast<double>(outage) * plan_.spacing_s;
-  const bool ends_in_the_run = plan_.first_s + begin_s + plan_.length_s <= plan_.run_s;
-  if (since_s - begin_s >= plan_.length_s || !ends_in_the_run) return;
+  const auto outage = static_cast<std::size_t>(since_s / times_.spacing_s);
+  const double begin_s = static_cast<double>(outage) * times_.spacing_s;
+  const bool ends_in_the_run = times_.first_s + begin_s + times_.length_s <= run_s_;
+  if (since_s - begin_s >= times_.length_s || !ends_in_the_run) return;
   if (outages_.size() <= outage) outages_.resize(outage + 1);
   OutageDrift& drift = outages_[outage];
   const nav::Vector3 error_m = nav::ned_from(truth.position, estimate.position);

@@ -131,7 +131,7 @@ std::shared_ptr<const io::TrajectoryFile> recorded_drive(std::uint64_t seed, dou
   setup.motion = town_drive(seed, standing_s, duration_s + kFirstRow_s);
   setup.gnss = catalogue_profile<GnssErrorProfile>("gnss/rtk_white");
   setup.duration_s = duration_s + kFirstRow_s;
-  setup.first_outage_s = setup.duration_s;
+  setup.outages.first_s = setup.duration_s;
   setup.shifts_s = {0.0};
   const scenario::LoadedScenario loaded = navigation_scenario(setup);
   Recorder recorder(filter_parameters(setup, 0), loaded.gravity(), "drive_" + std::to_string(seed));
