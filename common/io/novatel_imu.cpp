@@ -100,7 +100,7 @@ bool NovatelImuReader::next(NovatelImuRecord& record) {
     text = trimmed(text);
     if (text.empty()) continue;
     if (!is_imu_line(text)) {
-      ++other_line_count_;
+      note_other(text);
       continue;
     }
     auto reason = read_line(text, record);
@@ -114,6 +114,16 @@ bool NovatelImuReader::next(NovatelImuRecord& record) {
     if (bad_lines_.size() < kMaxListed) bad_lines_.push_back({lines_.number(), std::move(*reason)});
   }
   return false;
+}
+
+/// A log may be hours of them: a name is looked at only while there is room for it.
+void NovatelImuReader::note_other(std::string_view text) {
+  ++other_line_count_;
+  if (other_messages_.size() >= kMaxOtherMessages || (text.front() != '#' && text.front() != '%')) return;
+  const std::string name(text.substr(1, std::min<std::size_t>(text.find_first_of(",;") - 1, 20)));
+  if (std::find(other_messages_.begin(), other_messages_.end(), name) == other_messages_.end()) {
+    other_messages_.push_back(name);
+  }
 }
 
 std::optional<std::string> NovatelImuReader::read_line(std::string_view text, NovatelImuRecord& record) {

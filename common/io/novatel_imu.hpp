@@ -50,6 +50,7 @@ class NovatelImuReader {
   };
   /// Bad lines beyond these are counted and not listed.
   static constexpr std::size_t kMaxListed = 1000;
+  static constexpr std::size_t kMaxOtherMessages = 8;
 
   /// Throws ReadError when the file cannot be opened, std::invalid_argument for an IMU type that is not known.
   explicit NovatelImuReader(const std::string& path) : NovatelImuReader(path, Options{}) {}
@@ -63,8 +64,11 @@ class NovatelImuReader {
   std::uint64_t bad_line_count() const { return bad_line_count_; }
   std::uint64_t record_count() const { return record_count_; }
   std::uint64_t other_line_count() const { return other_line_count_; }
+  /// Names of the other messages, the first few.
+  const std::vector<std::string>& other_messages() const { return other_messages_; }
 
  private:
+  void note_other(std::string_view text);
   /// Both give the reason when they cannot.
   std::optional<std::string> read_line(std::string_view text, NovatelImuRecord& record);
   std::optional<std::string> find_type(bool is_extended, const NovatelImuType*& type) const;
@@ -77,6 +81,7 @@ class NovatelImuReader {
   std::uint64_t bad_line_count_ = 0;
   std::uint64_t record_count_ = 0;
   std::uint64_t other_line_count_ = 0;
+  std::vector<std::string> other_messages_;
 };
 
 /// Turns increments into lines of RAWIMUSXA. What a count cannot hold is carried into the next, so the counts of a run
