@@ -44,27 +44,6 @@ std::string counts_text(const Scorer& scorer) {
   return text + latency_text(scorer);
 }
 
-/// Whether a phase says what no other row says, or an acceptance line asks for it.
-bool is_shown(const PhaseKey& key, const Scorer& scorer, const std::vector<Verdict>& verdicts) {
-  const auto asks = [&key](const Verdict& verdict) {
-    const scenario::AcceptanceLimit& limit = verdict.limit;
-    return !is_of_the_run(limit.metric) && limit.phase == key.phase && limit.swap_interval == key.swap_interval &&
-           limit.after_s == key.after_s;
-  };
-  if (std::any_of(verdicts.begin(), verdicts.end(), asks)) return true;
-  if (key.after_s > 0.0) return false;
-  switch (key.phase) {
-    case scenario::Phase::All:
-    case scenario::Phase::Outages:
-      return true;
-    case scenario::Phase::BetweenOutages:
-      return !scorer.outages().empty();
-    case scenario::Phase::SwapInterval:
-      return scorer.phases().count({scenario::Phase::SwapInterval, 1, 0.0}) > 0;
-  }
-  return true;
-}
-
 std::string phases_text(const Scorer& scorer, const std::vector<Verdict>& verdicts) {
   constexpr const char* kColumns = "{:<32}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>11}{:>11}{:>11}\n";
   std::string text = "\n";
@@ -93,6 +72,26 @@ std::string outages_text(const Scorer& scorer) {
 }
 
 }  // namespace
+
+bool is_shown(const PhaseKey& key, const Scorer& scorer, const std::vector<Verdict>& verdicts) {
+  const auto asks = [&key](const Verdict& verdict) {
+    const scenario::AcceptanceLimit& limit = verdict.limit;
+    return !is_of_the_run(limit.metric) && limit.phase == key.phase && limit.swap_interval == key.swap_interval &&
+           limit.after_s == key.after_s;
+  };
+  if (std::any_of(verdicts.begin(), verdicts.end(), asks)) return true;
+  if (key.after_s > 0.0) return false;
+  switch (key.phase) {
+    case scenario::Phase::All:
+    case scenario::Phase::Outages:
+      return true;
+    case scenario::Phase::BetweenOutages:
+      return !scorer.outages().empty();
+    case scenario::Phase::SwapInterval:
+      return scorer.phases().count({scenario::Phase::SwapInterval, 1, 0.0}) > 0;
+  }
+  return true;
+}
 
 std::string score_text(const Scorer& scorer, const std::vector<Verdict>& verdicts) {
   std::string text = counts_text(scorer);

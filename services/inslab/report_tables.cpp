@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "score/score_text.hpp"
+
 namespace inslab::cli {
 
 namespace {
@@ -51,6 +53,7 @@ PageTable phases_table(const LogScore& score) {
       "NEES of position, velocity, attitude: squared error over the reported variance; 3 is expected of honest "
       "sigmas."};
   for (const auto& [key, errors] : score.scorer.phases()) {
+    if (!score::is_shown(key, score.scorer, score.verdicts)) continue;
     std::vector<std::string> row{phase_name(key), std::to_string(errors.count())};
     for (const Metric metric : {Metric::HorizontalRms, Metric::Cep50, Metric::Cep95, Metric::VerticalRms,
                                 Metric::VelocityRms, Metric::TiltRms, Metric::HeadingRms}) {
