@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "app/clock_override.hpp"
 #include "app/exit_code.hpp"
 #include "app/service_names.hpp"
 #include "app/shutdown.hpp"
@@ -25,12 +26,6 @@ void warn_of_environment() {
   if (server != nullptr && *server != '\0') {
     spdlog::warn("ROS_DISCOVERY_SERVER={} is set: peers that use simple discovery will not see this process", server);
   }
-}
-
-void override_clock(const ClockOptions& options, scenario::Clock& clock) {
-  if (!options.mode.empty()) clock.mode = options.mode == "lockstep" ? ClockMode::Lockstep : ClockMode::RealTime;
-  if (options.rate > 0.0) clock.rate = options.rate;
-  if (options.paused) clock.start_paused = true;
 }
 
 }  // namespace
@@ -70,8 +65,7 @@ int run_service(const char* name, const char* purpose, const ServiceTraits& trai
     scenario::LoadedScenario loaded =
         scenario::load(options.scenario, options.network.unit,
                        traits.makes_truth ? scenario::TrajectoryRows::Read : scenario::TrajectoryRows::LeaveOut);
-    override_clock(options.clock, loaded.scenario.clock);
-    if (const auto broken = scenario::violation(loaded.scenario)) throw config::Error(options.scenario, *broken);
+    override_clock(options.clock, loaded);
     Context context(name, options, std::move(loaded));
     return body(context);
   } catch (const config::Error& error) {

@@ -13,7 +13,7 @@ struct SolutionCounts {
   std::uint64_t received = 0;
   std::uint64_t scored = 0;
   std::uint64_t stale = 0;         ///< valid long before the IMU sample it names, or before the truth that is kept
-  std::uint64_t future = 0;        ///< valid long after the IMU sample it names, or after the end of the truth
+  std::uint64_t future = 0;        ///< long after the IMU sample it names or the truth, or a leap that was taken back
   std::uint64_t non_finite = 0;    ///< not finite, outside the domain, or no rotation
   std::uint64_t duplicates = 0;    ///< as valid as the one before
   std::uint64_t out_of_order = 0;  ///< valid before one that came earlier

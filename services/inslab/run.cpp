@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/clock_override.hpp"
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "score/score_text.hpp"
@@ -18,7 +19,8 @@ namespace inslab::cli {
 namespace {
 
 int run(RunOptions options, const std::string& junit) {
-  const scenario::LoadedScenario loaded = scenario::load(options.scenario);
+  scenario::LoadedScenario loaded = scenario::load(options.scenario);
+  app::override_clock(options.clock, loaded);
   if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
   if (options.log_file.empty()) {
     options.log_file = "runs/" + loaded.scenario.name + "-" + app::utc_text(app::realtime_now()) + ".mcap";

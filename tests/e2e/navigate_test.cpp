@@ -112,6 +112,13 @@ TEST_F(Navigate, OnALogGivesTheSolutionsOfTheAppThatTookPart) {
   }
 }
 
+// scored.json names the same sensors and no app. The first of 2000 samples is where the filter begins.
+TEST_F(Navigate, BeginsAtTheTruthWithParametersThatMatchAScenariosSensors) {
+  EXPECT_THAT(run({"navigate", log(), "--scenario", source("tests/data/scored.json"), "--start-at-truth", "-o",
+                   *folder_ / "matched"}),
+              HasSubstr("1999 solutions in "));
+}
+
 // Positions alone, as text: at the end, at a fix, the filter knows its place better than that fix does, and is within
 // five of its own sigmas of the truth.
 TEST_F(Navigate, OnTextFilesWritesElevenColumnsThatAgreeWithTheTruthToTheirSigmas) {

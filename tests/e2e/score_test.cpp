@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -16,6 +17,7 @@ using std::chrono::seconds;
 using testing::HasSubstr;
 using testing::Not;
 
+constexpr int kBadInput = 2;
 constexpr int kNotAccepted = 4;
 
 std::string text_of(const std::string& path) {
@@ -80,6 +82,15 @@ TEST(Score, AMissingAppFailsTheRun) {
   EXPECT_THAT(run.output(), HasSubstr("FAIL  stale, at most 0: - (no solution came: the app is missing)"));
   EXPECT_THAT(text_of(junit), HasSubstr("<testsuite name=\"app_missing\" tests=\"1\" failures=\"1\" errors=\"0\">"));
   EXPECT_THAT(text_of(junit), HasSubstr("<failure message=\"no solution came: the app is missing\"/>"));
+}
+
+TEST(Score, ALimitOnTheLatencyIsRefusedInLockstepBeforeAnythingStarts) {
+  const TestFolder folder;
+  Process run("inslab", {"run", source("tests/data/latency_limit.json"), "--domain", own_domain(), "--log",
+                         folder / "log.mcap", "--clock", "lockstep"});
+  EXPECT_EQ(run.wait(seconds(30)), kBadInput) << run.output();
+  EXPECT_THAT(run.output(), HasSubstr("latency_limit.json: acceptance[0].metric: is latency_p99_ms, but in lockstep"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "log.mcap"));
 }
 
 // The app is levelled for 2 of 3 seconds of sim time. What it gives then is good, but it comes too late.
