@@ -95,6 +95,33 @@ TEST(Scorer, TheReferencePointFollowsTheInstallationThatIsInUse) {
   EXPECT_LT(*in_all(scorer, Metric::HorizontalMax), 1e-8);
 }
 
+TEST(Scorer, TheAppsSensorsAreThoseOfItsOptionsElseOfTheScenariosAppElseTheFirst) {
+  scenario::Scenario scenario = scenario_with();
+  for (const std::uint32_t number : {1U, 2U}) scenario.imu.emplace_back().number = number;
+  const auto error_m = [&](const Scorer::Options& options) {
+    Scorer scorer(scenario, options);
+    for (const std::uint32_t number : {0U, 1U, 2U}) {
+      InstallationProfile installation;
+      installation.target = {SensorKind::Imu, number};
+      installation.lever_arm_v_m = Vector3(10.0 * number, 0.0, 0.0);
+      scorer.add(installation, -1);
+    }
+    NavSolution at_the_vehicle = solution_at(standing(0.0), Vector3::Zero());
+    at_the_vehicle.reference_point = ReferencePoint::Imu;
+    scorer.add(standing(0.0));
+    scorer.add(at_the_vehicle, 0);
+    scorer.add(standing(0.01));
+    scorer.finish();
+    return *in_all(scorer, Metric::HorizontalMax);
+  };
+  EXPECT_NEAR(error_m({}), 0.0, 1e-8);
+  scenario.reference_nav.emplace().imu = 1;
+  EXPECT_NEAR(error_m({}), 10.0, 1e-8);
+  Scorer::Options options;
+  options.imu_number = 2;
+  EXPECT_NEAR(error_m(options), 20.0, 1e-8);
+}
+
 TEST(Scorer, CountsWhatCannotBeScoredAndScoresTheRest) {
   Scorer scorer(scenario_with());
   for (int k = 0; k <= 400; ++k) scorer.add(standing(k * 0.01));
