@@ -101,6 +101,7 @@ Expectation expectation_of(const io::McapReader& log, const LogSummary& summary,
   });
   expectation.curve = errors.curve();
   expectation.left_out = errors.left_out();
+  if (expectation.curve.empty()) expectation.missing = "the log has no " + topic + " after the first solution";
   return expectation;
 }
 

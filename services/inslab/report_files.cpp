@@ -63,7 +63,8 @@ std::string expectation_text(const ReportData& data) {
   if (expectation.curve.empty()) return "";
   return fmt::format(
       "Measured over expected (1 sigma of {}, told every profile), RMS{}{}.{}", expectation.of,
-      ratios_text(data.curves.ratios(expectation, false), "between outages"),
+      ratios_text(data.curves.ratios(expectation, false),
+                  data.score.scorer.outages().empty() ? "all" : "between outages"),
       ratios_text(data.curves.ratios(expectation, true), "in outages"),
       expectation.left_out.empty() ? "" : fmt::format(" Left out of it: {}.", fmt::join(expectation.left_out, ", ")));
 }
@@ -73,14 +74,16 @@ Json ratios_json(const ErrorRatios& ratios) {
   return {{"position", ratios.position}, {"velocity", ratios.velocity}, {"attitude", ratios.attitude}};
 }
 
-/// A row a second is enough to draw from.
+/// Enough to draw from: a row a second, of long runs fewer.
 Json curve_json(const Expectation& expectation) {
-  constexpr double kEvery_s = 1.0;
+  constexpr double kMostRows = 4000.0;
+  const double span_s = expectation.curve.back().time_s - expectation.curve.front().time_s;
+  const double every_s = std::max(1.0, span_s / kMostRows);
   Json rows = Json::array();
   double next_s = -std::numeric_limits<double>::infinity();
   for (const predict::PredictedError& error : expectation.curve) {
     if (error.time_s < next_s) continue;
-    next_s = error.time_s + kEvery_s;
+    next_s = error.time_s + every_s;
     Json row{error.time_s};
     for (const Vector3& sigma : {error.position_n_m, error.velocity_n_m_per_s, error.attitude_n_rad}) {
       for (const double value : sigma) row.push_back(value);

@@ -93,14 +93,14 @@ PageTable outages_table(const LogScore& score, const Expectation& expectation) {
   return table;
 }
 
-PageTable ratios_table(const ErrorCurves& curves, const Expectation& expectation) {
+PageTable ratios_table(const ErrorCurves& curves, const Expectation& expectation, bool has_outages) {
   PageTable table{"Measured over expected", {"RMS", "position", "velocity", "attitude"}, {}};
   if (expectation.curve.empty()) return table;
   for (const bool in_outages : {false, true}) {
     const ErrorRatios ratios = curves.ratios(expectation, in_outages);
     if (ratios.solutions == 0) continue;
-    table.rows.push_back({in_outages ? "in outages" : "between outages", shown(ratios.position), shown(ratios.velocity),
-                          shown(ratios.attitude)});
+    const char* where = in_outages ? "in outages" : has_outages ? "between outages" : "all";
+    table.rows.push_back({where, shown(ratios.position), shown(ratios.velocity), shown(ratios.attitude)});
   }
   table.caption = fmt::format(
       "Errors in units of 1 sigma of {}, told every profile: 1 is what sensors and fixes allow.{}", expectation.of,
@@ -155,7 +155,8 @@ std::vector<PageTable> report_tables(const LogScore& score, const LogSummary& su
   std::vector<PageTable> tables;
   for (PageTable& table :
        std::vector<PageTable>{acceptance_table(score), phases_table(score), outages_table(score, expectation),
-                              ratios_table(curves, expectation), app_table(score), profiles_table(summary)}) {
+                              ratios_table(curves, expectation, !score.scorer.outages().empty()), app_table(score),
+                              profiles_table(summary)}) {
     if (!table.rows.empty()) tables.push_back(std::move(table));
   }
   return tables;

@@ -37,6 +37,10 @@ bool shakes_the_output(const AnyProfile& profile) {
            vibration->angular_random.empty());
 }
 
+bool is_disturbed(const nav::Gravity& gravity) {
+  return gravity.g_n(0.0, 0.0) != Vector3(0.0, 0.0, gravity.normal_m_per_s2(0.0, 0.0));
+}
+
 }  // namespace
 
 ExpectedErrors::ExpectedErrors(const Setup& setup, std::vector<AnyProfile> profiles)
@@ -99,6 +103,7 @@ std::vector<std::string> ExpectedErrors::left_out() const {
   const auto add = [&names](const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
+  if (is_disturbed(setup_.gravity)) add("gravity disturbance");
   for (const AnyProfile& profile : profiles_) {
     const bool of_imu = target_of(profile) == imu_;
     if (!of_imu && !(gnss_ && target_of(profile) == *gnss_)) continue;

@@ -306,9 +306,12 @@ TEST(ExpectedErrors, NameWhatTheyLeaveOut) {
   errors.drop_probability = 0.1;
   VibrationProfile shake;
   shake.linear.emplace_back();
-  const ExpectedErrors expectation(ExpectedErrors::Setup(), {errors, shake, FaultProfile{}});
-  EXPECT_THAT(expectation.left_out(), testing::UnorderedElementsAre("bandwidth", "quantization", "dropped samples",
-                                                                    "vibration of the output", "faults"));
+  ExpectedErrors::Setup setup;
+  setup.gravity = nav::Gravity(nav::GravityModel::Somigliana, {10.0, 0.0, 0.0});
+  const ExpectedErrors expectation(setup, {errors, shake, FaultProfile{}});
+  EXPECT_THAT(expectation.left_out(),
+              testing::UnorderedElementsAre("bandwidth", "quantization", "dropped samples", "vibration of the output",
+                                            "faults", "gravity disturbance"));
 }
 
 }  // namespace
