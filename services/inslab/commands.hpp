@@ -28,6 +28,7 @@ void add_trajectory(CLI::App& app, std::function<int()>& action);
 void add_plot(CLI::App& app, std::function<int()>& action);
 void add_reference(CLI::App& app, std::function<int()>& action);
 void add_navigate(CLI::App& app, std::function<int()>& action);
+void add_montecarlo(CLI::App& app, std::function<int()>& action);
 void add_align(CLI::App& app, std::function<int()>& action);
 void add_allan(CLI::App& app, std::function<int()>& action);
 void add_predict(CLI::App& app, std::function<int()>& action);

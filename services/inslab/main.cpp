@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   cli::add_plot(app, action);
   cli::add_reference(app, action);
   cli::add_navigate(app, action);
+  cli::add_montecarlo(app, action);
   cli::add_align(app, action);
   cli::add_allan(app, action);
   cli::add_predict(app, action);

@@ -38,6 +38,8 @@ class OfflineRun {
   bool step();
 
   time::Nanoseconds sim_time() const { return sim_time_; }
+  /// The reference navigation app; null when the scenario has none.
+  reference_nav::Navigator* navigator() { return navigator_ ? &*navigator_ : nullptr; }
 
  private:
   void use_vehicle_states();

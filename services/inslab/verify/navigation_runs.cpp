@@ -7,6 +7,7 @@
 #include "nav/attitude.hpp"
 #include "random/stream.hpp"
 #include "samples/units.hpp"
+#include "services/inslab/drawn_start.hpp"
 #include "services/inslab/offline_run.hpp"
 #include "services/inslab/verify/catalogue.hpp"
 #include "services/inslab/verify/loop.hpp"
@@ -82,14 +83,8 @@ class Scored {
  private:
   /// Truth plus errors drawn from the filter's own initial covariance.
   void begin(const ImuTruth& truth) {
-    const ref::Vector21 sigmas = ref::initial_sigmas(parameters_);
-    Eigen::Matrix<double, 9, 1> e;
-    for (int i = 0; i < 9; ++i) e[i] = sigmas[i] * draws_.normal(static_cast<std::uint64_t>(i));
-    nav::NavState start = state_of(truth);
-    start.position = nav::displaced(start.position, e.head<3>());
-    start.v_n += e.segment<3>(3);
-    start.q_nb = nav::quaternion_from_rotation_vector(-e.tail<3>()) * start.q_nb;
-    filter_.start(start, truth.header.sim_time_ns);
+    const Vector9 sigmas = ref::initial_sigmas(parameters_).head<ref::kNavStates>();
+    filter_.start(cli::drawn_start(truth, sigmas, draws_), truth.header.sim_time_ns);
     begun_ = true;
   }
 
