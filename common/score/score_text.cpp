@@ -64,11 +64,11 @@ std::string phases_text(const Scorer& scorer, const std::vector<Verdict>& verdic
 std::string outages_text(const Scorer& scorer) {
   if (scorer.outages().empty()) return "";
   return fmt::format(
-      "\n{} outages; largest error in each, RMS over them: horizontal {} m, vertical {} m; worst {} m, "
+      "\n{} outage{}; largest error in each, RMS over them: horizontal {} m, vertical {} m; worst {} m, "
       "{} m\n",
-      scorer.outages().size(), shown(figure(scorer, Metric::OutageDriftRms, {})),
-      shown(figure(scorer, Metric::OutageVerticalDriftRms, {})), shown(figure(scorer, Metric::OutageDriftMax, {})),
-      shown(figure(scorer, Metric::OutageVerticalDriftMax, {})));
+      scorer.outages().size(), scorer.outages().size() == 1 ? "" : "s",
+      shown(figure(scorer, Metric::OutageDriftRms, {})), shown(figure(scorer, Metric::OutageVerticalDriftRms, {})),
+      shown(figure(scorer, Metric::OutageDriftMax, {})), shown(figure(scorer, Metric::OutageVerticalDriftMax, {})));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -24,19 +23,12 @@ struct ReportOptions {
 int report(const ReportOptions& options) {
   const io::McapReader log(options.log);
   const ReportData data = report_data(log);
-  const std::string text = report_text(data);
-  const std::string json = report_json(data).dump(2) + "\n";
-  fmt::print("{}", options.json ? json : text);
+  fmt::print("{}", options.json ? report_json(data).dump(2) + "\n" : report_text(data));
   if (!options.junit.empty()) {
     write_text_file(options.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
   }
   if (!options.directory.empty()) {
-    std::filesystem::create_directories(options.directory);
-    const std::string stem =
-        (std::filesystem::path(options.directory) / std::filesystem::path(options.log).stem()).string();
-    write_text_file(stem + ".txt", text);
-    write_text_file(stem + ".json", json);
-    write_text_file(stem + ".html", html(report_page(log, data)));
+    const std::string stem = write_report(log, data, options.directory);
     if (!options.json) fmt::print("\n{0}.txt, {0}.json and {0}.html written\n", stem);
   }
   return data.score.accepted() ? app::kOk : app::kNotAccepted;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -131,6 +132,15 @@ std::string verdict_text(const LogScore& score) {
 }
 
 }  // namespace
+
+std::string write_report(const io::McapReader& log, const ReportData& data, const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  const std::string stem = (std::filesystem::path(folder) / std::filesystem::path(log.path()).stem()).string();
+  write_text_file(stem + ".txt", report_text(data));
+  write_text_file(stem + ".json", report_json(data).dump(2) + "\n");
+  write_text_file(stem + ".html", html(report_page(log, data)));
+  return stem;
+}
 
 void write_text_file(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);

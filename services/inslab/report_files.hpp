@@ -29,6 +29,10 @@ nlohmann::ordered_json report_json(const ReportData& data);
 /// cannot be drawn is said in the notes.
 ReportPage report_page(const io::McapReader& log, const ReportData& data);
 
+/// Writes STEM.txt, STEM.json and STEM.html into the folder, STEM being the log's name, and returns FOLDER/STEM. Throws
+/// io::WriteError.
+std::string write_report(const io::McapReader& log, const ReportData& data, const std::string& folder);
+
 /// Writes a whole file. Throws io::WriteError.
 void write_text_file(const std::string& path, const std::string& text);
 

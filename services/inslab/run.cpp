@@ -18,7 +18,13 @@ namespace inslab::cli {
 
 namespace {
 
-int run(RunOptions options, const std::string& junit) {
+/// What is written besides the log; empty: not that.
+struct Outputs {
+  std::string junit;
+  std::string report_folder;
+};
+
+int run(RunOptions options, const Outputs& outputs) {
   scenario::LoadedScenario loaded = scenario::load(options.scenario);
   app::override_clock(options.clock, loaded);
   if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
@@ -42,7 +48,10 @@ int run(RunOptions options, const std::string& junit) {
   if (score.scorer.counts().received > 0 || !score.verdicts.empty()) {
     std::fputs(score::score_text(score.scorer, score.verdicts).c_str(), stdout);
   }
-  if (!junit.empty()) write_text_file(junit, score::junit_xml(loaded.scenario.name, score.verdicts));
+  if (!outputs.report_folder.empty()) {
+    std::printf("\nreport %s.html\n", write_report(log, report_data(log), outputs.report_folder).c_str());
+  }
+  if (!outputs.junit.empty()) write_text_file(outputs.junit, score::junit_xml(loaded.scenario.name, score.verdicts));
   if (!good) return app::kFailed;
   return score.accepted() ? app::kOk : app::kNotAccepted;
 }
@@ -51,16 +60,18 @@ int run(RunOptions options, const std::string& junit) {
 
 void add_run(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<RunOptions>();
-  auto junit = std::make_shared<std::string>();
+  auto outputs = std::make_shared<Outputs>();
   CLI::App* command =
       app.add_subcommand("run", "Run a scenario live: one process for each service, real DDS, real time");
   command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
   command->add_option("--log", options->log_file, "file to write; default runs/NAME-TIME.mcap");
   command->add_flag("-v,--verbose", options->verbose, "show what the services say");
-  command->add_option("--junit", *junit, "write the acceptance as JUnit XML to this file");
+  command->add_option("--junit", outputs->junit, "write the acceptance as JUnit XML to this file");
+  command->add_option("--report", outputs->report_folder,
+                      "write what `inslab report` says of the log into this folder");
   options->network.add_to(*command);
   options->clock.add_to(*command);
-  command->callback([options, junit, &action] { action = [options, junit] { return run(*options, *junit); }; });
+  command->callback([options, outputs, &action] { action = [options, outputs] { return run(*options, *outputs); }; });
 }
 
 void add_summary(CLI::App& app, std::function<int()>& action) {
