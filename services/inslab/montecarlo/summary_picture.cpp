@@ -25,7 +25,7 @@ io::Panel distribution_panel(const FigureSummary& figure) {
   std::vector<double> sorted = figure.over_runs.values;
   std::sort(sorted.begin(), sorted.end());
   const auto n = static_cast<double>(sorted.size());
-  io::Curve share{"", {}, {}, "points pointtype 7 pointsize 0.4 linecolor rgb '#1f5fa8'"};
+  io::Curve share{"", {}, {}, "steps linewidth 2 linecolor rgb '#1f5fa8'"};
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     share.x.push_back(sorted[i]);
     share.y.push_back((static_cast<double>(i) + 1.0) / n);
@@ -74,6 +74,7 @@ io::Panel nees_over_time(const Summary& summary) {
   io::Panel panel;
   panel.x_label = "sim time (s)";
   panel.y_label = "NEES, 9 degrees";
+  panel.log_y = true;
   panel.curves = {nees, low, high};
   return panel;
 }

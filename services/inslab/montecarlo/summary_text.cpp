@@ -56,7 +56,7 @@ std::string head_text(const Summary& s) {
 
 std::string columns(const std::string& what, const std::string& runs, const std::string& mean, const std::string& rms,
                     const std::string& p50, const std::string& p95, const std::string& p99) {
-  return fmt::format("{:<46}{:>6}  {:<34}{:<34}{:<34}{:<34}{}\n", what, runs, mean, rms, p50, p95, p99);
+  return fmt::format("{:<48}{:>6}  {:<34}{:<34}{:<34}{:<34}{}\n", what, runs, mean, rms, p50, p95, p99);
 }
 
 std::string row(const std::string& what, const Distribution& d) {
