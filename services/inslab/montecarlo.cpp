@@ -152,6 +152,9 @@ void write_summary(const ResultFolder& folder, const montecarlo::Summary& summar
 }
 
 int run_montecarlo(const MontecarloOptions& options) {
+  if (options.one && *options.one >= options.runs) {
+    throw io::ReadError(fmt::format("--one {}: expected a run from 0 to {}", *options.one, options.runs - 1));
+  }
   const Study study = montecarlo::load_study(options.scenario, options.parameters, options.draw_start, INSLAB_VERSION);
   const ResultFolder folder(options.directory, study);
   if (options.one) return do_one(study, folder, *options.one);

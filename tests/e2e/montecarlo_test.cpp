@@ -84,8 +84,26 @@ TEST(Montecarlo, ARunThatFailsIsNamedWithItsReason) {
   EXPECT_THAT(said, HasSubstr("FAILED  run 3, seed 8: no solution was scored: "));
 }
 
+TEST(Montecarlo, ARunWhoseProcessIsKilledIsNamedAndDoneAgain) {
+  const TestFolder folder;
+  // Twenty minutes of a car, so that there is time to kill its process.
+  const std::vector<std::string> words{
+      "montecarlo", source("config/scenarios/vehicle.json"), "-n", "1", "--draw-start", "-o", folder / "study"};
+  Process study("inslab", words);
+  std::vector<pid_t> runs;
+  ASSERT_TRUE(eventually([&] { return !(runs = children_named(study.pid(), "inslab")).empty(); }, seconds(60)));
+  kill(runs.front(), SIGKILL);
+  EXPECT_EQ(study.wait(seconds(60)), 1);
+  EXPECT_THAT(study.output(), HasSubstr("vehicle: 0 of 1 runs, seeds 20261123 to 20261123\n"
+                                        "FAILED  run 0, seed 20261123: inslab was ended by signal 9\n"));
+  const auto [code, text] = inslab(words);
+  EXPECT_EQ(code, 0) << text;
+  EXPECT_THAT(text, HasSubstr("vehicle: 1 of 1 runs"));
+}
+
 TEST(Montecarlo, BadInputIsRefused) {
   const TestFolder folder;
+  EXPECT_EQ(inslab(study_in(folder / "refused", {"--one", "4"})).first, 2);
   for (const char* part : {"3/2", "0/2", "2", "-1/2", "a/b", "1/2x", "1/2/2"}) {
     const auto [code, text] = inslab(study_in(folder / "refused", {std::string("--part=") + part}));
     EXPECT_EQ(code, 2) << part;
