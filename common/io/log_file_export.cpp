@@ -92,9 +92,16 @@ void export_gnss(const McapReader& log, const std::string& destination, Exported
 
 void export_novatel(const McapReader& log, const FileExportOptions& options, ExportedFile& result) {
   NovatelImuFormatter format(options.novatel_imu_type, options.novatel_axes);
+  const std::int64_t interval_ns = time::from_seconds(1.0 / format.type().rate_hz).count();
   TextWriter out(options.destination, "");
   export_topic<ImuSample>(log, result, [&](const ImuSample& sample) {
     if (sample.interval_ns == 0) return false;
+    if (sample.interval_ns != interval_ns) {
+      // The lines do not say their interval: a reader takes it from the type.
+      throw std::invalid_argument("IMU type " + std::to_string(options.novatel_imu_type) + " puts out a sample each " +
+                                  std::to_string(interval_ns) + " ns, " + result.topic + " each " +
+                                  std::to_string(sample.interval_ns) + " ns; expected a type of that rate");
+    }
     out.text(format.line({sample.header.gps_week, sample.header.gps_time_of_week_ns}, sample.dtheta_b, sample.dv_b));
     out.end_line();
     return true;

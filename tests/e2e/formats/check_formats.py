@@ -58,11 +58,11 @@ def check_novatel(path, imu):
         body, crc = line[1:].split("*")
         assert line[0] == "%" and int(crc, 16) == crc32(body), line
         fields = body.split(";")[1].split(",")
-        assert fields[1] == "32", line
+        assert fields[1] == "26", line
         counts = [total + int(field) for total, field in zip(counts, fields[5:])]
     z_accel, minus_y_accel, x_accel, z_gyro, minus_y_gyro, x_gyro = counts
     frd = [-minus_y_gyro, x_gyro, -z_gyro, -minus_y_accel, x_accel, -z_accel]
-    units = [3.14159265358979323846 / 180.0 / 2**21] * 3 + [1.0 / 2**22] * 3
+    units = [1e-9] * 3 + [2e-8] * 3
     for i, (total, unit) in enumerate(zip(frd, units)):
         wanted = sum(row[1 + i] for row in imu)
         # Half a count is carried on; the text's decimals add their own rounding.
@@ -80,7 +80,7 @@ def main():
         for name in ("imu", "novatel"):
             said = run(inslab, "export", log, "--format", name, "-o", folder / name, expected=BAD_INPUT)
             assert "has inslab/imu/0 and inslab/imu/3; expected to be told which" in said, said
-            run(inslab, "export", log, "--format", name, "--imu-type", "32", "--topic", "inslab/imu/0", "-o",
+            run(inslab, "export", log, "--format", name, "--imu-type", "26", "--topic", "inslab/imu/0", "-o",
                 folder / name)
         nav, imu = rows(folder / "nav", 11), rows(folder / "imu", 7)
         rows(folder / "gnss", 7)
@@ -94,6 +94,9 @@ def main():
         said = run(inslab, "export", log, "--format", "novatel", "--topic", "inslab/imu/0", "--imu-type", "99", "-o",
                    folder / "none", expected=BAD_INPUT)
         assert "IMU type 99 is not known" in said, said
+        said = run(inslab, "export", log, "--format", "novatel", "--topic", "inslab/imu/0", "--imu-type", "32", "-o",
+                   folder / "none", expected=BAD_INPUT)
+        assert "IMU type 32 puts out a sample each 8000000 ns, inslab/imu/0 each 5000000 ns" in said, said
         run(inslab, "trajectory", "check", folder / "no_such_file", expected=BAD_INPUT)
     return 0
 
