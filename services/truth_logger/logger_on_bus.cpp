@@ -217,7 +217,7 @@ void LoggerOnBus::add_nav_channels(app::Context& context) {
     scorer_.add(solution, message.received_realtime_ns);
   };
   Channel& blocks = add_reader<Block<NavSolution>>(context, dds::topics::block(dds::topics::nav()), Writers::Anybody);
-  blocks.take = [this, &singles](const Message& message) {
+  blocks.take = [&singles](const Message& message) {
     Block<NavSolution> block;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), block)) return;
     Message single{message.channel, {}, message.received_realtime_ns, message.sender};

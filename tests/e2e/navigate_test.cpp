@@ -82,7 +82,7 @@ class Navigate : public testing::Test {
 TEST_F(Navigate, OnALogGivesTheSolutionsOfTheAppThatTookPart) {
   const std::string said = run({"navigate", log(), "--scenario", kScenario, "-o", *folder_ / "again"});
   EXPECT_THAT(said, HasSubstr("latency: not judged, the app ran on a log"));
-  EXPECT_THAT(said, HasSubstr("1 outages; largest error in each"));
+  EXPECT_THAT(said, HasSubstr("1 outage; largest error in each"));
   const Rows rows = numbers_of(*folder_ / "again.nav"), sigmas = numbers_of(*folder_ / "again_sigmas.txt");
   std::vector<NavSolution> solutions = samples_of_kind<NavSolution>(log(), "inslab/nav");
   solutions.erase(std::remove_if(solutions.begin(), solutions.end(),
