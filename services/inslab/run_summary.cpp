@@ -52,11 +52,10 @@ void print_streams(const LogSummary& summary, Verdict& verdict) {
                milliseconds_of(logged.latency_p50_s), milliseconds_of(logged.latency_p99_s),
                milliseconds_of(logged.latency_max_s));
     verdict.require(stream.sent.has_value(), topic + ": its service did not finish, so what it sent is unknown");
+    const std::uint64_t sent = stream.sent.value_or(0), arrived = logged.samples - logged.duplicates;
     // A navigation app that was started again knows only of its own solutions.
-    const bool complete = topic == wire::topic_names::kNav ? logged.samples >= stream.sent.value_or(0)
-                                                           : logged.samples == stream.sent.value_or(0);
-    verdict.require(!stream.sent || complete,
-                    fmt::format("{}: {} sent, {} received", topic, stream.sent.value_or(0), logged.samples));
+    const bool complete = topic == wire::topic_names::kNav ? arrived >= sent : arrived == sent;
+    verdict.require(!stream.sent || complete, fmt::format("{}: {} sent, {} received", topic, sent, arrived));
     // A service that was started again may send its last sample once more.
     verdict.require(logged.lost == 0 && (logged.duplicates == 0 || !summary.recoveries.empty()),
                     fmt::format("{}: {} lost, {} twice", topic, logged.lost, logged.duplicates));
