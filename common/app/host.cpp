@@ -91,13 +91,21 @@ std::string cpu_features() {
 #endif
 }
 
-std::string utc_text(time::Nanoseconds realtime) {
+namespace {
+
+std::string utc(time::Nanoseconds realtime, const char* format) {
   const std::time_t seconds = realtime.count() / kNsPerSecond;
   std::tm parts{};
   gmtime_r(&seconds, &parts);
   char text[32];
-  std::strftime(text, sizeof(text), "%Y%m%dT%H%M%SZ", &parts);
+  std::strftime(text, sizeof(text), format, &parts);
   return text;
 }
+
+}  // namespace
+
+std::string utc_text(time::Nanoseconds realtime) { return utc(realtime, "%Y%m%dT%H%M%SZ"); }
+
+std::string utc_words(time::Nanoseconds realtime) { return utc(realtime, "%Y-%m-%d %H:%M:%S UTC"); }
 
 }  // namespace inslab::app

@@ -30,4 +30,7 @@ std::string cpu_features();
 /// UTC as 20260131T235959Z.
 std::string utc_text(time::Nanoseconds realtime);
 
+/// The same to be read: "2026-11-29 04:20:11 UTC".
+std::string utc_words(time::Nanoseconds realtime);
+
 }  // namespace inslab::app

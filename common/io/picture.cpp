@@ -43,8 +43,10 @@ void write_data(std::ostringstream& script, const Curve& curve, std::size_t numb
 }
 
 void write_panel(std::ostringstream& script, const Panel& panel, std::size_t first_curve) {
-  script << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.x_label) << "\nset ylabel "
-         << quoted(panel.y_label) << '\n';
+  // An empty line under the label: the key, which stands below it, would touch it.
+  const bool room_for_key = panel.has_key && !panel.x_label.empty();
+  script << "set title " << quoted(panel.title) << "\nset xlabel " << quoted(panel.x_label)
+         << (room_for_key ? ".\"\\n\"" : "") << "\nset ylabel " << quoted(panel.y_label) << '\n';
   script << (panel.equal_scales ? "set size ratio -1\n" : "set size noratio\n");
   const std::string tics = panel.tic_step > 0.0 ? std::to_string(panel.tic_step) : "autofreq";
   script << "set xtics " << tics << "\nset ytics " << tics << '\n';

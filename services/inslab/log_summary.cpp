@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/host.hpp"
 #include "app/stream_monitor.hpp"
 #include "config/json_reader.hpp"
 #include "services/truth_logger/run_log.hpp"
@@ -25,7 +26,10 @@ class Gatherer {
   explicit Gatherer(LogSummary& summary) : summary_(summary) {}
 
   void take(const std::string& topic, const std::string& type, const io::mcap::Message& message) {
-    if (type == wire::WireType<TruthState>::name) return stream<TruthState>(topic, message);
+    if (type == wire::WireType<TruthState>::name) {
+      identify(message);
+      return stream<TruthState>(topic, message);
+    }
     if (type == wire::WireType<ImuSample>::name) return stream<ImuSample>(topic, message);
     if (type == wire::WireType<ImuTruth>::name) return stream<ImuTruth>(topic, message);
     if (type == wire::WireType<GnssFix>::name) return stream<GnssFix>(topic, message);
@@ -59,6 +63,17 @@ class Gatherer {
   }
 
  private:
+  /// From the first sample of the truth.
+  void identify(const io::mcap::Message& message) {
+    RunIdentity& identity = summary_.identity;
+    if (!identity.run_id.empty()) return;
+    const auto truth = decoded<TruthState>(message);
+    if (!truth) return;
+    identity.run_id = app::run_id_text(truth->header.run_id);
+    const std::int64_t sent_ns = truth->header.publish_realtime_ns;
+    if (sent_ns > 0) identity.began_utc = app::utc_words(time::Nanoseconds(sent_ns));
+  }
+
   template <class T>
   void stream(const std::string& topic, const io::mcap::Message& message) {
     const auto sample = decoded<T>(message);
@@ -101,10 +116,18 @@ void read_initial(const io::McapReader& log, const SensorAddress& sensor, LogSum
   }
 }
 
+std::string value_of(const io::mcap::StringMap& values, const std::string& key) {
+  const auto found = values.find(key);
+  return found == values.end() ? std::string() : found->second;
+}
+
 void read_metadata(const io::McapReader& log, LogSummary& summary) {
   for (const auto& record : log.metadata()) {
     if (record.name.rfind("recovery/", 0) == 0) summary.recoveries.push_back(record.values);
+    if (record.name == "build") summary.identity.version = value_of(record.values, "version");
     if (record.name != "scenario") continue;
+    summary.identity.scenario_file = value_of(record.values, "file");
+    summary.identity.unit = value_of(record.values, "unit");
     const std::string place = log.path() + " (metadata scenario)";
     summary.scenario =
         config::from_json<scenario::Scenario>(config::parse_json(record.values.at("json"), place), place);

@@ -26,8 +26,18 @@ struct ProfileInUse {
   AnyProfile profile;
 };
 
+/// Which run a log is of. Texts are empty where the log does not say.
+struct RunIdentity {
+  std::string run_id;     ///< hexadecimal
+  std::string began_utc;  ///< when its first truth sample was sent, "2026-11-29 04:20:11 UTC"; empty: not live
+  std::string scenario_file;
+  std::string unit;
+  std::string version;  ///< of the program that wrote the log
+};
+
 /// What a log says about the run as a whole.
 struct LogSummary {
+  RunIdentity identity;
   scenario::Scenario scenario;
   std::optional<SimStatus> last_status;
   std::map<std::string, StreamSummary> streams;  ///< by topic

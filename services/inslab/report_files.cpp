@@ -13,10 +13,12 @@
 
 #include "io/error.hpp"
 #include "score/score_json.hpp"
-#include "score/score_text.hpp"
 #include "services/inslab/allan/analysis.hpp"
 #include "services/inslab/allan/report.hpp"
+#include "services/inslab/report_limits.hpp"
 #include "services/inslab/report_tables.hpp"
+#include "services/inslab/score_words.hpp"
+#include "services/inslab/swap_intervals.hpp"
 
 namespace inslab::cli {
 
@@ -24,10 +26,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The same picture for a screen of 390 pixels.
+io::Picture narrowed(io::Picture picture) {
+  constexpr int kWidth_px = 380;
+  picture.panel_height_px = std::min(picture.panel_height_px, 260);
+  picture.panel_width_px = kWidth_px;
+  picture.columns = 1;
+  return picture;
+}
+
 /// The page says the picture's title.
-void add_figure(ReportPage& page, io::Picture picture, const std::string& caption) {
+void add_figure(ReportPage& page, io::Picture picture, const std::string& caption, const std::string& id = {}) {
   const std::string title = std::exchange(picture.title, "");
-  page.figures.push_back({title, caption, io::drawn(picture, io::PictureFormat::Svg)});
+  page.figures.push_back({title, caption, io::drawn(picture, io::PictureFormat::Svg),
+                          io::drawn(narrowed(picture), io::PictureFormat::Svg), id});
 }
 
 void add_allan(ReportPage& page, const io::McapReader& log, const LogSummary& summary) {
@@ -123,12 +135,43 @@ Json expectation_json(const ReportData& data) {
   return json;
 }
 
-std::string verdict_text(const LogScore& score) {
-  if (score.verdicts.empty()) return "";
-  const auto passed = std::count_if(score.verdicts.begin(), score.verdicts.end(),
-                                    [](const score::Verdict& verdict) { return verdict.passed; });
-  return fmt::format("{}: {} of {} acceptance lines passed", score.accepted() ? "PASS" : "FAIL", passed,
-                     score.verdicts.size());
+Json worst_json(const LogScore& score, const LogSummary& summary) {
+  if (!score.worst.found()) return nullptr;
+  const Moment& moment = *score.worst.found();
+  return {{"time_s", moment.time_s},
+          {"horizontal_m", moment.horizontal_m},
+          {"vertical_m", moment.vertical_m},
+          {"horizontal_sigma_m", moment.horizontal_sigma_m},
+          {"speed_m_per_s", moment.speed_m_per_s},
+          {"turn_rate_deg_per_s", moment.turn_rate_deg_per_s},
+          {"swap_interval", SwapIntervals(summary).at(moment.time_s)},
+          {"words", worst_words(score, summary)}};
+}
+
+Json intervals_json(const LogSummary& summary) {
+  const SwapIntervals intervals(summary);
+  Json names = Json::array();
+  for (std::size_t i = 0; i <= intervals.count(); ++i) names.push_back(intervals.name(i));
+  return names;
+}
+
+Json run_json(const LogSummary& summary) {
+  const RunIdentity& run = summary.identity;
+  return {{"run_id", run.run_id},      {"began", run.began_utc}, {"scenario", summary.scenario.name},
+          {"file", run.scenario_file}, {"unit", run.unit},       {"seed", summary.scenario.seed},
+          {"version", run.version}};
+}
+
+/// "run 2026-11-29 04:20:11 UTC, id 0a1b..., scenario demo (demo.json), seed 7, inslab 0.1.0, log demo.mcap"
+std::string identity_words(const io::McapReader& log, const LogSummary& summary) {
+  const RunIdentity& run = summary.identity;
+  std::string words = run.began_utc.empty() ? "Simulated in one process" : "Run of " + run.began_utc;
+  if (!run.run_id.empty()) words += ", id " + run.run_id;
+  words += "; scenario " + summary.scenario.name;
+  if (!run.scenario_file.empty()) words += " (" + run.scenario_file + ")";
+  words += fmt::format(", seed {}", summary.scenario.seed);
+  if (!run.unit.empty()) words += ", unit " + run.unit;
+  return words + fmt::format("; inslab {}; log {}", run.version, std::filesystem::path(log.path()).filename().string());
 }
 
 }  // namespace
@@ -150,7 +193,7 @@ void write_text_file(const std::string& path, const std::string& text) {
 }
 
 ReportData report_data(const io::McapReader& log) {
-  ReportData data{summarize(log), {score::Scorer(scenario::Scenario()), {}}, {}, {}};
+  ReportData data{summarize(log), {score::Scorer(scenario::Scenario()), {}, {}}, {}, {}, {}};
   std::optional<predict::PredictedError> start;
   data.score = score_log(log, data.summary, [&](const score::ScoredSolution& scored) {
     if (!start) start = beginning_of(scored);
@@ -161,47 +204,64 @@ ReportData report_data(const io::McapReader& log) {
   } else {
     data.expectation.missing = "no solution was scored";
   }
+  data.swaps = weigh_swaps(log, data.summary);
   return data;
 }
 
 std::string report_text(const ReportData& data) {
-  std::string text = score::score_text(data.score.scorer, data.score.verdicts);
+  const std::string text = score_words(data.score, data.summary);
   const std::string expected = expectation_text(data);
   return expected.empty() ? text : text + "\n" + expected + "\n";
 }
 
 Json report_json(const ReportData& data) {
   Json report = score::score_json(data.score.scorer, data.score.verdicts);
+  report["run"] = run_json(data.summary);
+  report["verdict"] = verdict_words(data.score, data.summary);
+  report["worst"] = worst_json(data.score, data.summary);
+  report["swap_intervals"] = intervals_json(data.summary);
   report["expected"] = expectation_json(data);
   return report;
 }
 
 ReportPage report_page(const io::McapReader& log, const ReportData& data) {
-  const auto& [summary, score, curves, expectation] = data;
-  ReportPage page{"Inslab report: " + summary.scenario.name,
-                  summary.scenario.description,
-                  verdict_text(score),
-                  score.accepted(),
-                  report_tables(score, summary, curves, expectation),
-                  {},
-                  {}};
+  const LogSummary& summary = data.summary;
+  const LogScore& score = data.score;
+  const ErrorCurves& curves = data.curves;
+  const Expectation& expectation = data.expectation;
+  ReportPage page;
+  page.title = "Inslab report: " + summary.scenario.name;
+  page.description = summary.scenario.description;
+  page.verdict = verdict_words(score, summary);
+  page.accepted = score.accepted();
+  page.worst = worst_words(score, summary);
+  page.identity = identity_words(log, summary);
+  page.tables = report_tables(data);
   if (curves.empty()) {
     page.notes.push_back("No solution was scored: there are no errors to draw.");
   } else {
     const std::string how =
         "Estimate less truth; 3 sigma as the app reports and to expect; outages shaded, swaps dashed.";
+    const std::string sizes = "By logarithms, with 1 sigma and the limits of the acceptance; ";
+    add_figure(page, curves.sizes(score, summary, expectation),
+               sizes + "horizontal: north and east together; less than 1 mm is drawn as 1 mm.", page_id::kSizes);
     add_figure(page, curves.track(), "Horizontal track of the reference point, true and as the app has it.");
     add_figure(page, curves.position(score, summary, expectation), how);
-    add_figure(
-        page, curves.sizes(score, summary, expectation),
-        "The same by logarithms with 1 sigma; horizontal: north and east together; less than 1 mm is drawn as 1 mm.");
+    add_figure(page, curves.motion_sizes(score, summary, expectation),
+               sizes + "tilt: about north and east together; less than 0.0001 is drawn as 0.0001.",
+               page_id::kMotionSizes);
     add_figure(page, curves.velocity(score, summary, expectation), how);
     add_figure(page, curves.attitude(score, summary, expectation), how);
+    const io::Picture honesty = curves.honesty(score, summary);
+    if (!honesty.panels.empty()) {
+      add_figure(page, honesty, "Squared error over the reported variance, summed over the axes, of each solution.",
+                 page_id::kHonesty);
+    }
   }
   if (expectation.curve.empty()) page.notes.push_back("No errors to expect: " + expectation.missing + ".");
   if (score.scorer.latency().seconds().count() > 0 && score.scorer.latency().why_none().empty()) {
-    add_figure(page, latency_picture(score.scorer.latency().seconds()),
-               "20 bins a decade; both times by CLOCK_REALTIME of their hosts.");
+    add_figure(page, latency_picture(score), "20 bins a decade; both times by CLOCK_REALTIME of their hosts.",
+               page_id::kLatency);
   }
   add_allan(page, log, summary);
   return page;

@@ -5,6 +5,7 @@
 
 #include "services/inslab/report_page.hpp"
 #include "services/inslab/report_pictures.hpp"
+#include "services/inslab/swap_evidence.hpp"
 
 namespace inslab::cli {
 
@@ -14,15 +15,16 @@ struct ReportData {
   LogScore score;
   ErrorCurves curves;
   Expectation expectation;
+  std::vector<SwapEvidence> swaps;
 };
 
 /// Scores a log and finds what was to be expected. Throws io::ReadError, config::Error.
 ReportData report_data(const io::McapReader& log);
 
-/// The figures for the terminal; score::score_text with what was to be expected.
+/// The figures for the terminal; score_words() with what was to be expected.
 std::string report_text(const ReportData& data);
 
-/// The same as JSON: score::score_json with the member `expected`.
+/// The same as JSON: score::score_json with the members `run`, `verdict`, `worst`, `swap_intervals` and `expected`.
 nlohmann::ordered_json report_json(const ReportData& data);
 
 /// What a log says of the app, with its pictures; the Allan deviation is that of the first IMU less its truth. What

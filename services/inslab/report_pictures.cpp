@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+
+#include "services/inslab/report_limits.hpp"
 
 namespace inslab::cli {
 
@@ -37,14 +40,16 @@ void mark(io::Panel& panel, const LogScore& score, const LogSummary& summary) {
   }
 }
 
-constexpr double kSmallestSize_m = 1e-3;
-
 /// A size on a logarithmic axis, without the depths at which an error passes through 0.
-void add_size(io::Curve& curve, double t_s, double size_m) {
-  if (!std::isfinite(size_m)) return;
+void add_size(io::Curve& curve, double t_s, double size, double smallest) {
+  if (!std::isfinite(size)) return;
   curve.x.push_back(t_s);
-  curve.y.push_back(std::max(size_m, kSmallestSize_m));
+  curve.y.push_back(std::max(size, smallest));
 }
+
+double horizontal(const Vector3& v) { return v.head<2>().norm(); }
+double vertical(const Vector3& v) { return std::abs(v.z()); }
+double length(const Vector3& v) { return v.norm(); }
 
 /// Plus and minus three sigmas; `y` gives one and whether there is one.
 class Bounds {
@@ -122,31 +127,102 @@ io::Picture ErrorCurves::position(const LogScore& score, const LogSummary& summa
   return errors(0, "Position error", "m", score, summary, expectation);
 }
 
-io::Picture ErrorCurves::sizes(const LogScore& score, const LogSummary& summary, const Expectation& expectation) const {
+/// One panel of sizes: what it measures, and which metrics of the acceptance are about it.
+struct ErrorCurves::Size {
+  const char* label;
+  std::size_t which;  ///< position, velocity, attitude
+  double (*of)(const Vector3&);
+  double smallest;  ///< smaller ones are drawn as this
+  std::vector<scenario::Metric> metrics;
+};
+
+io::Picture ErrorCurves::size_panels(const std::string& title, const std::vector<Size>& sizes, const LogScore& score,
+                                     const LogSummary& summary, const Expectation& expectation) const {
   io::Picture picture;
-  picture.title = "Size of the position error";
+  picture.title = title;
   picture.panel_width_px = 900;
   picture.panel_height_px = 280;
-  for (const bool is_horizontal : {true, false}) {
-    const auto size = [is_horizontal](const Vector3& v) {
-      return is_horizontal ? v.head<2>().norm() : std::abs(v.z());
-    };
+  for (const Size& size : sizes) {
     io::Curve error{"error", {}, {}, kErrorStyle}, reported{"1 sigma as reported", {}, {}, kReportedStyle},
         expected{"1 sigma to expect", {}, {}, kExpectedStyle};
     for (const Point& point : points_) {
-      add_size(error, point.t_s, size(point.error[0]));
-      add_size(reported, point.t_s, size(point.sigma[0]));
+      add_size(error, point.t_s, size.of(point.error[size.which]), size.smallest);
+      add_size(reported, point.t_s, size.of(point.sigma[size.which]), size.smallest);
     }
-    for (const predict::PredictedError& sigma : expectation.curve)
-      add_size(expected, sigma.time_s, size(sigma.position_n_m));
+    for (const predict::PredictedError& sigma : expectation.curve) {
+      add_size(expected, sigma.time_s, size.of(expected_of(sigma, size.which)), size.smallest);
+    }
+    const bool is_last = &size == &sizes.back();
     io::Panel panel;
-    panel.x_label = is_horizontal ? "" : "sim time (s)";
-    panel.y_label = is_horizontal ? "horizontal (m)" : "vertical (m)";
+    panel.x_label = is_last ? "sim time (s)" : "";
+    panel.y_label = size.label;
     panel.tight_x = panel.log_y = true;
-    panel.has_key = !is_horizontal;
+    const std::vector<io::Curve> limits = limit_curves(size.metrics, score, summary, end_s());
+    panel.has_key = is_last || !limits.empty();
     for (const io::Curve& curve : {error, reported, expected}) {
       if (!curve.x.empty()) panel.curves.push_back(io::thinned_by_logarithm(curve, kBins));
     }
+    panel.curves.insert(panel.curves.end(), limits.begin(), limits.end());
+    mark(panel, score, summary);
+    picture.panels.push_back(panel);
+  }
+  return picture;
+}
+
+io::Picture ErrorCurves::sizes(const LogScore& score, const LogSummary& summary, const Expectation& expectation) const {
+  using scenario::Metric;
+  constexpr double kSmallest_m = 1e-3;
+  return size_panels("Size of the position error",
+                     {{"horizontal (m)",
+                       0,
+                       horizontal,
+                       kSmallest_m,
+                       {Metric::HorizontalRms, Metric::HorizontalMax, Metric::Cep50, Metric::Cep95,
+                        Metric::OutageDriftRms, Metric::OutageDriftMax}},
+                      {"vertical (m)",
+                       0,
+                       vertical,
+                       kSmallest_m,
+                       {Metric::VerticalRms, Metric::VerticalMax, Metric::Vertical50, Metric::Vertical95,
+                        Metric::OutageVerticalDriftRms, Metric::OutageVerticalDriftMax}}},
+                     score, summary, expectation);
+}
+
+io::Picture ErrorCurves::motion_sizes(const LogScore& score, const LogSummary& summary,
+                                      const Expectation& expectation) const {
+  using scenario::Metric;
+  constexpr double kSmallest = 1e-4;  // m/s, deg
+  return size_panels("Size of the velocity and attitude errors",
+                     {{"velocity (m/s)", 1, length, kSmallest, {Metric::VelocityRms}},
+                      {"tilt (deg)", 2, horizontal, kSmallest, {Metric::TiltRms}},
+                      {"heading (deg)", 2, vertical, kSmallest, {Metric::HeadingRms}}},
+                     score, summary, expectation);
+}
+
+io::Picture ErrorCurves::honesty(const LogScore& score, const LogSummary& summary) const {
+  using scenario::Metric;
+  constexpr double kSmallest = 1e-2;
+  constexpr const char* kQuantities[] = {"position", "velocity", "attitude"};
+  io::Picture picture;
+  picture.title = "Honesty of the reported sigmas";
+  picture.panel_width_px = 900;
+  picture.panel_height_px = 280;
+  for (std::size_t which = 0; which < 3; ++which) {
+    io::Curve nees{"squared error over variance", {}, {}, kErrorStyle};
+    io::Curve honest{"3, of honest sigmas", {0.0, end_s()}, {3.0, 3.0}, kExpectedStyle};
+    for (const Point& point : points_) {
+      const Vector3& sigma = point.sigma[which];
+      if (!sigma.allFinite() || !(sigma.minCoeff() > 0.0)) continue;
+      add_size(nees, point.t_s, point.error[which].cwiseQuotient(sigma).squaredNorm(), kSmallest);
+    }
+    if (nees.x.empty()) continue;
+    io::Panel panel;
+    panel.x_label = "sim time (s)";
+    panel.y_label = std::string("NEES of ") + kQuantities[which];
+    panel.tight_x = panel.log_y = true;
+    panel.curves = {io::thinned_by_logarithm(nees, kBins), honest};
+    const auto metric = static_cast<Metric>(static_cast<std::uint32_t>(Metric::PositionNees) + which);
+    for (const io::Curve& limit : limit_curves({metric}, score, summary, end_s())) panel.curves.push_back(limit);
     mark(panel, score, summary);
     picture.panels.push_back(panel);
   }
@@ -211,10 +287,10 @@ io::Picture ErrorCurves::track() const {
   return picture;
 }
 
-io::Picture latency_picture(const score::Quantiles& latency_s) {
+io::Picture latency_picture(const LogScore& score) {
   constexpr double kBinsPerDecade = 20.0;
   std::map<int, double> wide;
-  latency_s.for_each_bin([&](double latency, std::uint64_t count) {
+  score.scorer.latency().seconds().for_each_bin([&](double latency, std::uint64_t count) {
     wide[static_cast<int>(std::floor(std::log10(latency * 1e3) * kBinsPerDecade))] += static_cast<double>(count);
   });
   io::Curve histogram{"", {}, {}, "impulses linewidth 8 linecolor rgb '#1f5fa8'"};
@@ -227,6 +303,8 @@ io::Picture latency_picture(const score::Quantiles& latency_s) {
   panel.y_label = "solutions";
   panel.log_x = true;
   panel.curves = {histogram};
+  const double height = histogram.y.empty() ? 1.0 : *std::max_element(histogram.y.begin(), histogram.y.end());
+  for (const io::Curve& limit : latency_limit_curves(score, height)) panel.curves.push_back(limit);
   io::Picture picture;
   picture.title = "Latency: IMU sample sent to solution received";
   picture.panel_width_px = 900;

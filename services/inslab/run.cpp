@@ -12,6 +12,7 @@
 #include "services/inslab/report_files.hpp"
 #include "services/inslab/run_summary.hpp"
 #include "services/inslab/score_log.hpp"
+#include "services/inslab/score_words.hpp"
 #include "services/reference_nav/app_setup.hpp"
 
 namespace inslab::cli {
@@ -44,9 +45,10 @@ int run(RunOptions options, const Outputs& outputs) {
   }
   const bool good = print_run_summary(options.log_file, failure);
   const io::McapReader log(options.log_file);
-  const LogScore score = score_log(log, summarize(log));
+  const LogSummary summary = summarize(log);
+  const LogScore score = score_log(log, summary);
   if (score.scorer.counts().received > 0 || !score.verdicts.empty()) {
-    std::fputs(score::score_text(score.scorer, score.verdicts).c_str(), stdout);
+    std::fputs(score_words(score, summary).c_str(), stdout);
   }
   if (!outputs.report_folder.empty()) {
     std::printf("\nreport %s.html\n", write_report(log, report_data(log), outputs.report_folder).c_str());

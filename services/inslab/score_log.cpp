@@ -49,9 +49,12 @@ bool LogScore::accepted() const {
 LogScore score_log(const io::McapReader& log, const LogSummary& summary,
                    const std::function<void(const score::ScoredSolution&)>& on_scored) {
   score::Scorer::Options options;
-  options.on_scored = on_scored;
-  LogScore result{scorer_of(summary, options), {}};
-  score::Scorer& scorer = result.scorer;
+  WorstMoment worst;
+  options.on_scored = [&](const score::ScoredSolution& scored) {
+    worst.add(scored);
+    if (on_scored) on_scored(scored);
+  };
+  score::Scorer scorer = scorer_of(summary, options);
   if (summary.last_status && summary.last_status->clock == ClockMode::Lockstep) {
     scorer.without_latency(score::kLockstepHasNoLatency);
   }
@@ -66,8 +69,8 @@ LogScore score_log(const io::McapReader& log, const LogSummary& summary,
     return true;
   });
   scorer.finish();
-  result.verdicts = score::judge(scorer, summary.scenario.acceptance);
-  return result;
+  std::vector<score::Verdict> verdicts = score::judge(scorer, summary.scenario.acceptance);
+  return {std::move(scorer), std::move(verdicts), worst};
 }
 
 LogScore score_app(const io::McapReader& log, const LogSummary& summary, const OfflineApp& app) {
@@ -75,7 +78,7 @@ LogScore score_app(const io::McapReader& log, const LogSummary& summary, const O
   score::Scorer::Options options;
   options.imu_number = app.imu_number;
   options.gnss_number = app.gnss_number;
-  LogScore result{scorer_of(summary, options), {}};
+  LogScore result{scorer_of(summary, options), {}, {}};
   score::Scorer& scorer = result.scorer;
   scorer.without_latency("the app ran on a log");
   log.for_each(

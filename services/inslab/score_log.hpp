@@ -4,6 +4,7 @@
 
 #include "score/acceptance.hpp"
 #include "services/inslab/log_summary.hpp"
+#include "services/inslab/worst_moment.hpp"
 
 namespace inslab::cli {
 
@@ -11,6 +12,7 @@ namespace inslab::cli {
 struct LogScore {
   score::Scorer scorer;
   std::vector<score::Verdict> verdicts;
+  WorstMoment worst;
 
   bool accepted() const;
 };

@@ -3,6 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "services/inslab/report_files.hpp"
+#include "services/inslab/report_limits.hpp"
+#include "services/inslab/score_words.hpp"
+#include "services/inslab/swap_intervals.hpp"
 #include "services/truth_logger/run_log.hpp"
 #include "tests/unit/inslab/run_recorder.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
@@ -143,6 +146,117 @@ TEST_F(Report, OfALogWithoutTheImusTruthSaysThatNothingIsExpected) {
   EXPECT_TRUE(data.expectation.curve.empty());
   EXPECT_EQ(report_json(data).at("expected").at("missing"), "the log has no inslab/imu_truth/0");
   EXPECT_GT(data.score.scorer.counts().scored, 100u);
+}
+
+scenario::AcceptanceLimit at_most(scenario::Metric metric, double value, scenario::Phase phase) {
+  scenario::AcceptanceLimit limit;
+  limit.metric = metric;
+  limit.phase = phase;
+  limit.at_most = value;
+  return limit;
+}
+
+/// The error is a constant, but for one solution at 7 s, in the outage and after the swap.
+ReportData with_a_leap(ReportData data, const TruthState& truth) {
+  NavSolution solution = off_by_a_constant(truth);
+  const score::TruePose pose{{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nv};
+  score::SolutionError error;
+  error.position_ned_m = Vector3(3.0, 4.0, -1.0);
+  solution.position_sigma_ned_m = Vector3(0.6, 0.8, 1.0);
+  data.score.worst.add({truth.header.sim_time_ns, true, solution, pose, error});
+  return data;
+}
+
+TEST_F(Report, NamesTheWorstMomentWithTheOutageTheMotionAndTheSwapBeforeIt) {
+  const std::string path = log(With::Everything);
+  const ReportData data = with_a_leap(report_data(io::McapReader(path)), recorder_.truths[1400]);
+  const std::string words = worst_words(data.score, data.summary);
+  EXPECT_THAT(words, HasSubstr("5 m horizontally and 1 m vertically at 7.000 s"));
+  EXPECT_THAT(words, HasSubstr("3.00 s after the last fix (outage from 4.00 s to 8.10 s)"));
+  EXPECT_THAT(words, HasSubstr("at 10.0 m/s"));
+  EXPECT_THAT(words, HasSubstr("1 sigma was 1 m, so the error was 5 times as large"));
+  EXPECT_THAT(words, HasSubstr("imu_error 'worse' for imu0 at 6.000 s"));
+  EXPECT_EQ(report_json(data).at("worst").at("swap_interval"), 1);
+  EXPECT_THAT(html(report_page(io::McapReader(path), data)), HasSubstr("<strong>Worst moment:</strong> 5 m horiz"));
+}
+
+TEST_F(Report, SaysBesideItsPassWhatWasNotJudged) {
+  ReportData data = report_data(io::McapReader(log(With::Everything)));
+  const auto judged = [&data](const std::vector<scenario::AcceptanceLimit>& lines) {
+    data.score.verdicts = score::judge(data.score.scorer, lines);
+    return verdict_words(data.score, data.summary);
+  };
+  using scenario::Metric;
+  using scenario::Phase;
+  EXPECT_EQ(judged({}), "");
+  EXPECT_EQ(judged({at_most(Metric::HorizontalRms, 1.0, Phase::SwapInterval)}),
+            "PASS: 1 of 1 acceptance lines passed; errors are judged only before the first swap, at 6.000 s");
+  EXPECT_EQ(judged({at_most(Metric::HorizontalRms, 1.0, Phase::BetweenOutages)}),
+            "PASS: 1 of 1 acceptance lines passed; errors in outages are not judged");
+  EXPECT_EQ(judged({at_most(Metric::Stale, 0.0, Phase::All)}),
+            "PASS: 1 of 1 acceptance lines passed; no error is judged");
+  EXPECT_EQ(judged({at_most(Metric::HorizontalRms, 0.1, Phase::All)}), "FAIL: 0 of 1 acceptance lines passed");
+  EXPECT_EQ(judged({at_most(Metric::HorizontalRms, 1.0, Phase::SwapInterval),
+                    at_most(Metric::OutageDriftMax, 1.0, Phase::All)}),
+            "PASS: 2 of 2 acceptance lines passed");
+}
+
+TEST_F(Report, NamesIntervalsByWhatWasSwapped) {
+  const ReportData data = report_data(io::McapReader(log(With::Everything)));
+  const SwapIntervals intervals(data.summary);
+  EXPECT_EQ(intervals.count(), 1u);
+  EXPECT_EQ(intervals.at(6.0), 0u) << "an entry counts for what is later than its apply time";
+  EXPECT_EQ(intervals.at(6.005), 1u);
+  EXPECT_EQ(intervals.name(0), "before the first swap");
+  EXPECT_EQ(intervals.name(2), "swap 2, which never came");
+  EXPECT_THAT(report_text(data), HasSubstr("swap_interval 1: after imu_error 'worse' for imu0 at 6.000 s\n"));
+}
+
+TEST_F(Report, DrawsALimitWhereItJudgesAndLinksItsLine) {
+  const std::string path = log(With::Everything);
+  ReportData data = report_data(io::McapReader(path));
+  using scenario::Metric;
+  scenario::AcceptanceLimit early = at_most(Metric::HorizontalRms, 1.5, scenario::Phase::SwapInterval);
+  early.after_s = 2.0;
+  data.score.verdicts =
+      score::judge(data.score.scorer, {early, at_most(Metric::HorizontalRms, 0.1, scenario::Phase::BetweenOutages)});
+  const auto curves = limit_curves({Metric::HorizontalRms}, data.score, data.summary, 10.0);
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[0].title, "horizontal_rms_m at most 1.5");
+  ASSERT_EQ(curves[0].x.size(), 3u);
+  EXPECT_DOUBLE_EQ(curves[0].x[0], 2.0);
+  EXPECT_DOUBLE_EQ(curves[0].x[1], 6.0);
+  EXPECT_DOUBLE_EQ(curves[0].y[0], 1.5);
+  ASSERT_EQ(curves[1].x.size(), 6u) << "before the outage and after it";
+  EXPECT_NEAR(curves[1].x[1], 4.0, 1e-9);
+  EXPECT_NEAR(curves[1].x[3], 8.1, 1e-9);
+  EXPECT_TRUE(limit_curves({Metric::VerticalRms}, data.score, data.summary, 10.0).empty());
+  const std::string text = html(report_page(io::McapReader(path), data));
+  EXPECT_THAT(text,
+              HasSubstr("<a href=\"#position-sizes\">horizontal_rms_m, before the first swap, after 2 s, at most 1.5"));
+  EXPECT_THAT(text, HasSubstr("<h2 id=\"position-sizes\">"));
+  EXPECT_THAT(text, HasSubstr("horizontal_rms_m at most 1.5</text>")) << "the limit is drawn";
+  EXPECT_THAT(text, HasSubstr("<div class=\"narrow\"><svg")) << "and drawn for a narrow screen";
+}
+
+TEST_F(Report, GivesFiguresTheColourOfTheirVerdictAndSaysWhichRunItIs) {
+  const std::string path = log(With::Everything);
+  ReportData data = report_data(io::McapReader(path));
+  using scenario::Metric;
+  data.score.verdicts = score::judge(data.score.scorer, {at_most(Metric::HorizontalRms, 0.1, scenario::Phase::All),
+                                                         at_most(Metric::VerticalRms, 0.1, scenario::Phase::All)});
+  const std::string text = html(report_page(io::McapReader(path), data));
+  EXPECT_THAT(text, HasSubstr("<td class=\"bad\">0.3</td>"));
+  EXPECT_THAT(text, testing::ContainsRegex("<td class=\"good\">[0-9.e-]+</td>"));
+  EXPECT_THAT(text, HasSubstr("Simulated in one process, id 00000000000000000000000000000000; scenario turning, seed 1"));
+  EXPECT_EQ(report_json(data).at("run").at("scenario"), "turning");
+}
+
+TEST(ReportLimits, EveryMetricHasItsPlaceOnThePage) {
+  for (std::size_t i = 0; i < EnumNames<scenario::Metric>::values.size(); ++i) {
+    EXPECT_NE(page_id_of(static_cast<scenario::Metric>(i)), "") << EnumNames<scenario::Metric>::values[i];
+  }
+  EXPECT_EQ(page_id_of(scenario::Metric::LatencyP99), page_id::kLatency);
 }
 
 TEST(ReportPage, ShowsTablesThatStandOutWhereALimitFailsAndNoMarkupOfTheScenario) {
