@@ -10,15 +10,13 @@ namespace inslab::cli {
 
 namespace {
 
-double mean_square(const Vector3& v) { return v.squaredNorm() / 3.0; }
-
 /// Power of an interval's mean of a sinusoid against that of the sinusoid.
 double mean_gain(double frequency_hz, double dt_s) {
   const double x = units::kPi * frequency_hz * dt_s;
   return std::pow(std::sin(x) / x, 2);
 }
 
-/// Sums `f(density averaged over the axes, frequency, width)` over the band of a spectrum.
+/// Sums `f(density of the axes, frequency, width)` over the band of a spectrum.
 template <class F>
 double over_band(const imu::Spectrum& spectrum, const F& f) {
   if (spectrum.empty()) return 0.0;
@@ -27,20 +25,16 @@ double over_band(const imu::Spectrum& spectrum, const F& f) {
   double sum = 0.0;
   for (int i = 0; i < kSteps; ++i) {
     const double frequency_hz = spectrum.lowest_hz() + (i + 0.5) * width_hz;
-    double density = 0.0;
-    for (int axis = 0; axis < 3; ++axis) density += spectrum.density(axis, frequency_hz) / 3.0;
+    Vector3 density;
+    for (int axis = 0; axis < 3; ++axis) density[axis] = spectrum.density(axis, frequency_hz);
     sum += f(density, frequency_hz, width_hz);
   }
   return sum;
 }
 
-bool is_plain(const ImuErrorProfile& errors) {
-  return errors.gyro.bandwidth_hz.isZero(0.0) && errors.accel.bandwidth_hz.isZero(0.0) &&
-         errors.gyro.full_scale_deg_per_s.isZero(0.0) && errors.accel.full_scale_g.isZero(0.0);
-}
-bool is_plain(const FaultProfile& fault) {
+bool has_faulty_axis(const FaultProfile& fault) {
   const std::array<AxisFault, 3> none{};
-  return fault.gyro_axes == none && fault.accel_axes == none && !fault.gyro_silent && !fault.accel_silent;
+  return fault.gyro_axes != none || fault.accel_axes != none || fault.gyro_silent || fault.accel_silent;
 }
 
 Vector3 root_of_squares(const Vector3& a, const Vector3& b) {
@@ -52,66 +46,92 @@ Vector3 root_of_squares(const Vector3& a, const Vector3& b) {
 ImuPromise::ImuPromise(const LogSummary& summary, const SensorAddress& imu, std::int64_t sim_time_ns, double dt_s)
     : dt_s_(dt_s) {
   if (const AnyProfile* in_use = summary.in_use(ProfileKind::ImuError, imu, sim_time_ns)) {
-    const auto& errors = std::get<ImuErrorProfile>(*in_use);
-    gyro_density_ = errors.gyro.arw_deg_per_sqrt_h * units::kDegPerSqrtH;
-    accel_density_ = errors.accel.vrw_m_per_s_per_sqrt_h * units::kMPerSPerSqrtH;
-    gyro_count_ = errors.gyro.quantization_arcsec * units::kArcsec;
-    accel_count_ = errors.accel.quantization_m_per_s;
-    is_plain_ = is_plain_ && cli::is_plain(errors);
+    take(std::get<ImuErrorProfile>(*in_use));
   }
   if (const AnyProfile* in_use = summary.in_use(ProfileKind::Fault, imu, sim_time_ns)) {
-    const auto& fault = std::get<FaultProfile>(*in_use);
-    gyro_density_ = root_of_squares(gyro_density_, fault.gyro_noise_burst_deg_per_sqrt_h * units::kDegPerSqrtH);
-    accel_density_ =
-        root_of_squares(accel_density_, fault.accel_noise_burst_m_per_s_per_sqrt_h * units::kMPerSPerSqrtH);
-    is_plain_ = is_plain_ && cli::is_plain(fault);
+    take(std::get<FaultProfile>(*in_use));
   }
   if (const AnyProfile* in_use = summary.in_use(ProfileKind::Vibration, imu, sim_time_ns)) {
     vibration_ = std::get<VibrationProfile>(*in_use);
   }
 }
 
+void ImuPromise::take(const ImuErrorProfile& errors) {
+  gyro_.density = errors.gyro.arw_deg_per_sqrt_h * units::kDegPerSqrtH;
+  accel_.density = errors.accel.vrw_m_per_s_per_sqrt_h * units::kMPerSPerSqrtH;
+  gyro_.count = errors.gyro.quantization_arcsec * units::kArcsec;
+  accel_.count = errors.accel.quantization_m_per_s;
+  is_filtered_ = !errors.gyro.bandwidth_hz.isZero(0.0) || !errors.accel.bandwidth_hz.isZero(0.0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    gyro_.filter[axis] = FilterResponse(errors.gyro.bandwidth_hz[i], errors.gyro.bandwidth_order, dt_s_);
+    accel_.filter[axis] = FilterResponse(errors.accel.bandwidth_hz[i], errors.accel.bandwidth_order, dt_s_);
+    for (const FilterResponse* filter : {&gyro_.filter[axis], &accel_.filter[axis]}) {
+      white_correlation_ = std::max(white_correlation_, filter->white_correlation());
+      difference_correlation_ = std::max(difference_correlation_, filter->difference_correlation());
+    }
+  }
+}
+
+void ImuPromise::take(const FaultProfile& fault) {
+  gyro_.density = root_of_squares(gyro_.density, fault.gyro_noise_burst_deg_per_sqrt_h * units::kDegPerSqrtH);
+  accel_.density = root_of_squares(accel_.density, fault.accel_noise_burst_m_per_s_per_sqrt_h * units::kMPerSPerSqrtH);
+  if (has_faulty_axis(fault)) why_not_ = "a fault '" + fault.name + "' of an axis was in effect";
+}
+
 /// A carried remainder r, uniform over a count q, errs by r[k] - r[k+1]: q^2/6; its first differences by q^2/2.
-double ImuPromise::variance(const Vector3& density, const Vector3& count, double vibration, double count_gain) const {
-  return mean_square(density) / dt_s_ + count_gain * mean_square(count) / (dt_s_ * dt_s_) + vibration;
-}
-
-double ImuPromise::gyro_sigma() const {
-  return std::sqrt(variance(gyro_density_, gyro_count_, angular([](double) { return 1.0; }), 1.0 / 6.0));
-}
-double ImuPromise::accel_sigma() const {
-  return std::sqrt(variance(accel_density_, accel_count_, linear([](double) { return 1.0; }), 1.0 / 6.0));
-}
-double ImuPromise::gyro_white_sigma() const {
-  return std::sqrt(variance(gyro_density_, gyro_count_, angular(difference_gain()), 1.0 / 4.0));
-}
-double ImuPromise::accel_white_sigma() const {
-  return std::sqrt(variance(accel_density_, accel_count_, linear(difference_gain()), 1.0 / 4.0));
-}
-
-ImuPromise::Gain ImuPromise::difference_gain() const {
-  return [dt_s = dt_s_](double frequency_hz) { return 1.0 - std::cos(2.0 * units::kPi * frequency_hz * dt_s); };
-}
-
-/// A moving mount is part of the IMU's truth: it shows in no difference.
-double ImuPromise::linear(const Gain& gain) const {
-  if (vibration_.domain == VibrationDomain::Motion) return 0.0;
-  double sum = over_band(imu::Spectrum(vibration_.linear_random), [&](double density, double f, double width) {
-    return density * width * mean_gain(f, dt_s_) * gain(f);
-  });
-  for (const auto& term : vibration_.linear) {
-    sum += 0.5 * mean_square(term.amplitude_m_per_s2) * mean_gain(term.frequency_hz, dt_s_) * gain(term.frequency_hz);
+double ImuPromise::variance(const Triad& triad, double vibration, Of of) const {
+  double sum = vibration;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    const FilterResponse& filter = triad.filter[axis];
+    const double noise = of == Of::Values ? filter.white_gain() : filter.difference_gain();
+    const double counts = of == Of::Values ? 1.0 / 6.0 : 1.0 / 4.0;
+    sum += (triad.density[i] * triad.density[i] * noise / dt_s_ +
+            triad.count[i] * triad.count[i] * counts / (dt_s_ * dt_s_)) /
+           3.0;
   }
   return sum;
 }
-double ImuPromise::angular(const Gain& gain) const {
+
+double ImuPromise::gyro_sigma() const { return std::sqrt(variance(gyro_, angular(Of::Values), Of::Values)); }
+double ImuPromise::accel_sigma() const { return std::sqrt(variance(accel_, linear(Of::Values), Of::Values)); }
+double ImuPromise::gyro_white_sigma() const {
+  return std::sqrt(variance(gyro_, angular(Of::Differences), Of::Differences));
+}
+double ImuPromise::accel_white_sigma() const {
+  return std::sqrt(variance(accel_, linear(Of::Differences), Of::Differences));
+}
+
+/// What is left of the power of each axis at a frequency, averaged over the axes.
+double ImuPromise::passed(const Triad& triad, const Vector3& power, double frequency_hz, Of of) const {
+  const double differences = of == Of::Values ? 1.0 : 1.0 - std::cos(2.0 * units::kPi * frequency_hz * dt_s_);
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double value = power[static_cast<Eigen::Index>(axis)];
+    if (value > 0.0) sum += value * (is_filtered_ ? triad.filter[axis].power_at(frequency_hz) : 1.0) / 3.0;
+  }
+  return sum * differences * mean_gain(frequency_hz, dt_s_);
+}
+
+/// A moving mount is part of the IMU's truth: it shows in no difference.
+double ImuPromise::linear(Of of) const {
   if (vibration_.domain == VibrationDomain::Motion) return 0.0;
-  double sum = over_band(imu::Spectrum(vibration_.angular_random), [&](double density, double f, double width) {
-    return density * width * mean_gain(f, dt_s_) * gain(f);
-  });
+  double sum = over_band(
+      imu::Spectrum(vibration_.linear_random),
+      [&](const Vector3& density, double f, double width_hz) { return passed(accel_, density * width_hz, f, of); });
+  for (const auto& term : vibration_.linear) {
+    sum += passed(accel_, 0.5 * term.amplitude_m_per_s2.cwiseAbs2(), term.frequency_hz, of);
+  }
+  return sum;
+}
+double ImuPromise::angular(Of of) const {
+  if (vibration_.domain == VibrationDomain::Motion) return 0.0;
+  double sum = over_band(
+      imu::Spectrum(vibration_.angular_random),
+      [&](const Vector3& density, double f, double width_hz) { return passed(gyro_, density * width_hz, f, of); });
   for (const auto& term : vibration_.angular) {
-    sum += 0.5 * mean_square(term.amplitude_deg_per_s * units::kDeg) * mean_gain(term.frequency_hz, dt_s_) *
-           gain(term.frequency_hz);
+    sum += passed(gyro_, 0.5 * (term.amplitude_deg_per_s * units::kDeg).cwiseAbs2(), term.frequency_hz, of);
   }
   return sum;
 }
@@ -134,9 +154,10 @@ double ImuPromise::spread_error(double duration_s) const {
   // The variance of a Gaussian process of density S measured over T has the variance (integral of S^2) / T; its root
   // half of the relative error. Three axes are averaged; 4 standard errors as everywhere.
   const auto of_band = [&](const imu::Spectrum& spectrum) {
-    const double power = over_band(spectrum, [](double density, double, double width) { return density * width; });
-    const double squares =
-        over_band(spectrum, [](double density, double, double width) { return density * density * width; });
+    const double power =
+        over_band(spectrum, [](const Vector3& density, double, double width) { return density.mean() * width; });
+    const double squares = over_band(
+        spectrum, [](const Vector3& density, double, double width) { return density.mean() * density.mean() * width; });
     return power == 0.0 ? 0.0 : 4.0 * 0.5 * std::sqrt(squares / (3.0 * duration_s)) / power;
   };
   return cut_off +

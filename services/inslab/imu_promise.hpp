@@ -1,7 +1,9 @@
 #pragma once
 
-#include <functional>
+#include <array>
+#include <string>
 
+#include "services/inslab/filter_response.hpp"
 #include "services/inslab/log_summary.hpp"
 
 namespace inslab::cli {
@@ -12,16 +14,23 @@ class ImuPromise {
  public:
   ImuPromise(const LogSummary& summary, const SensorAddress& imu, std::int64_t sim_time_ns, double dt_s);
 
-  /// False when a low-pass filter, the end of the scale or a fault of an axis shapes the output: its spread is then not
-  /// that of the noise, and nothing here is promised.
-  bool is_plain() const { return is_plain_; }
+  /// Why the output's spread is not that of noise and vibration, and nothing here is promised; empty otherwise.
+  const std::string& why_not() const { return why_not_; }
+  /// Whether a low-pass filter shapes the output.
+  bool is_filtered() const { return is_filtered_; }
 
-  /// Standard deviation of the rate error, rad/s, m/s^2: white noise, counts, and vibration as interval means show it.
+  /// Standard deviation of the rate error, rad/s, m/s^2: white noise and vibration as interval means show it,
+  /// both through the sensor's low-pass filter, and counts, which come after it.
   double gyro_sigma() const;
   double accel_sigma() const;
   /// The same after first differences over sqrt(2), which pass a frequency f with the power 1 - cos(2 pi f dt).
   double gyro_white_sigma() const;
   double accel_white_sigma() const;
+
+  /// Neighbours are alike behind a filter: n values, or n first differences, tell as much of their spread as n over
+  /// this many independent ones.
+  double values_per_independent() const { return white_correlation_; }
+  double differences_per_independent() const { return difference_correlation_; }
 
   /// Largest displacement of a moving mount along one axis, m.
   double mount_reach_m() const;
@@ -31,18 +40,27 @@ class ImuPromise {
   double spread_error(double duration_s) const;
 
  private:
-  using Gain = std::function<double(double frequency_hz)>;
-  double variance(const Vector3& density, const Vector3& count, double vibration, double count_gain) const;
-  double linear(const Gain& gain) const;
-  double angular(const Gain& gain) const;
-  Gain difference_gain() const;
+  struct Triad {
+    Vector3 density = Vector3::Zero();  ///< rad/sqrt(s) | m/s/sqrt(s), the burst of a fault included
+    Vector3 count = Vector3::Zero();    ///< rad | m/s
+    std::array<FilterResponse, 3> filter;
+  };
+  enum class Of { Values, Differences };
+
+  void take(const ImuErrorProfile& errors);
+  void take(const FaultProfile& fault);
+  double variance(const Triad& triad, double vibration, Of of) const;
+  double linear(Of of) const;
+  double angular(Of of) const;
+  double passed(const Triad& triad, const Vector3& power, double frequency_hz, Of of) const;
 
   double dt_s_;
-  bool is_plain_ = true;
-  Vector3 gyro_density_ = Vector3::Zero();   ///< rad/sqrt(s), the burst of a fault included
-  Vector3 accel_density_ = Vector3::Zero();  ///< m/s/sqrt(s)
-  Vector3 gyro_count_ = Vector3::Zero();     ///< rad
-  Vector3 accel_count_ = Vector3::Zero();    ///< m/s
+  std::string why_not_;
+  bool is_filtered_ = false;
+  double white_correlation_ = 1.0;
+  double difference_correlation_ = 1.0;
+  Triad gyro_;
+  Triad accel_;
   VibrationProfile vibration_;
 };
 

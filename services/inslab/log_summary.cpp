@@ -147,14 +147,30 @@ void read_metadata(const io::McapReader& log, LogSummary& summary) {
 
 }  // namespace
 
-const AnyProfile* LogSummary::in_use(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const {
-  const ProfileInUse* latest = nullptr;
-  for (const ProfileInUse& candidate : profiles) {
-    if (kind_of(candidate.profile) != kind || !(target_of(candidate.profile) == sensor)) continue;
-    if (candidate.apply_at_ns >= sim_time_ns) continue;
-    if (latest == nullptr || candidate.apply_at_ns >= latest->apply_at_ns) latest = &candidate;
+ProfileTimeline::ProfileTimeline(const std::vector<ProfileInUse>& profiles) {
+  for (std::size_t place = 0; place < profiles.size(); ++place) {
+    const SensorAddress sensor = target_of(profiles[place].profile);
+    entries_[{kind_of(profiles[place].profile), sensor.kind, sensor.number}].push_back(
+        {profiles[place].apply_at_ns, place});
   }
-  return latest == nullptr ? nullptr : &latest->profile;
+  for (auto& [key, entries] : entries_) {
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const Entry& a, const Entry& b) { return a.apply_at_ns < b.apply_at_ns; });
+  }
+}
+
+std::optional<std::size_t> ProfileTimeline::at(ProfileKind kind, const SensorAddress& sensor,
+                                               std::int64_t sim_time_ns) const {
+  const auto found = entries_.find({kind, sensor.kind, sensor.number});
+  if (found == entries_.end()) return std::nullopt;
+  const auto later = std::lower_bound(found->second.begin(), found->second.end(), sim_time_ns,
+                                      [](const Entry& entry, std::int64_t t) { return entry.apply_at_ns < t; });
+  return later == found->second.begin() ? std::nullopt : std::optional(std::prev(later)->place);
+}
+
+const AnyProfile* LogSummary::in_use(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const {
+  const std::optional<std::size_t> place = timeline.at(kind, sensor, sim_time_ns);
+  return place ? &profiles[*place].profile : nullptr;
 }
 
 LogSummary summarize(const io::McapReader& log) {
@@ -171,6 +187,7 @@ LogSummary summarize(const io::McapReader& log) {
   std::stable_sort(summary.profiles.begin(), summary.profiles.end(), [](const ProfileInUse& a, const ProfileInUse& b) {
     return request_of(a.profile).journal_number < request_of(b.profile).journal_number;
   });
+  summary.timeline = ProfileTimeline(summary.profiles);
   return summary;
 }
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "io/mcap_reader.hpp"
@@ -26,6 +27,25 @@ struct ProfileInUse {
   AnyProfile profile;
 };
 
+/// Which of a run's profiles a sensor used when, found in the logarithm of their number.
+class ProfileTimeline {
+ public:
+  ProfileTimeline() = default;
+  explicit ProfileTimeline(const std::vector<ProfileInUse>& profiles);
+
+  /// Place among the profiles of the one in use for a sample of sim time `t`; nothing when there is none. Of two that
+  /// take effect at one time it is the later in their order.
+  std::optional<std::size_t> at(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const;
+
+ private:
+  using Key = std::tuple<ProfileKind, SensorKind, std::uint32_t>;
+  struct Entry {
+    std::int64_t apply_at_ns;
+    std::size_t place;
+  };
+  std::map<Key, std::vector<Entry>> entries_;  ///< in order of their apply times
+};
+
 /// Which run a log is of. Texts are empty where the log does not say.
 struct RunIdentity {
   std::string run_id;     ///< hexadecimal
@@ -46,6 +66,7 @@ struct LogSummary {
   std::vector<ProfileAck> acks;
   std::vector<io::mcap::StringMap> recoveries;  ///< see logger::RunLog
   std::vector<ProfileInUse> profiles;           ///< what the scenario began with, and the journal in its order
+  ProfileTimeline timeline;                     ///< of these profiles
 
   /// The profile of that kind and sensor in use for a sample of sim time `t`; null when there is none.
   const AnyProfile* in_use(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const;

@@ -7,7 +7,7 @@
 
 namespace inslab::cli {
 
-/// Running mean, standard deviation and rms of first differences of a vector series.
+/// Running mean and rms of first differences of a vector series.
 class NoiseStatistics {
  public:
   /// `index` counts the samples of the series; first differences are taken between neighbours only.
@@ -18,9 +18,7 @@ class NoiseStatistics {
       ++differences_;
     }
     if (count_ == 0) origin_ = value;
-    const Vector3 shifted = value - origin_;
-    sum_ += shifted;
-    squares_ += shifted.cwiseProduct(shifted);
+    sum_ += value - origin_;
     ++count_;
     last_ = value;
     last_index_ = index;
@@ -30,13 +28,8 @@ class NoiseStatistics {
   std::uint64_t differences() const { return differences_; }
   Vector3 mean() const { return origin_ + sum_ / static_cast<double>(count_); }
 
-  /// Standard deviation over the axes chosen by `mask` (1 or 0 each), pooled.
-  double pooled_sigma(const Vector3& mask) const {
-    const double n = static_cast<double>(count_);
-    const Vector3 variance = (squares_ - sum_.cwiseProduct(sum_) / n) / (n - 1.0);
-    return std::sqrt(variance.dot(mask) / mask.sum());
-  }
-  /// Standard deviation of the white part: the rms of first differences over sqrt(2). Slow errors drop out.
+  /// Standard deviation of the white part over the axes chosen by `mask` (1 or 0 each), pooled: the rms of first
+  /// differences over sqrt(2). Slow errors drop out.
   double pooled_white_sigma(const Vector3& mask) const {
     return std::sqrt(difference_squares_.dot(mask) / (2.0 * static_cast<double>(differences_) * mask.sum()));
   }
@@ -45,7 +38,6 @@ class NoiseStatistics {
   Vector3 origin_ = Vector3::Zero();
   Vector3 last_ = Vector3::Zero();
   Vector3 sum_ = Vector3::Zero();
-  Vector3 squares_ = Vector3::Zero();
   Vector3 difference_squares_ = Vector3::Zero();
   std::uint64_t last_index_ = 0;
   std::uint64_t count_ = 0;

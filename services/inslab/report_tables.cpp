@@ -209,7 +209,7 @@ PageTable swaps_table(const std::vector<SwapEvidence>& swaps) {
                     sensor_name(swap.ack.target), seconds(swap.ack.apply_time_ns),
                     swap.first_sample_holds ? "" : "; its first sample is not the acknowledged one");
     const Cell first{name, swap.first_sample_holds ? Tone::Plain : Tone::Bad};
-    if (swap.lines.empty()) table.rows.push_back({first, "nothing measured", "", "", "", "", ""});
+    if (swap.lines.empty()) table.rows.push_back({first, "nothing measured: " + swap.why_nothing, "", "", "", "", ""});
     for (const EvidenceLine& line : swap.lines) {
       table.rows.push_back({&line == &swap.lines.front() ? first : Cell(""), line.quantity, line.unit,
                             measured_cell(line.before), fmt::format("{:.5g}", line.before.promised),

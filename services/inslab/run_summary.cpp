@@ -112,7 +112,7 @@ void print_swap(std::size_t number, const SwapEvidence& swap, Verdict& verdict) 
              seconds_of(ack.apply_time_ns), seconds_of(ack.first_sample_time_ns), ack.first_sequence);
   verdict.require(swap.first_sample_holds, what + ": the acknowledged sample is not the first with that revision");
   if (swap.lines.empty()) {
-    fmt::print("  nothing measured: a fault, or too few samples between this swap and its neighbours\n");
+    fmt::print("  nothing measured: {}\n", swap.why_nothing);
     return;
   }
   fmt::print("  {:<38}{:<13}{:^27}{:^27}\n", "measured / promised", "", "before", "after");

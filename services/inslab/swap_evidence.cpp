@@ -1,7 +1,8 @@
 #include "services/inslab/swap_evidence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <set>
 
 #include "samples/units.hpp"
 #include "services/inslab/imu_promise.hpp"
@@ -14,6 +15,7 @@ namespace inslab::cli {
 namespace {
 
 constexpr std::uint64_t kFewest = 30;
+constexpr const char* kThroughTheBandwidth = ", as the bandwidth lets it pass";
 const Vector3 kAllAxes(1.0, 1.0, 1.0);
 const Vector3 kHorizontal(1.0, 1.0, 0.0);
 const Vector3 kVertical(0.0, 0.0, 1.0);
@@ -22,33 +24,46 @@ Measured judged(double value, double promised, double tolerance) {
   return {value, promised, tolerance, std::abs(value - promised) <= tolerance};
 }
 
-/// Standard deviation from n independent values has the relative standard error sqrt(1/(2n)); from the n first
-/// differences of white noise, which overlap, sqrt(3/(4n)).
-double sigma_tolerance(double promised, double values) { return 4.0 * promised * std::sqrt(1.0 / (2.0 * values)); }
-double difference_tolerance(double promised, double values) { return 4.0 * promised * std::sqrt(3.0 / (4.0 * values)); }
+/// Values of which so many tell as much as one independent one. First differences of white noise overlap: 1.5.
+constexpr double kWhiteDifferences = 1.5;
+
+/// Standard deviation from n independent values has the relative standard error sqrt(1/(2n)).
+double sigma_tolerance(double promised, double values, double per_independent = 1.0) {
+  return 4.0 * promised * std::sqrt(per_independent / (2.0 * values));
+}
 
 double mean_square(const Vector3& v, const Vector3& mask) { return v.cwiseProduct(v).dot(mask) / mask.sum(); }
 
 double duration_s(const SwapWindow& window) { return static_cast<double>(window.until_ns - window.after_ns) * 1e-9; }
 
+/// A standard deviation, and how many values tell as much of it as one independent one.
+struct Promised {
+  double sigma;
+  double values_per_independent;
+};
+
 /// One line for a white noise density: rate sigma times sqrt(dt), in the profile's unit.
-EvidenceLine density_line(const char* quantity, const char* unit, double per_unit, const NoiseStatistics& before,
-                          const NoiseStatistics& after, double promised_before, double promised_after, double dt_s) {
-  const auto measured = [&](const NoiseStatistics& series, double promised) {
+EvidenceLine density_line(const std::string& quantity, const char* unit, double per_unit, const NoiseStatistics& before,
+                          const NoiseStatistics& after, const Promised& promised_before, const Promised& promised_after,
+                          double dt_s) {
+  const auto measured = [&](const NoiseStatistics& series, const Promised& promised) {
     const double scale = std::sqrt(dt_s) / per_unit;
-    return judged(series.pooled_white_sigma(kAllAxes) * scale, promised * scale,
-                  difference_tolerance(promised * scale, 3.0 * static_cast<double>(series.differences())));
+    return judged(series.pooled_white_sigma(kAllAxes) * scale, promised.sigma * scale,
+                  sigma_tolerance(promised.sigma * scale, 3.0 * static_cast<double>(series.differences()),
+                                  promised.values_per_independent));
   };
   return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
 }
 
-EvidenceLine sigma_line(const char* quantity, const char* unit, double per_unit, const NoiseStatistics& before,
-                        const NoiseStatistics& after, double promised_before, double promised_after,
-                        const Vector3& mask, double extra_relative = 0.0) {
-  const auto measured = [&](const NoiseStatistics& series, double promised) {
-    const double values = mask.sum() * static_cast<double>(series.count());
-    return judged(series.pooled_sigma(mask) / per_unit, promised / per_unit,
-                  sigma_tolerance(promised, values) / per_unit + extra_relative * promised / per_unit);
+EvidenceLine sigma_line(const std::string& quantity, const char* unit, double per_unit,
+                        const ResidualStatistics& before, const ResidualStatistics& after,
+                        const Promised& promised_before, const Promised& promised_after, double extra_relative) {
+  const auto measured = [&](const ResidualStatistics& series, const Promised& promised) {
+    const double values = 3.0 * static_cast<double>(series.count());
+    return judged(
+        series.pooled_sigma() / per_unit, promised.sigma / per_unit,
+        (sigma_tolerance(promised.sigma, values, promised.values_per_independent) + extra_relative * promised.sigma) /
+            per_unit);
   };
   return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
 }
@@ -60,7 +75,7 @@ EvidenceLine fix_line(const char* quantity, const char* unit, const NoiseStatist
                       const Vector3& mask) {
   const auto measured = [&](const NoiseStatistics& series, double promised) {
     return judged(series.pooled_white_sigma(mask), promised,
-                  difference_tolerance(promised, mask.sum() * static_cast<double>(series.differences())));
+                  sigma_tolerance(promised, mask.sum() * static_cast<double>(series.differences()), kWhiteDifferences));
   };
   return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
 }
@@ -91,12 +106,24 @@ class Weigher {
  public:
   Weigher(const LogSummary& summary, const SwapWindows& swap) : summary_(summary), swap_(swap) {}
 
+  /// Why nothing can be measured; empty when it can.
+  std::string why_nothing() const {
+    if (swap_.ack.kind == ProfileKind::Fault) return "a fault promises no figure; its samples and their flags show it";
+    for (const SwapWindow* window : {&swap_.before, &swap_.after}) {
+      const std::uint64_t pairs =
+          is_imu() ? window->gyro_rad_per_s.differences() : window->position_ned_m.differences();
+      if (pairs >= kFewest) continue;
+      return fmt::format(
+          "only {} pairs of usable samples {} it, in the {:.3f} s to its neighbour or the end; {} are needed", pairs,
+          window == &swap_.before ? "before" : "after", std::max(0.0, duration_s(*window)), kFewest);
+    }
+    if (!is_imu() || swap_.ack.kind == ProfileKind::Installation) return "";
+    const std::string before = promise(swap_.before).why_not(), after = promise(swap_.after).why_not();
+    return !before.empty() ? before + " before it" : after.empty() ? "" : after + " after it";
+  }
+
   std::vector<EvidenceLine> lines() const {
-    const bool imu = swap_.ack.target.kind == SensorKind::Imu;
-    const auto enough = [imu](const SwapWindow& window) {
-      return (imu ? window.gyro_rad_per_s.differences() : window.position_ned_m.differences()) >= kFewest;
-    };
-    if (!enough(swap_.before) || !enough(swap_.after)) return {};
+    const bool imu = is_imu();
     switch (swap_.ack.kind) {
       case ProfileKind::ImuError:
         return imu_error();
@@ -113,6 +140,7 @@ class Weigher {
   }
 
  private:
+  bool is_imu() const { return swap_.ack.target.kind == SensorKind::Imu; }
   double period_s() const {
     return swap_.ack.target.kind == SensorKind::Imu ? period_s(summary_.scenario.imu)
                                                     : period_s(summary_.scenario.gnss);
@@ -136,24 +164,34 @@ class Weigher {
   std::vector<EvidenceLine> imu_error() const {
     const ImuPromise before = promise(swap_.before);
     const ImuPromise after = promise(swap_.after);
-    if (!before.is_plain() || !after.is_plain()) return {};
-    return {
-        density_line("gyro white noise", "deg/sqrt(h)", units::kDegPerSqrtH, swap_.before.gyro_rad_per_s,
-                     swap_.after.gyro_rad_per_s, before.gyro_white_sigma(), after.gyro_white_sigma(), period_s()),
-        density_line("accelerometer white noise", "m/s/sqrt(h)", units::kMPerSPerSqrtH, swap_.before.accel_m_per_s2,
-                     swap_.after.accel_m_per_s2, before.accel_white_sigma(), after.accel_white_sigma(), period_s())};
+    const std::string through = before.is_filtered() || after.is_filtered() ? kThroughTheBandwidth : "";
+    const auto promised = [](const ImuPromise& from, double sigma) {
+      return Promised{sigma, from.differences_per_independent()};
+    };
+    return {density_line("gyro white noise" + through, "deg/sqrt(h)", units::kDegPerSqrtH, swap_.before.gyro_rad_per_s,
+                         swap_.after.gyro_rad_per_s, promised(before, before.gyro_white_sigma()),
+                         promised(after, after.gyro_white_sigma()), period_s()),
+            density_line("accelerometer white noise" + through, "m/s/sqrt(h)", units::kMPerSPerSqrtH,
+                         swap_.before.accel_m_per_s2, swap_.after.accel_m_per_s2,
+                         promised(before, before.accel_white_sigma()), promised(after, after.accel_white_sigma()),
+                         period_s())};
   }
 
   std::vector<EvidenceLine> vibration() const {
     const ImuPromise before = promise(swap_.before);
     const ImuPromise after = promise(swap_.after);
-    if (!before.is_plain() || !after.is_plain()) return {};
+    const std::string through = before.is_filtered() || after.is_filtered() ? kThroughTheBandwidth : "";
+    const auto promised = [](const ImuPromise& from, double sigma) {
+      return Promised{sigma, from.values_per_independent()};
+    };
     const double extra =
         std::max(before.spread_error(duration_s(swap_.before)), after.spread_error(duration_s(swap_.after)));
-    return {sigma_line("specific force, noise and vibration", "m/s^2", 1.0, swap_.before.accel_m_per_s2,
-                       swap_.after.accel_m_per_s2, before.accel_sigma(), after.accel_sigma(), kAllAxes, extra),
-            sigma_line("angular rate, noise and vibration", "deg/s", units::kDeg, swap_.before.gyro_rad_per_s,
-                       swap_.after.gyro_rad_per_s, before.gyro_sigma(), after.gyro_sigma(), kAllAxes, extra)};
+    return {sigma_line("specific force, noise and vibration" + through, "m/s^2", 1.0,
+                       swap_.before.accel_residual_m_per_s2, swap_.after.accel_residual_m_per_s2,
+                       promised(before, before.accel_sigma()), promised(after, after.accel_sigma()), extra),
+            sigma_line("angular rate, noise and vibration" + through, "deg/s", units::kDeg,
+                       swap_.before.gyro_residual_rad_per_s, swap_.after.gyro_residual_rad_per_s,
+                       promised(before, before.gyro_sigma()), promised(after, after.gyro_sigma()), extra)};
   }
 
   std::vector<EvidenceLine> imu_installation() const {
@@ -211,7 +249,7 @@ class Weigher {
 /// Brings together samples that belong together: they come over several topics, in no order among each other.
 class Joiner {
  public:
-  Joiner(std::vector<SwapWindows>& windows, const LogSummary& summary) : windows_(windows), summary_(summary) {}
+  explicit Joiner(SwapWindowsOfLog& windows) : windows_(windows) {}
 
   void take(std::string_view type, const io::mcap::Message& message) {
     if (type == wire::WireType<TruthState>::name) keep(message, truths_);
@@ -248,12 +286,12 @@ class Joiner {
       const auto perfect = imu_truths_.find(key);
       const auto vehicle = truths_.find({0, key.second});
       if (perfect != imu_truths_.end() && vehicle != truths_.end()) {
-        add_imu(windows_, sample, perfect->second, vehicle->second);
+        windows_.add(sample, perfect->second, vehicle->second);
       }
     });
     drain(fixes_, limit, [this](const Key& key, const GnssFix& fix) {
       const auto vehicle = truths_.find({0, key.second});
-      if (vehicle != truths_.end()) add_fix(windows_, fix, vehicle->second, summary_);
+      if (vehicle != truths_.end()) windows_.add(fix, vehicle->second);
     });
     drain(imu_truths_, limit, [](const Key&, const ImuTruth&) {});
     drain(truths_, limit, [](const Key&, const TruthState&) {});
@@ -270,8 +308,7 @@ class Joiner {
     }
   }
 
-  std::vector<SwapWindows>& windows_;
-  const LogSummary& summary_;
+  SwapWindowsOfLog& windows_;
   std::map<Key, TruthState> truths_;
   std::map<Key, ImuSample> samples_;
   std::map<Key, ImuTruth> imu_truths_;
@@ -287,20 +324,22 @@ bool SwapEvidence::holds() const {
 }
 
 std::vector<SwapEvidence> weigh_swaps(const io::McapReader& log, const LogSummary& summary) {
-  std::vector<SwapWindows> windows = cut_windows(summary);
-  Joiner joiner(windows, summary);
+  SwapWindowsOfLog windows(summary);
+  Joiner joiner(windows);
   log.for_each([&](const io::mcap::Message& message) {
     joiner.take(log.schemas().at(log.channels().at(message.channel_id).schema_id).name, message);
     return true;
   });
   joiner.finish();
   std::vector<SwapEvidence> evidence;
-  for (const SwapWindows& swap : windows) {
+  for (const SwapWindows& swap : windows.all()) {
     SwapEvidence weighed;
     weighed.ack = swap.ack;
     weighed.profile_name = name_of(*swap.profile);
     weighed.first_sample_holds = swap.first_sequence_seen == swap.ack.first_sequence;
-    weighed.lines = Weigher(summary, swap).lines();
+    const Weigher weigher(summary, swap);
+    weighed.why_nothing = weigher.why_nothing();
+    if (weighed.why_nothing.empty()) weighed.lines = weigher.lines();
     evidence.push_back(weighed);
   }
   return evidence;

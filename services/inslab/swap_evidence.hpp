@@ -28,14 +28,16 @@ struct SwapEvidence {
   ProfileAck ack;
   std::string profile_name;
   bool first_sample_holds = false;  ///< the first sample with the new revision is the one the ack names
-  std::vector<EvidenceLine> lines;  ///< empty where nothing can be measured (a fault, too short a stretch)
+  std::vector<EvidenceLine> lines;  ///< empty where nothing can be measured
+  std::string why_nothing;          ///< then the reason; "only 12 samples before it, 30 are needed"
 
   bool holds() const;
 };
 
 /// Weighs every acknowledged swap by the samples up to 20 s before and after it, as far as no other swap of the same
-/// sensor lies between: ImuSample minus ImuTruth, GnssFix minus the truth. The published error budget is not used.
-/// Reads the log once more. Throws io::ReadError.
+/// sensor lies between: ImuSample minus what the sensor's bandwidth lets pass of the ImuTruth,
+/// GnssFix minus the truth. What a profile promises is followed through its own bandwidth. The published error budget
+/// is not used. Reads the log once more. Throws io::ReadError.
 std::vector<SwapEvidence> weigh_swaps(const io::McapReader& log, const LogSummary& summary);
 
 }  // namespace inslab::cli

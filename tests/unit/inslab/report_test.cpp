@@ -248,7 +248,8 @@ TEST_F(Report, GivesFiguresTheColourOfTheirVerdictAndSaysWhichRunItIs) {
   const std::string text = html(report_page(io::McapReader(path), data));
   EXPECT_THAT(text, HasSubstr("<td class=\"bad\">0.3</td>"));
   EXPECT_THAT(text, testing::ContainsRegex("<td class=\"good\">[0-9.e-]+</td>"));
-  EXPECT_THAT(text, HasSubstr("Simulated in one process, id 00000000000000000000000000000000; scenario turning, seed 1"));
+  EXPECT_THAT(text,
+              HasSubstr("Simulated in one process, id 00000000000000000000000000000000; scenario turning, seed 1"));
   EXPECT_EQ(report_json(data).at("run").at("scenario"), "turning");
 }
 

@@ -1,6 +1,17 @@
 #include "services/inslab/swap_evidence.hpp"
 
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <complex>
+#include <ctime>
+#include <filesystem>
+
+#include "config/json_file.hpp"
+#include "config/json_reader.hpp"
+#include "services/inslab/filter_response.hpp"
 #include "services/inslab/log_sink.hpp"
+#include "services/inslab/swap_window.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 namespace inslab::cli {
@@ -111,6 +122,87 @@ TEST_F(SwapEvidenceOfDemo, FailsForEachKindWhoseProfilePromisesOtherwise) {
   }
 }
 
+class SwapEvidenceOfShippedProfiles : public test::TemporaryFolder,
+                                      public testing::WithParamInterface<std::filesystem::path> {
+ protected:
+  static ImuErrorProfile profile(const std::filesystem::path& file) {
+    return config::from_json<ImuErrorProfile>(config::read_json_file(file.string()), file.string());
+  }
+
+  /// The demo's car, whose IMU changes to `errors` and then begins to vibrate.
+  std::vector<SwapEvidence> swapped_to(ImuErrorProfile errors, double noise_factor = 1.0) {
+    auto loaded = scenario::load(std::string(INSLAB_SOURCE_DIR) + "/config/scenarios/demo.json");
+    std::vector<AnyProfile> swaps;
+    for (AnyProfile& swap : loaded.swaps) {
+      if (kind_of(swap) == ProfileKind::Vibration) swaps.push_back(swap);
+    }
+    errors.target = {SensorKind::Imu, 0};
+    errors.latency_s += 1e-6;  // the demo begins with stim300: no swap changes nothing
+    errors.request.apply_at_ns = 15'000'000'000;
+    swaps.insert(swaps.begin(), errors);
+    loaded.swaps = swaps;
+    const time::GpsTime start = loaded.start(time::Nanoseconds(0));
+    TamperingSink sink(path("run.mcap"), loaded, start);
+    sink.noise_factor = noise_factor;
+    OfflineRun run(loaded, start, RunId{}, sink);
+    while (run.step()) {
+    }
+    sink.close();
+    const io::McapReader log(path("run.mcap"));
+    return weigh_swaps(log, summarize(log));
+  }
+};
+
+TEST_P(SwapEvidenceOfShippedProfiles, IsMeasuredAndHolds) {
+  const std::vector<SwapEvidence> all = swapped_to(profile(GetParam()));
+  ASSERT_EQ(all.size(), 2U);
+  for (const SwapEvidence& evidence : all) {
+    EXPECT_EQ(evidence.lines.size(), 2U) << enum_name(evidence.ack.kind) << ": " << evidence.why_nothing;
+    for (const EvidenceLine& line : evidence.lines) {
+      for (const Measured& measured : {line.before, line.after}) {
+        EXPECT_TRUE(measured.holds) << line.quantity << ": " << measured.value << " where " << measured.promised
+                                    << " within " << measured.tolerance << " is promised";
+        EXPECT_LT(measured.tolerance, 0.5 * measured.promised + 1e-12) << line.quantity;
+      }
+    }
+  }
+}
+
+std::vector<std::filesystem::path> shipped_imu_profiles() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(INSLAB_SOURCE_DIR "/config/profiles/imu")) {
+    files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+INSTANTIATE_TEST_SUITE_P(Config, SwapEvidenceOfShippedProfiles, testing::ValuesIn(shipped_imu_profiles()),
+                         [](const auto& parameter) { return parameter.param.stem().string(); });
+
+using SwapEvidenceOfAFilter = SwapEvidenceOfShippedProfiles;
+
+TEST_F(SwapEvidenceOfAFilter, HoldsAndFailsWhenTheNoiseIsNotTheProfiles) {
+  auto filtered = profile(std::string(INSLAB_SOURCE_DIR) + "/config/profiles/imu/stim300.json");
+  for (const FilterOrder order : {FilterOrder::First, FilterOrder::Second}) {
+    filtered.gyro.bandwidth_hz.setConstant(40.0);
+    filtered.gyro.bandwidth_order = order;
+    const std::vector<SwapEvidence> honest = swapped_to(filtered);
+    EXPECT_TRUE(honest.front().holds());
+    EXPECT_THAT(honest.front().lines.front().quantity, testing::HasSubstr("as the bandwidth lets it pass"));
+    EXPECT_LT(honest.front().lines.front().after.promised, 0.8 * honest.front().lines.front().before.promised);
+    for (const double factor : {0.9, 1.1}) EXPECT_FALSE(swapped_to(filtered, factor).front().holds()) << factor;
+  }
+}
+
+TEST_F(SwapEvidenceOfAFilter, SaysTheTrueReasonWhereNothingIsMeasured) {
+  ImuErrorProfile cut = profile(std::string(INSLAB_SOURCE_DIR) + "/config/profiles/imu/stim300.json");
+  cut.gyro.full_scale_deg_per_s.setConstant(1e-6);  // noise alone is past its end
+  const std::vector<SwapEvidence> all = swapped_to(cut);
+  EXPECT_TRUE(all.front().lines.empty());
+  EXPECT_EQ(all.front().why_nothing,
+            "only 0 pairs of usable samples after it, in the 19.995 s to its neighbour or the end; 30 are needed");
+}
+
 TEST_F(SwapEvidenceOfDemo, SummaryCountsEverySampleOfEveryStream) {
   const LogSummary summary = write_log();
   EXPECT_EQ(summary.scenario.name, "demo");
@@ -122,6 +214,68 @@ TEST_F(SwapEvidenceOfDemo, SummaryCountsEverySampleOfEveryStream) {
     EXPECT_EQ(stream.logged.duplicates, 0U) << topic;
   }
   EXPECT_EQ(summary.acks.size(), 4U);
+}
+
+/// A first-order filter of which the closed form is known: sampled with decay d = exp(-w dt), interval by interval.
+TEST(FilterResponse, OfAFirstOrderFilterHasItsClosedForm) {
+  constexpr double kBandwidth_hz = 20.0, kDt_s = 0.005;
+  const FilterResponse response(kBandwidth_hz, FilterOrder::First, kDt_s);
+  // h[0] = 1 - (1-d)/(w dt), h[k] = (1-d)^2 d^(k-1) / (w dt): the mean over the interval of an exponential approach.
+  const double w_dt = 2.0 * 3.14159265358979323846 * kBandwidth_hz * kDt_s, d = std::exp(-w_dt);
+  const double h0 = 1.0 - (1.0 - d) / w_dt, h1 = (1.0 - d) * (1.0 - d) / w_dt;
+  EXPECT_NEAR(response.white_gain(), h0 * h0 + h1 * h1 / (1.0 - d * d), 1e-9);
+  // |H(f)|^2 = |h0 + h1 z / (1 - d z)|^2, z = exp(-2 pi i f dt).
+  const std::complex<double> z = std::polar(1.0, -2.0 * 3.14159265358979323846 * 30.0 * kDt_s);
+  EXPECT_NEAR(response.power_at(30.0), std::norm(h0 + h1 * z / (1.0 - d * z)), 1e-6);
+  EXPECT_NEAR(response.power_at(0.0), 1.0, 1e-5) << "nothing is lost";
+}
+
+TEST(FilterResponse, WithoutAFilterIsThatOfWhiteNoise) {
+  const FilterResponse none;
+  EXPECT_EQ(none.white_gain(), 1.0);
+  EXPECT_EQ(none.difference_gain(), 1.0);
+  EXPECT_EQ(none.white_correlation(), 1.0);
+  EXPECT_EQ(none.difference_correlation(), 1.5);
+}
+
+/// As long a journal as a soak makes; twice as many swaps may not cost four times as much.
+TEST(SwapWindowsOfLog, CostsTimeLinearInTheSwaps) {
+  const auto cost_of = [](std::uint32_t swaps) {
+    LogSummary summary;
+    summary.scenario.duration_s = 100.0;
+    for (std::uint32_t i = 1; i <= swaps; ++i) {
+      FaultProfile fault;
+      fault.target = {SensorKind::Imu, 0};
+      fault.request.journal_number = i;
+      const std::int64_t t_ns = static_cast<std::int64_t>(i) * 90'000'000'000 / swaps;
+      fault.request.apply_at_ns = t_ns;
+      summary.profiles.push_back({t_ns, fault});
+      ProfileAck ack;
+      ack.kind = ProfileKind::Fault;
+      ack.target = fault.target;
+      ack.journal_number = i;
+      ack.first_sample_time_ns = t_ns + 1;
+      ack.first_sequence = i;
+      summary.acks.push_back(ack);
+    }
+    summary.timeline = ProfileTimeline(summary.profiles);
+    SwapWindowsOfLog windows(summary);
+    for (std::uint32_t i = 1; i <= swaps; ++i) {
+      ImuSample sample;
+      sample.interval_ns = 1'000'000;
+      sample.header.sim_time_ns = static_cast<std::int64_t>(i) * 90'000'000'000 / swaps + 1;
+      sample.header.sequence_number = sample.revisions.fault = i;
+      windows.add(sample, ImuTruth{}, TruthState{});
+    }
+    EXPECT_EQ(windows.all().size(), swaps);
+    EXPECT_EQ(windows.all().back().first_sequence_seen, swaps);
+    return std::clock();
+  };
+  const std::clock_t start = std::clock();
+  const std::clock_t few = cost_of(2000) - start;
+  const std::clock_t many = cost_of(16000) - few - start;
+  // Linear: 8 times; quadratic: 64 times.
+  EXPECT_LT(static_cast<double>(many), 24.0 * static_cast<double>(std::max<std::clock_t>(few, 1000)));
 }
 
 }  // namespace
