@@ -246,7 +246,7 @@ bool TruthFollower::finished() const {
 }
 
 int TruthFollower::run() {
-  while (!shutdown_requested() && !finished()) {
+  while (!grace_.must_stop(run_began_) && !finished()) {
     if (auto message = mailbox_.take(milliseconds(50))) handle(std::move(*message));
     process_pending();
     watch_for_gaps();
@@ -264,10 +264,16 @@ int TruthFollower::run() {
 int TruthFollower::end() {
   checkpoint_.forget();
   consumer_.flush_blocks();
+  if (run_ended_) consumer_.end_run(run_id_);
   consumer_.flush(monotonic_now() + seconds(2));
   const bool complete = run_ended_ && fault_.empty() && mailbox_.dropped() == 0 && next_ == truth_samples_of_run_;
-  if (shutdown_requested() && !run_ended_) {
-    board_.enter(ServiceState::Finished, "ended by a signal");
+  const bool left_no_run = shutdown_requested() && !run_began_;
+  if (left_no_run) {
+    board_.enter(ServiceState::Finished, "ended by a signal before a run");
+  } else if (shutdown_requested() && !run_ended_) {
+    const std::string reason = "ended by a signal in mid-run, after truth sample " + std::to_string(next_);
+    board_.enter(ServiceState::Fault, reason);
+    spdlog::error("{}: what follows of this run is missing", reason);
   } else if (!fault_.empty()) {
     board_.enter(ServiceState::Fault, "the run ended as a fault: " + fault_);
     spdlog::error("the run ended as a fault: {}", fault_);
@@ -278,7 +284,7 @@ int TruthFollower::end() {
     board_.enter(ServiceState::Finished);
   }
   board_.flush(seconds(2));
-  return complete || (shutdown_requested() && !run_ended_) ? kOk : kFailed;
+  return complete || left_no_run ? kOk : kFailed;
 }
 
 }  // namespace inslab::app

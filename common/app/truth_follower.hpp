@@ -9,6 +9,7 @@
 #include "app/mailbox.hpp"
 #include "app/service.hpp"
 #include "app/status_board.hpp"
+#include "app/stop_grace.hpp"
 #include "app/stream_monitor.hpp"
 #include "dds/reader.hpp"
 #include "samples/any_profile.hpp"
@@ -31,6 +32,8 @@ class TruthConsumer {
   virtual bool has_room() const = 0;
   /// Computes and sends what follows from one truth sample; they come in order, each once.
   virtual void process(const TruthState& truth) = 0;
+  /// The run is over, and no more truth comes of it: says what becomes of swaps under which no sample came out.
+  virtual void end_run(const RunId& run) = 0;
   /// Sends what process() has gathered for a block.
   virtual void flush_blocks() = 0;
   /// A credit of any stream: those for the outputs are the consumer's.
@@ -125,6 +128,7 @@ class TruthFollower {
   std::string fault_;  ///< why the run ended as a fault; empty: it did not
   std::uint64_t truth_samples_of_run_ = 0;
   time::Nanoseconds run_ended_at_{0};
+  StopGrace grace_;
   StatusBoard board_;
   dds::Writer<Credit> credits_;
   struct JournalReader {

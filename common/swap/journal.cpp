@@ -1,18 +1,30 @@
 #include "swap/journal.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <cstdio>
 
 #include "samples/limits.hpp"
 #include "samples/profile_rules.hpp"
 
 namespace inslab::swap {
 
-namespace {
+ProfileAck rejected(const AnyProfile& request, const std::string& field, const std::string& reason) {
+  ProfileAck ack;
+  ack.request_id = request_of(request).request_id;
+  ack.kind = kind_of(request);
+  ack.target = target_of(request);
+  ack.outcome = AckOutcome::Rejected;
+  ack.requested_time_ns = request_of(request).apply_at_ns;
+  // Bounds of the wire: a path or reason that does not fit would make the ack itself unsendable.
+  ack.field = field.substr(0, 128);
+  ack.reason = reason.substr(0, 256);
+  return ack;
+}
 
-constexpr std::int64_t kLatest_ns = 10'000'000'000'000'000;  // 115 days: the longest scenario
+Journal::Journal(std::vector<SensorAddress> sensors, time::Rate truth_rate, time::Nanoseconds end)
+    : sensors_(std::move(sensors)), truth_rate_(truth_rate), end_(end) {}
 
-std::optional<Violation> rejection_of(const AnyProfile& request, const std::vector<SensorAddress>& sensors) {
+std::optional<Violation> Journal::rejection_of(const AnyProfile& request, time::Nanoseconds now) const {
   auto broken = std::visit(
       [](const auto& profile) {
         auto limits = limit_violation(profile);
@@ -20,34 +32,21 @@ std::optional<Violation> rejection_of(const AnyProfile& request, const std::vect
       },
       request);
   if (broken) return broken;
-  if (std::find(sensors.begin(), sensors.end(), target_of(request)) == sensors.end()) {
+  if (std::find(sensors_.begin(), sensors_.end(), target_of(request)) == sensors_.end()) {
     return Violation{Rule::SensorExists, "target_number",
                      "names " + sensor_name(target_of(request)) + ", which this unit does not have"};
   }
-  if (request_of(request).apply_at_ns > kLatest_ns) {
-    return Violation{Rule::ApplyTime, "request.apply_at_ns", "lies more than 115 days after the start"};
+  if (std::max(request_of(request).apply_at_ns, now.count()) >= end_.count()) {
+    char text[128];
+    std::snprintf(text, sizeof text, "lies at or after the end of the run at %.3f s: no sample would come out under it",
+                  time::to_seconds(end_));
+    return Violation{Rule::ApplyTime, "request.apply_at_ns", text};
   }
   return std::nullopt;
 }
 
-}  // namespace
-
-Journal::Journal(std::vector<SensorAddress> sensors, time::Rate truth_rate)
-    : sensors_(std::move(sensors)), truth_rate_(truth_rate) {}
-
 std::variant<AnyProfile, ProfileAck> Journal::submit(AnyProfile request, time::Nanoseconds now) {
-  if (const auto broken = rejection_of(request, sensors_)) {
-    ProfileAck ack;
-    ack.request_id = request_of(request).request_id;
-    ack.kind = kind_of(request);
-    ack.target = target_of(request);
-    ack.outcome = AckOutcome::Rejected;
-    ack.requested_time_ns = request_of(request).apply_at_ns;
-    // Bounds of the wire: a path or reason that does not fit would make the ack itself unsendable.
-    ack.field = broken->path.substr(0, 128);
-    ack.reason = broken->reason.substr(0, 256);
-    return ack;
-  }
+  if (const auto broken = rejection_of(request, now)) return rejected(request, broken->path, broken->reason);
   ProfileRequest& head = request_of(request);
   head.requested_at_ns = head.apply_at_ns;
   head.requested_in_the_past = head.apply_at_ns >= 0 && head.apply_at_ns < now.count();

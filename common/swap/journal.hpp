@@ -1,13 +1,18 @@
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "samples/any_profile.hpp"
 #include "samples/run_control.hpp"
+#include "samples/violation.hpp"
 #include "time/rate.hpp"
 
 namespace inslab::swap {
+
+/// The answer to a request that changes nothing, with the field at fault and why.
+ProfileAck rejected(const AnyProfile& request, const std::string& field, const std::string& reason);
 
 /// The one order of all accepted swaps. Its owner, the trajectory server, is its only writer; every service obeys it.
 ///
@@ -15,8 +20,9 @@ namespace inslab::swap {
 /// for a GNSS receiver the epochs after T. T lies on the truth grid.
 class Journal {
  public:
-  /// `sensors` are those of the scenario: a request for another one is rejected.
-  Journal(std::vector<SensorAddress> sensors, time::Rate truth_rate);
+  /// `sensors` are those of the scenario: a request for another one is rejected. `end` is the sim time of the last
+  /// truth sample: what would take effect there or later is rejected, since no sample comes out under it.
+  Journal(std::vector<SensorAddress> sensors, time::Rate truth_rate, time::Nanoseconds end);
 
   /// Judges a request when the last truth sample sent was that of sim time `now`. Gives the numbered entry with its
   /// apply time settled (a past or negative one becomes `now`, one between two grid points the later of them), or the
@@ -32,8 +38,11 @@ class Journal {
   std::uint32_t size() const { return static_cast<std::uint32_t>(apply_times_.size()); }
 
  private:
+  std::optional<Violation> rejection_of(const AnyProfile& request, time::Nanoseconds now) const;
+
   std::vector<SensorAddress> sensors_;
   time::Rate truth_rate_;
+  time::Nanoseconds end_;
   std::vector<std::int64_t> apply_times_;  // sorted
 };
 

@@ -103,4 +103,19 @@ std::vector<ProfileAck> ProfileDesk::acknowledge(const StreamHeader& first_sampl
   return acks;
 }
 
+std::vector<ProfileAck> ProfileDesk::close(const RunId& run) {
+  std::vector<ProfileAck> acks;
+  acks.swap(to_acknowledge_);
+  for (const auto& [when, entry] : waiting_) acks.push_back(ack_of(entry, AckOutcome::Rejected));
+  waiting_.clear();
+  for (ProfileAck& ack : acks) {
+    ack.run_id = run;
+    if (ack.outcome == AckOutcome::Superseded) continue;
+    ack.outcome = AckOutcome::Rejected;
+    ack.field = "request.apply_at_ns";
+    ack.reason = "the run ended before " + sensor_name(sensor_) + " put out a sample under it";
+  }
+  return acks;
+}
+
 }  // namespace inslab::swap

@@ -36,6 +36,9 @@ class ProfileDesk {
   /// The acknowledgements that wait for the first sample under the new profiles, which is the one with this header.
   std::vector<ProfileAck> acknowledge(const StreamHeader& first_sample);
 
+  /// The run is over: what becomes of the entries of this sensor under which no sample came out. They are rejected.
+  std::vector<ProfileAck> close(const RunId& run);
+
   /// What it needs to go on from here; the entries themselves come again with the journal (recovery/state_stream.hpp).
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {

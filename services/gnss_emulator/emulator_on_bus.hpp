@@ -26,6 +26,9 @@ class EmulatorOnBus : public app::TruthConsumer {
     if (result.fix) fixes_.put(*result.fix);
     for (const ProfileAck& ack : result.acks) acks_.write(ack);
   }
+  void end_run(const RunId& run) override {
+    for (const ProfileAck& ack : emulator_.close(run)) acks_.write(ack);
+  }
   void flush_blocks() override { fixes_.flush_block(); }
 
   void take(const Credit& credit) override { fixes_.take(credit); }

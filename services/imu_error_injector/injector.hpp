@@ -21,6 +21,8 @@ class Injector {
   bool ready_for(const TruthState& truth) const { return desk_.complete_for(truth); }
   /// Truth samples come in order, each once, when ready_for() says so.
   Result process(const TruthState& truth);
+  /// The run is over: what becomes of swaps under which no sample came out.
+  std::vector<ProfileAck> close(const RunId& run) { return desk_.close(run); }
 
   /// What it needs to go on from here (recovery/state_stream.hpp).
   template <class Self, class Visitor>

@@ -27,6 +27,9 @@ class InjectorOnBus : public app::TruthConsumer {
     if (result.output) outputs_.put(result.output->sample, result.output->truth);
     for (const ProfileAck& ack : result.acks) acks_.write(ack);
   }
+  void end_run(const RunId& run) override {
+    for (const ProfileAck& ack : injector_.close(run)) acks_.write(ack);
+  }
   void flush_blocks() override { outputs_.flush_blocks(); }
 
   void take(const Credit& credit) override { outputs_.take(credit); }

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -22,17 +23,16 @@ ChildProcesses::~ChildProcesses() {
 }
 
 void ChildProcesses::start(const std::string& program, const std::vector<std::string>& arguments) {
-  children_.push_back({program, arguments, spawn(program, arguments), false, 0});
+  children_.push_back({program, arguments, spawn(program, arguments), false, false, 0});
 }
 
 std::vector<std::string> ChildProcesses::restart_killed_except(const std::string& program) {
   std::vector<std::string> lines;
   for (Child& child : children_) {
     if (!child.ended || child.exit_code <= 128 || child.program == program) continue;
-    lines.push_back(child.program + " was ended by signal " + std::to_string(child.exit_code - 128) +
-                    " and started again");
+    lines.push_back(words_of_end(child) + " and started again");
     child.pid = spawn(child.program, child.arguments);
-    child.ended = false;
+    child.ended = child.told = false;
     child.exit_code = 0;
   }
   return lines;
@@ -83,10 +83,29 @@ bool ChildProcesses::all_ended() const {
 std::optional<std::string> ChildProcesses::failure() const {
   for (const Child& child : children_) {
     if (!child.ended || child.exit_code == 0) continue;
-    if (child.exit_code > 128) return child.program + " was ended by signal " + std::to_string(child.exit_code - 128);
-    return child.program + " ended with exit code " + std::to_string(child.exit_code);
+    return words_of_end(child);
   }
   return std::nullopt;
+}
+
+/// "inslab-imu-injector --sensor 0 was ended by signal 9 (Killed)"
+std::string ChildProcesses::words_of_end(const Child& child) {
+  std::string words = child.program;
+  const auto sensor = std::find(child.arguments.begin(), child.arguments.end(), "--sensor");
+  if (sensor != child.arguments.end() && std::next(sensor) != child.arguments.end()) words += " " + *std::next(sensor);
+  if (child.exit_code <= 128) return words + " ended with exit code " + std::to_string(child.exit_code);
+  const int signal = child.exit_code - 128;
+  return words + " was ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
+}
+
+std::vector<std::string> ChildProcesses::newly_ended() {
+  std::vector<std::string> words;
+  for (Child& child : children_) {
+    if (!child.ended || child.told) continue;
+    child.told = true;
+    words.push_back(words_of_end(child));
+  }
+  return words;
 }
 
 bool ChildProcesses::has_ended(const std::string& program) const {

@@ -26,6 +26,8 @@ class ChildProcesses {
   bool all_ended() const;
   /// The first that ended with another exit code than 0, in words; nothing when all is well.
   std::optional<std::string> failure() const;
+  /// In words, those whose end was not told before, whatever their exit code.
+  std::vector<std::string> newly_ended();
   /// Whether the program has ended already.
   bool has_ended(const std::string& program) const;
   /// Starts again those that a signal ended, except `program`. Returns what it did, in words, one line for each.
@@ -42,8 +44,10 @@ class ChildProcesses {
     std::vector<std::string> arguments;
     pid_t pid = 0;
     bool ended = false;
+    bool told = false;  ///< its end
     int exit_code = 0;  ///< 128 + signal when a signal ended it
   };
+  static std::string words_of_end(const Child& child);
   static pid_t spawn(const std::string& program, const std::vector<std::string>& arguments);
   void signal_all(int signal) const;
 

@@ -1,5 +1,7 @@
 #include "services/inslab/live_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <thread>
 
@@ -62,7 +64,10 @@ void LiveRun::follow(const std::function<void()>& meanwhile) {
   while (!children_.all_ended()) {
     children_.poll();
     meanwhile();
-    if (!told_to_stop && client_.status() && in_progress(*client_.status())) restart_killed(progress);
+    if (!told_to_stop && client_.status() && in_progress(*client_.status())) {
+      restart_killed(progress);
+      note_early_ends(progress);
+    }
     const auto status = client_.status();
     if (status) {
       progress.show(time::Nanoseconds(status->sim_time_ns));
@@ -91,8 +96,20 @@ void LiveRun::follow(const std::function<void()>& meanwhile) {
 std::optional<std::string> LiveRun::failure() const {
   if (app::shutdown_requested()) return "stopped by a signal";
   if (!children_.all_ended()) return "a service did not end";
+  if (!early_ends_.empty()) return early_ends_.front();
   if (next_swap_ < loaded_.swaps.size()) return "the run ended before all swaps were sent";
   return children_.failure();
+}
+
+/// A service that ends by itself, or by a signal that it obeys, while the run goes on leaves the run without it.
+void LiveRun::note_early_ends(const Progress& progress) {
+  if (children_.has_ended(app::kTrajectoryServer)) return;  // the run is at its end: everybody goes
+  for (const std::string& words : children_.newly_ended()) {
+    early_ends_.push_back(
+        fmt::format("{} in mid-run, at about {:.3f} s of sim time: what it would have sent is missing", words,
+                    static_cast<double>(client_.status()->sim_time_ns) * 1e-9));
+    progress.say(early_ends_.back());
+  }
 }
 
 /// A service that was killed goes on from its checkpoint, but not the one that is the clock.

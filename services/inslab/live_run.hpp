@@ -40,6 +40,7 @@ class LiveRun {
   const ChildProcesses& services() const { return children_; }
 
  private:
+  void note_early_ends(const Progress& progress);
   void restart_killed(const Progress& progress);
   void send_due_swaps(const SimStatus& status);
 
@@ -47,6 +48,7 @@ class LiveRun {
   const scenario::LoadedScenario& loaded_;
   dds::Participant participant_;
   RunClient client_;
+  std::vector<std::string> early_ends_;  ///< which service left the run, and when
   ChildProcesses children_;
   bool lockstep_;
   bool holds_the_start_;  ///< until every scheduled swap is in the journal

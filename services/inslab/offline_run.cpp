@@ -8,7 +8,7 @@ namespace inslab::cli {
 
 OfflineRun::OfflineRun(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id,
                        RunSink& sink, std::vector<UsedVehicleState> vehicle_states)
-    : sink_(sink), source_(scenario, start, run_id), vehicle_states_(std::move(vehicle_states)) {
+    : sink_(sink), run_id_(run_id), source_(scenario, start, run_id), vehicle_states_(std::move(vehicle_states)) {
   for (const auto& imu : scenario.imus) injectors_.emplace_back(scenario, imu);
   for (const auto& gnss : scenario.gnss) emulators_.emplace_back(scenario, gnss);
   if (const auto& app = scenario.scenario.reference_nav) {
@@ -56,6 +56,12 @@ void OfflineRun::navigate(std::int64_t fixes_complete_up_to_ns) {
 bool OfflineRun::step() {
   if (!source_.has_next()) {
     if (navigator_) navigate(reference_nav::Navigator::kEver);
+    for (auto& injector : injectors_) {
+      for (const ProfileAck& ack : injector.close(run_id_)) sink_.ack(ack);
+    }
+    for (auto& emulator : emulators_) {
+      for (const ProfileAck& ack : emulator.close(run_id_)) sink_.ack(ack);
+    }
     return false;
   }
   use_vehicle_states();

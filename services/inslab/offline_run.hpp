@@ -46,6 +46,7 @@ class OfflineRun {
   void navigate(std::int64_t fixes_complete_up_to_ns);
 
   RunSink& sink_;
+  RunId run_id_;
   trajectory::TruthSource source_;
   std::vector<imu::Injector> injectors_;
   std::vector<gnss::Emulator> emulators_;

@@ -25,6 +25,12 @@ struct Outputs {
   std::string report_folder;
 };
 
+/// What the checks and the acceptance come to together; both are in the last line when they are as good.
+app::Outcome with_acceptance(const app::Outcome& checks, const std::string& verdict, bool accepted) {
+  if (checks.code == app::kOk && accepted) return {app::kOk, checks.reason + "; " + verdict};
+  return worse(checks, {accepted ? app::kOk : app::kNotAccepted, verdict});
+}
+
 int run(RunOptions options, const Outputs& outputs) {
   scenario::LoadedScenario loaded = scenario::load(options.scenario);
   app::override_clock(options.clock, loaded);
@@ -43,7 +49,7 @@ int run(RunOptions options, const Outputs& outputs) {
     std::fprintf(stderr, "inslab run: %s; there is no log\n", failure ? failure->c_str() : "the logger wrote nothing");
     return app::kFailed;
   }
-  const bool good = print_run_summary(options.log_file, failure);
+  app::Outcome outcome = print_run_summary(options.log_file, failure);
   const io::McapReader log(options.log_file);
   const LogSummary summary = summarize(log);
   const LogScore score = score_log(log, summary);
@@ -54,8 +60,9 @@ int run(RunOptions options, const Outputs& outputs) {
     std::printf("\nreport %s.html\n", write_report(log, report_data(log), outputs.report_folder).c_str());
   }
   if (!outputs.junit.empty()) write_text_file(outputs.junit, score::junit_xml(loaded.scenario.name, score.verdicts));
-  if (!good) return app::kFailed;
-  return score.accepted() ? app::kOk : app::kNotAccepted;
+  if (!score.verdicts.empty()) outcome = with_acceptance(outcome, verdict_words(score, summary), score.accepted());
+  std::printf("%s\n", outcome.words().c_str());
+  return outcome.code;
 }
 
 }  // namespace
@@ -81,8 +88,13 @@ void add_summary(CLI::App& app, std::function<int()>& action) {
   CLI::App* command = app.add_subcommand(
       "summary", "What a log says about its live run: streams, services, swaps with their evidence, checks");
   command->add_option("log", *log, "log (MCAP)")->required();
-  command->callback(
-      [log, &action] { action = [log] { return print_run_summary(*log, {}) ? app::kOk : app::kFailed; }; });
+  command->callback([log, &action] {
+    action = [log] {
+      const app::Outcome outcome = print_run_summary(*log, {});
+      std::printf("%s\n", outcome.words().c_str());
+      return outcome.code;
+    };
+  });
 }
 
 }  // namespace inslab::cli

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "services/inslab/swap_evidence.hpp"
 #include "time/gps_time.hpp"
 #include "wire/topic_names.hpp"
@@ -21,7 +23,12 @@ class Verdict {
     ++checks_;
     if (!holds) broken_.push_back(otherwise);
   }
-  bool good() const { return broken_.empty(); }
+  app::Outcome outcome() const {
+    const std::string held = fmt::format("{} of {} checks held", checks_ - broken_.size(), checks_);
+    if (broken_.empty()) return {app::kOk, held};
+    return {app::kFailed,
+            broken_.front() + (broken_.size() > 1 ? fmt::format(" (and {} more)", broken_.size() - 1) : "")};
+  }
   void print() const {
     fmt::print("\n");
     for (const std::string& line : broken_) fmt::print("FAILED: {}\n", line);
@@ -33,8 +40,17 @@ class Verdict {
   std::vector<std::string> broken_;
 };
 
+/// Written by `inslab simulate`: there were no services, and nobody said how the run goes.
+bool is_offline(const LogSummary& summary) { return !summary.last_status && summary.services.empty(); }
+
+/// What the scenario asked for has the numbers of its places in it, from 1 on; others draw theirs at random.
+bool is_of_the_scenario(const ProfileAck& ack, const LogSummary& summary) {
+  return ack.request_id >= 1 && ack.request_id <= summary.scenario.swaps.size();
+}
+
 void print_head(const LogSummary& summary) {
   fmt::print("\n{}: {}\n", summary.scenario.name, summary.scenario.description);
+  if (is_offline(summary)) fmt::print("simulated in one process: there are no services to check\n");
   if (!summary.last_status) return;
   const SimStatus& status = *summary.last_status;
   fmt::print("{} after {:.3f} s of sim time at {} Hz; {} overruns, largest lag {:.3f} ms{}\n", enum_name(status.state),
@@ -48,10 +64,13 @@ void print_streams(const LogSummary& summary, Verdict& verdict) {
   for (const auto& [topic, stream] : summary.streams) {
     const StreamStatus& logged = stream.logged;
     fmt::print("{:<26}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", topic,
-               stream.sent ? std::to_string(*stream.sent) : "unknown", logged.samples, logged.lost, logged.out_of_order,
-               milliseconds_of(logged.latency_p50_s), milliseconds_of(logged.latency_p99_s),
-               milliseconds_of(logged.latency_max_s));
-    verdict.require(stream.sent.has_value(), topic + ": its service did not finish, so what it sent is unknown");
+               stream.sent           ? std::to_string(*stream.sent)
+               : is_offline(summary) ? "-"
+                                     : "unknown",
+               logged.samples, logged.lost, logged.out_of_order, milliseconds_of(logged.latency_p50_s),
+               milliseconds_of(logged.latency_p99_s), milliseconds_of(logged.latency_max_s));
+    verdict.require(stream.sent.has_value() || is_offline(summary),
+                    topic + ": its service did not finish, so what it sent is unknown");
     const std::uint64_t sent = stream.sent.value_or(0), arrived = logged.samples - logged.duplicates;
     // A navigation app that was started again knows only of its own solutions.
     const bool complete = topic == wire::topic_names::kNav ? arrived >= sent : arrived == sent;
@@ -64,6 +83,7 @@ void print_streams(const LogSummary& summary, Verdict& verdict) {
 }
 
 void print_services(const LogSummary& summary, Verdict& verdict) {
+  if (summary.services.empty()) return;
   fmt::print("\n{:<30}{:>8}{:>10}{:>8}{:>12}\n", "service", "sensor", "state", "RSS MB", "queue depth");
   for (const ServiceStatus& status : summary.services) {
     fmt::print("{:<30}{:>8}{:>10}{:>8.1f}{:>12}\n", status.service, status.sensor_number, enum_name(status.state),
@@ -104,12 +124,18 @@ std::string shown(const Measured& measured) {
   return fmt::format("{:>11.5g} / {:<11.5g}{}", measured.value, measured.promised, measured.holds ? "  " : " !");
 }
 
-void print_swap(std::size_t number, const SwapEvidence& swap, Verdict& verdict) {
+void print_swap(std::size_t number, const SwapEvidence& swap, bool of_the_scenario, Verdict& verdict) {
   const ProfileAck& ack = swap.ack;
   const std::string what =
       fmt::format("swap {}: {} '{}' for {}", number, enum_name(ack.kind), swap.profile_name, sensor_name(ack.target));
   fmt::print("\n{}: {} at {:.3f} s, first sample under it {:.3f} s, sequence {}\n", what, enum_name(ack.outcome),
              seconds_of(ack.apply_time_ns), seconds_of(ack.first_sample_time_ns), ack.first_sequence);
+  if (ack.requested_in_the_past && ack.requested_time_ns >= 0) {
+    fmt::print("  late: it was asked for {:.3f} s\n", seconds_of(ack.requested_time_ns));
+  }
+  verdict.require(!ack.requested_in_the_past || !of_the_scenario,
+                  fmt::format("{}: late: asked for {:.3f} s, in effect from {:.3f} s", what,
+                              seconds_of(ack.requested_time_ns), seconds_of(ack.apply_time_ns)));
   verdict.require(swap.first_sample_holds, what + ": the acknowledged sample is not the first with that revision");
   if (swap.lines.empty()) {
     fmt::print("  nothing measured: {}\n", swap.why_nothing);
@@ -126,30 +152,63 @@ void print_swap(std::size_t number, const SwapEvidence& swap, Verdict& verdict) 
   }
 }
 
-void print_swaps(const io::McapReader& log, const LogSummary& summary, Verdict& verdict) {
-  std::size_t number = 0;
-  for (const SwapEvidence& swap : weigh_swaps(log, summary)) print_swap(++number, swap, verdict);
+/// What did not take effect. A request that a colleague made on the way may be refused without harm to the run.
+void print_other_acks(const LogSummary& summary, Verdict& verdict) {
   for (const ProfileAck& ack : summary.acks) {
     if (ack.outcome == AckOutcome::Applied) continue;
-    fmt::print("\n{} for {}: {} {} {}\n", enum_name(ack.kind), sensor_name(ack.target), enum_name(ack.outcome),
-               ack.field, ack.reason);
-    verdict.require(ack.outcome != AckOutcome::Rejected,
+    const bool of_the_scenario = is_of_the_scenario(ack, summary);
+    fmt::print("\n{} for {}: {} {} {}{}\n", enum_name(ack.kind), sensor_name(ack.target), enum_name(ack.outcome),
+               ack.field, ack.reason, of_the_scenario ? "" : " (not one of the scenario's swaps)");
+    verdict.require(ack.outcome != AckOutcome::Rejected || !of_the_scenario,
                     fmt::format("a swap was rejected: {}: {}", ack.field, ack.reason));
   }
+}
+
+/// Entries of the journal of which no service said what became.
+void check_that_all_were_answered(const LogSummary& summary, Verdict& verdict) {
+  std::set<std::uint64_t> answered;
+  std::set<std::uint32_t> answered_entries;
+  for (const ProfileAck& ack : summary.acks) {
+    if (is_of_the_scenario(ack, summary)) answered.insert(ack.request_id);
+    answered_entries.insert(ack.journal_number);
+  }
   verdict.require(
-      summary.acks.size() >= summary.scenario.swaps.size(),
-      fmt::format("{} swaps were scheduled, {} acknowledged", summary.scenario.swaps.size(), summary.acks.size()));
+      answered.size() == summary.scenario.swaps.size(),
+      fmt::format("{} swaps were scheduled, {} acknowledged", summary.scenario.swaps.size(), answered.size()));
+  for (const ProfileInUse& entry : summary.profiles) {
+    const std::uint32_t number = request_of(entry.profile).journal_number;
+    if (number == 0 || answered_entries.count(number) > 0) continue;
+    const std::string what =
+        fmt::format("journal entry {}: {} '{}' for {} at {:.3f} s", number, enum_name(kind_of(entry.profile)),
+                    name_of(entry.profile), sensor_name(target_of(entry.profile)), seconds_of(entry.apply_at_ns));
+    fmt::print("\n{}: never acknowledged\n", what);
+    verdict.require(false, what + " was never acknowledged");
+  }
+}
+
+void print_swaps(const io::McapReader& log, const LogSummary& summary, Verdict& verdict) {
+  std::size_t number = 0;
+  for (const SwapEvidence& swap : weigh_swaps(log, summary)) {
+    print_swap(++number, swap, is_of_the_scenario(swap.ack, summary), verdict);
+  }
+  print_other_acks(summary, verdict);
+  check_that_all_were_answered(summary, verdict);
 }
 
 }  // namespace
 
-bool print_run_summary(const std::string& log_path, const std::optional<std::string>& failure) {
+app::Outcome print_run_summary(const std::string& log_path, const std::optional<std::string>& failure) {
   const io::McapReader log(log_path);
   const LogSummary summary = summarize(log);
   Verdict verdict;
   verdict.require(!failure, failure.value_or(""));
   verdict.require(log.closed_properly(), "the log was not closed: " + log.ending());
-  verdict.require(summary.last_status && summary.last_status->state == RunState::Finished, "the run did not finish");
+  if (!is_offline(summary)) {
+    const bool finished = summary.last_status && summary.last_status->state == RunState::Finished;
+    const std::string state = summary.last_status ? std::string(enum_name(summary.last_status->state)) : "unknown";
+    const std::string why = summary.last_status ? summary.last_status->message : "";
+    verdict.require(finished, "the run did not finish: " + state + (why.empty() ? "" : ": " + why));
+  }
   print_head(summary);
   print_streams(summary, verdict);
   print_services(summary, verdict);
@@ -158,7 +217,7 @@ bool print_run_summary(const std::string& log_path, const std::optional<std::str
   print_swaps(log, summary, verdict);
   verdict.print();
   fmt::print("log {}\n", log_path);
-  return verdict.good();
+  return verdict.outcome();
 }
 
 }  // namespace inslab::cli

@@ -149,7 +149,7 @@ bool NavigatorOnBus::finished() const {
 }
 
 int NavigatorOnBus::run() {
-  while (!app::shutdown_requested() && !finished()) {
+  while (!grace_.must_stop(run_began_) && !finished()) {
     if (const auto message = mailbox_.take(milliseconds(50))) handle(*message);
     navigate();
     imu_.tick(next_imu_);
@@ -174,12 +174,14 @@ int NavigatorOnBus::end() {
   std::string failure;
   if (!fault_.empty()) {
     failure = "the run ended as a fault: " + fault_;
+  } else if (by_signal && run_began_) {
+    failure = "ended by a signal in mid-run";
   } else if (!by_signal && (!imu_sent_ || next_imu_ < *imu_sent_)) {
     failure = "IMU samples are missing";
   }
   if (!failure.empty()) spdlog::error("{}", failure);
   board_.enter(failure.empty() ? ServiceState::Finished : ServiceState::Fault,
-               by_signal ? "ended by a signal" : failure);
+               failure.empty() && by_signal ? "ended by a signal before a run" : failure);
   board_.flush(seconds(2));
   return failure.empty() ? app::kOk : app::kFailed;
 }

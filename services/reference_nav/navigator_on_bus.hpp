@@ -5,6 +5,7 @@
 #include "app/mailbox.hpp"
 #include "app/service.hpp"
 #include "app/status_board.hpp"
+#include "app/stop_grace.hpp"
 #include "app/stream_input.hpp"
 #include "services/reference_nav/navigator.hpp"
 
@@ -47,6 +48,7 @@ class NavigatorOnBus {
   app::Mailbox<Message> mailbox_;
   RunId run_id_;
   bool lockstep_ = false;
+  app::StopGrace grace_;
   bool run_began_ = false;
   bool run_ended_ = false;
   time::Nanoseconds run_ended_at_{0};

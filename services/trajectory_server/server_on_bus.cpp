@@ -88,7 +88,8 @@ void ServerOnBus::open_profile_topics(dds::Participant& participant) {
 }
 
 void ServerOnBus::judge(const AnyProfile& request) {
-  auto verdict = source_->submit(request);
+  auto verdict = has_ended(status_.state) ? swap::rejected(request, "request.apply_at_ns", "the run has ended")
+                                          : source_->submit(request);
   if (const auto* entry = std::get_if<AnyProfile>(&verdict)) {
     write_journal_[kind_of(*entry)](*entry);
     status_.journal_entries = source_->journal_size();
@@ -287,7 +288,7 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   sim_status_.write(status_);
   sim_status_.wait_for_acknowledgments(seconds(2));
   serve_stragglers();
-  const bool good = state == RunState::Finished || (state == RunState::Stopped && source_->taken() > 0);
+  const bool good = state != RunState::Fault;
   board_.enter(good ? ServiceState::Finished : ServiceState::Fault, message);
   board_.flush(seconds(2));
   spdlog::info("{}: {} truth samples, {} overruns, largest lag {:.3f} ms{}", enum_name(state), source_->taken(),
@@ -307,8 +308,8 @@ int ServerOnBus::run() {
   }
   if (!wait_until_ready()) {
     if (const auto exit_code = yield_to_other_run()) return *exit_code;
-    return end(app::shutdown_requested() || control_.stop_requested() ? RunState::Stopped : RunState::Fault,
-               status_.message);
+    if (!app::shutdown_requested() && !control_.stop_requested()) return end(RunState::Fault, status_.message);
+    return end(RunState::Stopped, "stopped while it waited for " + missing_peers());
   }
   begin();
   try {

@@ -22,7 +22,7 @@ TruthSource::TruthSource(const scenario::LoadedScenario& scenario, const time::G
       start_(start),
       model_(make_truth_model(scenario, start)),
       live_vehicle_(dynamic_cast<LiveVehicleModel*>(model_.get())),
-      journal_(sensors_of(scenario), scenario.truth_rate),
+      journal_(sensors_of(scenario), scenario.truth_rate, rate_.at(samples_ == 0 ? 0 : samples_ - 1)),
       next_(model_->current()) {}
 
 std::variant<AnyProfile, ProfileAck> TruthSource::submit(const AnyProfile& request) {

@@ -340,7 +340,7 @@ bool LoggerOnBus::finished() const {
 
 int LoggerOnBus::run() {
   time::Nanoseconds next_flush = app::monotonic_now();
-  while (!app::shutdown_requested() && !finished()) {
+  while (!grace_.must_stop(run_began_) && !finished()) {
     if (const auto message = mailbox_.take(milliseconds(50))) handle(*message);
     repeat_credits();
     if (board_.state() == ServiceState::Starting && matched()) board_.enter(ServiceState::Ready);
@@ -372,8 +372,9 @@ int LoggerOnBus::end() {
   }
   if (mailbox_.dropped() > 0)
     failure_ = std::to_string(mailbox_.dropped()) + " messages came faster than the disk took them";
+  if (failure_.empty() && by_signal && run_began_) failure_ = "ended by a signal in mid-run: the rest is missing";
   board_.enter(failure_.empty() ? ServiceState::Finished : ServiceState::Fault,
-               failure_.empty() && by_signal ? "ended by a signal" : failure_);
+               failure_.empty() && by_signal ? "ended by a signal before a run" : failure_);
   while (const auto message = mailbox_.take(milliseconds(200))) handle(*message);
   try {
     add_score();

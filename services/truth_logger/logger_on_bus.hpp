@@ -11,6 +11,7 @@
 #include "app/mailbox.hpp"
 #include "app/service.hpp"
 #include "app/status_board.hpp"
+#include "app/stop_grace.hpp"
 #include "app/stream_monitor.hpp"
 #include "dds/reader.hpp"
 #include "dds/writer.hpp"
@@ -119,6 +120,7 @@ class LoggerOnBus {
     time::Nanoseconds at;  ///< CLOCK_MONOTONIC
   };
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
+  app::StopGrace grace_;
   bool run_began_ = false;
   bool run_ended_ = false;
   time::Nanoseconds run_ended_at_{0};

@@ -8,6 +8,7 @@ namespace inslab::e2e {
 namespace {
 
 using std::chrono::seconds;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 class LiveRun : public testing::TestWithParam<const char*> {};
@@ -91,8 +92,62 @@ TEST(LiveRun, StoppedByCtrlCClosesItsLog) {
   ASSERT_TRUE(live.prints("short: 2", seconds(20))) << live.output();
   live.send(SIGINT);
   EXPECT_EQ(live.wait(seconds(20)), 1) << live.output();
-  EXPECT_THAT(live.output(), HasSubstr("stopped by a signal"));
+  EXPECT_THAT(live.output(), HasSubstr("result: FAILED, exit code 1: stopped by a signal"));
   EXPECT_TRUE(io::McapReader(folder / "live.mcap").closed_properly());
+}
+
+TEST(LiveRun, OfWhichAServiceIsToldToStopSaysWhichAndWhenAndFails) {
+  const TestFolder folder;
+  Process live("inslab",
+               {"run", source("tests/data/short.json"), "--log", folder / "live.mcap", "--domain", own_domain()});
+  ASSERT_TRUE(live.prints("short: 2", seconds(30))) << live.output();
+  const auto injectors = children_named(live.pid(), "inslab-imu-injector");
+  ASSERT_EQ(injectors.size(), 2U);
+  kill(injectors.front(), SIGTERM);
+  EXPECT_EQ(live.wait(seconds(40)), 1) << live.output();
+  EXPECT_THAT(live.output(),
+              ContainsRegex("inslab-imu-injector [03] ended with exit code 1 in mid-run, at about [0-9.]+ s"));
+  EXPECT_THAT(live.output(),
+              ContainsRegex("FAILED: inslab-imu-injector fault: ended by a signal in mid-run, after truth"));
+  EXPECT_THAT(live.output(), ContainsRegex("\nresult: FAILED, exit code 1: inslab-imu-injector [^\n]*\n$"));
+}
+
+TEST(LiveRun, StoppedWhileItWaitsSaysForWhom) {
+  const TestFolder folder;
+  Process server("inslab-trajectory-server",
+                 {"--scenario", source("tests/data/short.json"), "--domain", own_domain(), "--log-level", "info"});
+  ASSERT_TRUE(server.running());
+  pause_between_looks();
+  ASSERT_TRUE(eventually([&] { return server.running(); }, seconds(5)));
+  Process stop("inslab", {"stop", "--domain", own_domain()});
+  EXPECT_EQ(stop.wait(seconds(20)), 0) << stop.output();
+  EXPECT_EQ(server.wait(seconds(20)), 0) << server.output();
+  EXPECT_THAT(server.output(), HasSubstr("stopped: 0 truth samples"));
+  EXPECT_THAT(server.output(), HasSubstr("stopped while it waited for inslab-imu-injector (sensor 0)"));
+}
+
+TEST(LiveRun, ASwapThatIsRefusedOnTheWayDoesNotFailTheRunAndOneAfterItsEndIsRefused) {
+  const TestFolder folder;
+  Process live("inslab",
+               {"run", source("tests/data/short.json"), "--log", folder / "live.mcap", "--domain", own_domain()});
+  ASSERT_TRUE(live.prints("short: 2", seconds(30))) << live.output();
+  Process swap("inslab",
+               {"swap", "imu", source("config/profiles/imu/pos830.json"), "--at", "8", "--domain", own_domain()});
+  EXPECT_EQ(swap.wait(seconds(20)), 3) << swap.output();
+  EXPECT_THAT(swap.output(),
+              HasSubstr("rejected: request.apply_at_ns: lies at or after the end of the run at 8.000 s"));
+  EXPECT_EQ(live.wait(seconds(40)), 0) << live.output();
+  EXPECT_THAT(live.output(), HasSubstr("(not one of the scenario's swaps)"));
+}
+
+TEST(LiveRun, SummaryOfASimulatedLogPasses) {
+  const TestFolder folder;
+  Process simulate("inslab", {"simulate", source("tests/data/short.json"), "-o", folder / ""});
+  ASSERT_EQ(simulate.wait(seconds(60)), 0) << simulate.output();
+  Process summary("inslab", {"summary", folder / "short.mcap"});
+  EXPECT_EQ(summary.wait(seconds(60)), 0) << summary.output();
+  EXPECT_THAT(summary.output(), HasSubstr("simulated in one process"));
+  EXPECT_THAT(summary.output(), ContainsRegex("\nresult: passed: [0-9]+ of [0-9]+ checks held\n$"));
 }
 
 }  // namespace

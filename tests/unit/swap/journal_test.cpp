@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "samples/limits.hpp"
 
 namespace inslab::swap {
@@ -13,7 +15,8 @@ const SensorAddress kImu{SensorKind::Imu, 0};
 const SensorAddress kGnss{SensorKind::Gnss, 0};
 
 /// A 200 Hz grid: 5 ms.
-Journal journal() { return Journal({kImu, kGnss}, time::Rate(200.0)); }
+constexpr time::Nanoseconds kEnd = 2h;
+Journal journal() { return Journal({kImu, kGnss}, time::Rate(200.0), kEnd); }
 
 ImuErrorProfile imu_errors(std::int64_t apply_at_ns = -1) {
   ImuErrorProfile profile;
@@ -134,12 +137,15 @@ TEST(Journal, RejectsASensorThatTheUnitDoesNotHave) {
   EXPECT_NE(ack.reason.find("imu3"), std::string::npos);
 }
 
-TEST(Journal, RejectsATimeBeyondTheLongestScenario) {
+TEST(Journal, RejectsWhatNoSampleWouldComeOutUnder) {
   Journal j = journal();
-  EXPECT_EQ(accepted(j.submit(imu_errors(10'000'000'000'000'000), 0ns)).apply_at_ns, 10'000'000'000'000'000);
-  EXPECT_EQ(rejected(j.submit(imu_errors(10'000'000'000'000'001), 0ns)).field, "request.apply_at_ns");
-  EXPECT_EQ(rejected(j.submit(imu_errors(std::numeric_limits<std::int64_t>::max()), 0ns)).field, "request.apply_at_ns");
-  EXPECT_EQ(accepted(j.submit(imu_errors(std::numeric_limits<std::int64_t>::min()), 0ns)).apply_at_ns, 0);
+  EXPECT_EQ(accepted(j.submit(imu_errors(kEnd.count() - 1), 0ns)).apply_at_ns, kEnd.count());
+  for (const std::int64_t at : {kEnd.count(), kEnd.count() + 1, std::numeric_limits<std::int64_t>::max()}) {
+    const ProfileAck ack = rejected(j.submit(imu_errors(at), 0ns));
+    EXPECT_EQ(ack.field, "request.apply_at_ns");
+    EXPECT_EQ(ack.reason, "lies at or after the end of the run at 7200.000 s: no sample would come out under it");
+  }
+  EXPECT_EQ(rejected(j.submit(imu_errors(), kEnd)).field, "request.apply_at_ns") << "as soon as possible is too late";
 }
 
 TEST(Journal, ARejectionFitsTheWire) {

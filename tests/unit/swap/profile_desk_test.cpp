@@ -181,5 +181,26 @@ TEST(ProfileDesk, ComparesWithWhatIsInUseNow) {
   EXPECT_EQ(numbers_of(d.take_due(25 * kMs)), Numbers{2});
 }
 
+TEST(ProfileDesk, RejectsAtTheEndWhatNoSampleCameOutUnder) {
+  ProfileDesk d = desk();
+  d.add(entry(1, 10 * kMs, errors(1.0)));
+  d.add(entry(2, 40 * kMs, errors(2.0)));
+  d.add(entry(3, 15 * kMs, errors(3.0), {SensorKind::Imu, 7}));
+  EXPECT_EQ(numbers_of(d.take_due(15 * kMs)), Numbers{1});  // and no sample comes any more
+  RunId run;
+  run.bytes.fill(9);
+  const std::vector<ProfileAck> acks = d.close(run);
+  ASSERT_EQ(acks.size(), 2U) << "those of this sensor";
+  for (const ProfileAck& ack : acks) {
+    EXPECT_EQ(ack.outcome, AckOutcome::Rejected);
+    EXPECT_EQ(ack.field, "request.apply_at_ns");
+    EXPECT_EQ(ack.reason, "the run ended before imu0 put out a sample under it");
+    EXPECT_EQ(ack.run_id, run);
+  }
+  EXPECT_EQ(acks[0].journal_number, 1U);
+  EXPECT_EQ(acks[1].journal_number, 2U);
+  EXPECT_TRUE(d.close(run).empty());
+}
+
 }  // namespace
 }  // namespace inslab::swap
