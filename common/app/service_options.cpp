@@ -55,7 +55,10 @@ std::optional<int> parse(const char* name, const char* purpose, const ServiceTra
   app.add_option("--scenario", options.scenario, "scenario file (JSON)")->required();
   options.network.add_to(app);
   if (traits.has_sensor) app.add_option("--sensor", options.sensor, "number of the sensor in the scenario");
-  if (traits.has_log) app.add_option("--log", options.log_file, "file to write; default runs/NAME-TIME.mcap");
+  if (traits.has_log) {
+    app.add_option("--log", options.log_file, "file to write; default runs/NAME-TIME.mcap");
+    app.add_flag("--overwrite", options.overwrites, "write the log in place of a file that is there");
+  }
   if (!traits.makes_truth) {
     app.add_option("--state", options.state_folder,
                    "folder for what this service needs to go on when it is killed and started again; default: inslab "

@@ -45,6 +45,7 @@ struct ServiceOptions {
   NetworkOptions network;
   std::uint32_t sensor = 0;
   std::string log_file;
+  bool overwrites = false;   ///< the log may take the place of a file that is there
   std::string state_folder;  ///< empty: the user's own, see app/checkpoint.hpp
   ClockOptions clock;
   std::string log_level = "info";

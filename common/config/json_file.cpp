@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/error.hpp"
+#include "config/files_read.hpp"
 
 namespace inslab::config {
 
@@ -98,6 +99,7 @@ Json read_json_file(const std::filesystem::path& path) {
     reason = "not a file";
   } else {
     errno = 0;
+    note_file_read(path.string());
     std::ifstream stream(path, std::ios::binary);
     // An empty file sets the fail bit of `text`, not of `stream`.
     if (stream) text << stream.rdbuf();

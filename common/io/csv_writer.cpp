@@ -54,14 +54,6 @@ CsvWriter::CsvWriter(const std::string& path, const std::vector<Column>& columns
   buffer_ += '\n';
 }
 
-CsvWriter::~CsvWriter() {
-  try {
-    close();
-  } catch (const WriteError&) {
-    // Whoever wants to know calls close().
-  }
-}
-
 void CsvWriter::row(const Row& cells) {
   for (const Cell& cell : cells) {
     if (&cell != &cells.front()) buffer_ += ',';
@@ -77,7 +69,6 @@ void CsvWriter::close() {
 }
 
 void CsvWriter::drain() {
-  // Emptied first: after an error the destructor must not try again.
   const std::string ready = std::exchange(buffer_, {});
   if (!ready.empty()) file_.append(reinterpret_cast<const std::uint8_t*>(ready.data()), ready.size());
 }

@@ -15,9 +15,8 @@ std::string csv_text(const Cell& cell);
 /// that read back to the same bits (at most 17); bool is 0 or 1; enums are their names; what is empty stays empty.
 class CsvWriter {
  public:
-  /// Creates or empties the file. Throws WriteError.
+  /// The file has its name when it is closed. Throws WriteError.
   CsvWriter(const std::string& path, const std::vector<Column>& columns);
-  ~CsvWriter();
 
   /// One cell for each column. Throws WriteError.
   void row(const Row& cells);

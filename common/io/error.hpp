@@ -25,4 +25,10 @@ class WriteError : public std::runtime_error {
   WriteError(const std::string& path, const std::string& action, int error_number);
 };
 
+/// A file that must not be written: it is an input, or a result that nobody asked to replace. Nothing was done.
+class OutputRefused : public WriteError {
+ public:
+  using WriteError::WriteError;
+};
+
 }  // namespace inslab::io

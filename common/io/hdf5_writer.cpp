@@ -7,6 +7,7 @@
 
 #include "io/error.hpp"
 #include "io/hdf5_handle.hpp"
+#include "io/output_place.hpp"
 
 namespace inslab::io {
 namespace {
@@ -178,28 +179,27 @@ void Hdf5Writer::Table::flush() {
 }
 
 struct Hdf5Writer::State {
+  explicit State(const std::string& asked_for) : path(asked_for), place(asked_for) {}
   std::string path;
+  OutputPlace place;
   Hdf5Handle file;
   std::vector<std::unique_ptr<Table>> tables;  // closed before the file
 };
 
-Hdf5Writer::Hdf5Writer(const std::string& path) : state_(std::make_unique<State>()) {
+Hdf5Writer::Hdf5Writer(const std::string& path) : state_(std::make_unique<State>(path)) {
   // After a full disk the library crashes in its own clean-up at exit (1.10.8), so it is told to have none; close()
   // does what is needed. It prints its errors unless told not to; they go into exceptions here.
   static const herr_t kNoCleanUp = H5dont_atexit();
   static_cast<void>(kNoCleanUp);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  state_->path = path;
-  state_->file =
-      Hdf5Handle(checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), path, "create"), &H5Fclose);
+  state_->file = Hdf5Handle(
+      checked(H5Fcreate(state_->place.growing().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), path, "create"),
+      &H5Fclose);
 }
 
 Hdf5Writer::~Hdf5Writer() {
-  try {
-    close();
-  } catch (const WriteError&) {
-    // Whoever wants to know calls close().
-  }
+  state_->tables.clear();
+  state_->file.close();
 }
 
 Hdf5Writer::Table& Hdf5Writer::add_table(const std::string& name, std::string_view topic, std::string_view type,
@@ -243,6 +243,7 @@ void Hdf5Writer::close() {
   }
   state_->tables.clear();
   checked(state_->file.close(), state_->path, "close");
+  state_->place.commit();
 }
 
 }  // namespace inslab::io

@@ -19,7 +19,7 @@ class Hdf5Writer {
  public:
   class Table;
 
-  /// Creates or empties the file. Throws WriteError.
+  /// The file has its name when it is closed. Throws WriteError.
   explicit Hdf5Writer(const std::string& path);
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "config/files_read.hpp"
 #include "io/error.hpp"
 
 namespace inslab::io {
@@ -21,6 +22,7 @@ InputFile::InputFile(const std::string& path) : path_(path) {
     throw ReadError(path_ + ": is not a regular file");
   }
   size_ = static_cast<std::uint64_t>(status.st_size);
+  config::note_file_read(path_);
 }
 
 InputFile::~InputFile() { ::close(descriptor_); }

@@ -46,7 +46,9 @@ struct McapWriter::Compressor {
 McapWriter::McapWriter(const std::string& path) : McapWriter(path, Options()) {}
 
 McapWriter::McapWriter(const std::string& path, Options options)
-    : options_(std::move(options)), file_(path), compressor_(new Compressor(options_.compression_level)) {
+    : options_(std::move(options)),
+      file_(path, options_.kind),
+      compressor_(new Compressor(options_.compression_level)) {
   chunk_.resize(options_.chunk_bytes);
   record_.clear();
   mcap::put_header(options_.profile, options_.library, record_);
@@ -67,6 +69,7 @@ McapWriter::McapWriter(const std::string& path, Options options, mcap::Unfinishe
 }
 
 McapWriter::~McapWriter() {
+  if (options_.kind == OutputFile::Kind::Result) return;  // half a result is none
   try {
     close();
   } catch (const std::exception&) {

@@ -23,6 +23,7 @@ class McapWriter {
     std::string library = "inslab";     ///< who wrote it
     std::size_t chunk_bytes = 1 << 20;  ///< before compression; a larger message gets a chunk of its own
     int compression_level = kFastLevel;
+    OutputFile::Kind kind = OutputFile::Kind::Log;  ///< Result: nothing is there under its name before close()
   };
 
   /// The zstd level for logs written at full speed. Where every low bit is noise, level -1 leaves 64 % of the payload's
@@ -30,7 +31,7 @@ class McapWriter {
   /// a 2 GHz Xeon, encoding and indexes included; tests/bench/log_bench.cpp).
   static constexpr int kFastLevel = -1;
 
-  /// Creates or empties the file. Throws WriteError.
+  /// Throws WriteError.
   explicit McapWriter(const std::string& path);
   McapWriter(const std::string& path, Options options);
 

@@ -11,8 +11,14 @@
 
 namespace inslab::io {
 
-OutputFile::OutputFile(const std::string& path) : path_(path) {
-  descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+OutputFile::OutputFile(const std::string& path, Kind kind) : path_(path) {
+  if (kind == Kind::Result) {
+    place_.emplace(path);
+  } else {
+    check_output(path);
+  }
+  const std::string& file = place_ ? place_->growing() : path_;
+  descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor_ < 0) throw WriteError(path_, "create", errno);
 }
 
@@ -58,6 +64,13 @@ void OutputFile::close() {
   const int closed = ::close(std::exchange(descriptor_, -1));
   if (!synced) throw WriteError(path_, "write to the disk", sync_error);
   if (closed != 0 && errno != EINTR) throw WriteError(path_, "close", errno);
+  if (place_) place_->commit();
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+  OutputFile file(path);
+  file.append(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  file.close();
 }
 
 }  // namespace inslab::io

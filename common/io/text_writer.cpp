@@ -15,14 +15,6 @@ constexpr std::size_t kBufferSize = std::size_t{1} << 16;
 
 TextWriter::TextWriter(const std::string& path, std::string_view separator) : file_(path), separator_(separator) {}
 
-TextWriter::~TextWriter() {
-  try {
-    close();
-  } catch (const WriteError&) {
-    // Whoever wants to know calls close().
-  }
-}
-
 TextWriter& TextWriter::number(double value, int decimals) {
   char digits[352];  // the largest double has 309 digits before its point
   const auto end = std::to_chars(digits, digits + sizeof(digits), value, std::chars_format::fixed, decimals).ptr;
@@ -54,7 +46,6 @@ void TextWriter::begin_field() {
 }
 
 void TextWriter::drain() {
-  // Emptied first: after an error the destructor must not try again.
   const std::string ready = std::exchange(buffer_, {});
   if (!ready.empty()) file_.append(reinterpret_cast<const std::uint8_t*>(ready.data()), ready.size());
 }

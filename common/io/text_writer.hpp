@@ -10,9 +10,8 @@ namespace inslab::io {
 /// A text file that is written field by field, with numbers in a fixed number of decimals whatever the locale.
 class TextWriter {
  public:
-  /// Creates or empties the file; `separator` goes between the fields of a line. Throws WriteError.
+  /// The file has its name when it is closed; `separator` goes between the fields of a line. Throws WriteError.
   TextWriter(const std::string& path, std::string_view separator);
-  ~TextWriter();
 
   /// One field of the current line. `decimals` at most 20; the value must be finite.
   TextWriter& number(double value, int decimals);

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "config/error.hpp"
+#include "config/files_read.hpp"
 #include "samples/limits.hpp"
 
 namespace inslab::scenario {
@@ -132,6 +133,7 @@ class Line {
 }  // namespace
 
 std::vector<Segment> read_motion_matrix(const std::filesystem::path& file) {
+  config::note_file_read(file.string());
   std::ifstream input(file);
   if (!input) throw config::Error(file.string(), {Rule::Readable, "", "cannot be read"});
   std::vector<Segment> segments;

@@ -93,9 +93,7 @@ int run_align(AlignOptions& options) {
   if (!options.picture.empty() && aligned.alignment.seconds.count >= 2) {
     const std::string bytes = io::drawn(
         picture_of(aligned.alignment, std::filesystem::path(options.file).filename().string()), io::PictureFormat::Svg);
-    io::OutputFile file(options.picture);
-    file.append(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    file.close();
+    io::write_file(options.picture, bytes);
     fmt::print("{} written\n", options.picture);
   }
   if (aligned.alignment.whole) return app::kOk;
@@ -135,6 +133,7 @@ void add_align(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_option("--plot", options->picture, "write the solutions of the seconds as a picture (SVG)");
+  add_overwrite(*command);
   command->callback([options, &action] { action = [options] { return run_align(*options); }; });
 }
 

@@ -33,12 +33,6 @@ struct AllanOptions {
   std::string profile;
 };
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  io::OutputFile file(path.string());
-  file.append(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  file.close();
-}
-
 /// Where the curves go, without the ending: STEM_allan in the folder asked for, or beside the recording.
 std::string curves_stem(const AllanOptions& options) {
   const std::filesystem::path input(options.file);
@@ -53,13 +47,13 @@ int run_allan(AllanOptions& options) {
   const ImuAnalysis analysis = analyse_imu(options.file, options.analysis);
   fmt::print("{}\n", report_text(analysis));
   const std::string stem = curves_stem(options);
-  write_text(stem + ".csv", curve_csv(analysis));
+  io::write_file(stem + ".csv", curve_csv(analysis));
   fmt::print("{}.csv written\n", stem);
   if (!options.profile.empty()) {
     write_profile(options.profile, fitted_profile(analysis));
     fmt::print("profile {} written\n", options.profile);
   }
-  write_text(stem + ".png", io::drawn(curve_picture(analysis), io::PictureFormat::Png));
+  io::write_file(stem + ".png", io::drawn(curve_picture(analysis), io::PictureFormat::Png));
   fmt::print("{}.png written\n", stem);
   return app::kOk;
 }
@@ -91,6 +85,7 @@ void add_allan(CLI::App& app, std::function<int()>& action) {
   command->add_option("-o,--output", options->directory,
                       "folder for FILE_allan.csv and .png; that of the file when not given");
   command->add_option("--profile", options->profile, "write the fit as an IMU error profile");
+  add_overwrite(*command);
   command->callback([options, &action] { action = [options] { return run_allan(*options); }; });
 }
 

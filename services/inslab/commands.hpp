@@ -35,4 +35,7 @@ void add_predict(CLI::App& app, std::function<int()>& action);
 void add_profile(CLI::App& app, std::function<int()>& action);
 void add_verify(CLI::App& app, std::function<int()>& action);
 
+/// The option --overwrite of a command that writes files: without it no file that is there already is replaced.
+void add_overwrite(CLI::App& command);
+
 }  // namespace inslab::cli

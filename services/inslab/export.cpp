@@ -143,6 +143,7 @@ void add_export(CLI::App& app, std::function<int()>& action) {
   command->add_option("--axes", options->axes, "novatel: of the counts: right-forward-up or forward-right-down")
       ->check(CLI::IsMember({"rfu", "frd"}))
       ->capture_default_str();
+  add_overwrite(*command);
   command->callback([&action, options] { action = [options] { return run_export(*options); }; });
 }
 

@@ -47,7 +47,7 @@ void LiveRun::start_services() {
     // sets started at once on a busy machine 5 never became ready, of 10 started one by one all did.
     if (!options_.network.security.empty()) std::this_thread::sleep_for(milliseconds(700));
   };
-  start(app::kTruthLogger, with({"--log", options_.log_file}));
+  start(app::kTruthLogger, with({"--log", options_.log_file, "--overwrite"}));  // judged before, by this process
   for (const auto& imu : loaded_.imus) start(app::kImuInjector, with({"--sensor", std::to_string(imu.number)}));
   for (const auto& gnss : loaded_.gnss) start(app::kGnssEmulator, with({"--sensor", std::to_string(gnss.number)}));
   if (loaded_.scenario.reference_nav) start(app::kReferenceNav, with({}));

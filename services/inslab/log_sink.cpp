@@ -6,7 +6,7 @@
 namespace inslab::cli {
 
 LogSink::LogSink(const std::string& path, const scenario::LoadedScenario& scenario, const time::GpsTime& start)
-    : log_(path, scenario, app::cpu_features()),
+    : log_(path, scenario, app::cpu_features(), logger::RunLog::kChunkBytes, io::OutputFile::Kind::Result),
       utc_of_sim_time_zero_ns_(static_cast<std::uint64_t>(time::realtime_from_gps(start).count())),
       latest_utc_ns_(utc_of_sim_time_zero_ns_),
       truth_(log_.file(), wire::topic_names::kTruth),

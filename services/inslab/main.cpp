@@ -7,6 +7,7 @@
 #include "app/shutdown.hpp"
 #include "config/error.hpp"
 #include "io/error.hpp"
+#include "io/output_place.hpp"
 #include "services/inslab/commands.hpp"
 
 int main(int argc, char** argv) {
@@ -39,6 +40,7 @@ int main(int argc, char** argv) {
   cli::add_predict(app, action);
   cli::add_profile(app, action);
   cli::add_verify(app, action);
+  io::set_output_rule(io::OutputRule::KeepResults);  // a command's --overwrite loosens it
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -50,6 +52,9 @@ int main(int argc, char** argv) {
   try {
     return action();
   } catch (const config::Error& error) {
+    std::cerr << "inslab: " << error.what() << "\n";
+    return app::kBadInput;
+  } catch (const io::OutputRefused& error) {
     std::cerr << "inslab: " << error.what() << "\n";
     return app::kBadInput;
   } catch (const io::ReadError& error) {

@@ -123,6 +123,7 @@ void add_navigate(CLI::App& app, std::function<int()>& action) {
   command->add_option("--week", options->gps_week, "of text files, which do not say it")->capture_default_str();
   command->add_flag("--start-at-truth", options->start_at_truth, "of a log: begin at the IMU's true state")->needs(log);
   command->add_option("-o,--output", options->output, "writes OUTPUT.nav and OUTPUT_sigmas.txt")->required();
+  add_overwrite(*command);
   command->callback([&action, options] { action = [options] { return navigate(*options); }; });
 }
 

@@ -1,12 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
 #include "app/exit_code.hpp"
-#include "io/error.hpp"
+#include "io/output_file.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/track_picture.hpp"
 
@@ -29,10 +27,7 @@ int plot(const PlotOptions& options) {
   const std::string bytes = io::drawn(track.picture(name), format);
   std::filesystem::create_directories(options.directory);
   const std::string path = (std::filesystem::path(options.directory) / (name + "." + options.format)).string();
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-  file.close();
-  if (!file) throw io::WriteError(path, "writing the picture", errno);
+  io::write_file(path, bytes);
   std::cout << path << " (" << bytes.size() / 1024 << " KiB)\n";
   return app::kOk;
 }
@@ -46,6 +41,7 @@ void add_plot(CLI::App& app, std::function<int()>& action) {
   command->add_option("input", options->input, "scenario file (JSON) or log (MCAP)")->required();
   command->add_option("-o,--output", options->directory, "directory for the picture NAME.svg")->capture_default_str();
   command->add_option("--format", options->format, "svg or png")->check(CLI::IsMember({"svg", "png"}));
+  add_overwrite(*command);
   command->callback([&action, options] { action = [options] { return plot(*options); }; });
 }
 

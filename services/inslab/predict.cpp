@@ -122,9 +122,7 @@ Figures figures(const predict::PredictedError& error) {
 }
 
 void write(const std::string& path, const std::string& text) {
-  io::OutputFile file(path);
-  file.append(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  file.close();
+  io::write_file(path, text);
   fmt::print("{} written\n", path);
 }
 
@@ -222,6 +220,7 @@ void add_predict(CLI::App& app, std::function<int()>& action) {
   sigma("--yaw", options->yaw_deg, "sigma of yaw at the start, deg");
   command->add_flag("--free-inertial", options->free_inertial, "without the fixes of the scenario's first receiver");
   command->add_flag("--hold-vertical", options->hold_vertical, "height and vertical velocity are known");
+  add_overwrite(*command);
   command->callback([options, &action] { action = [options] { return run_predict(*options); }; });
 }
 

@@ -62,6 +62,7 @@ void add_profile(CLI::App& app, std::function<int()>& action) {
   command->add_option("--rate", options->import.rate_hz, "Hz, at which the other program runs its IMU")
       ->check(CLI::PositiveNumber);
   command->add_option("--sensor", options->import.sensor, "gazebo: the name of the IMU, where there are several");
+  add_overwrite(*command);
   command->callback([options, &action] { action = [options] { return run_import(*options); }; });
 }
 

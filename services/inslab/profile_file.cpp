@@ -30,10 +30,7 @@ std::string profile_text(const ImuErrorProfile& profile) {
 }
 
 void write_profile(const std::string& path, const ImuErrorProfile& profile) {
-  const std::string text = profile_text(profile);
-  io::OutputFile file(path);
-  file.append(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  file.close();
+  io::write_file(path, profile_text(profile));
 }
 
 }  // namespace inslab::cli

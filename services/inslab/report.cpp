@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
+#include "io/output_file.hpp"
 #include "score/score_text.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/report_files.hpp"
@@ -21,11 +22,12 @@ struct ReportOptions {
 };
 
 int report(const ReportOptions& options) {
+  if (!options.junit.empty()) io::check_output(options.junit);
   const io::McapReader log(options.log);
   const ReportData data = report_data(log);
   fmt::print("{}", options.json ? report_json(data).dump(2) + "\n" : report_text(data));
   if (!options.junit.empty()) {
-    write_text_file(options.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
+    io::write_file(options.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
   }
   if (!options.directory.empty()) {
     const std::string stem = write_report(log, data, options.directory);
@@ -45,6 +47,7 @@ void add_report(CLI::App& app, std::function<int()>& action) {
                       "folder for the figures as text and JSON and for one HTML page with pictures");
   command->add_flag("--json", options->json, "print JSON");
   command->add_option("--junit", options->junit, "write the acceptance as JUnit XML to this file");
+  add_overwrite(*command);
   command->callback([options, &action] { action = [options] { return report(*options); }; });
 }
 

@@ -4,14 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "io/error.hpp"
+#include "io/output_file.hpp"
 #include "score/score_json.hpp"
 #include "services/inslab/allan/analysis.hpp"
 #include "services/inslab/allan/report.hpp"
@@ -178,18 +177,17 @@ std::string identity_words(const io::McapReader& log, const LogSummary& summary)
 
 std::string write_report(const io::McapReader& log, const ReportData& data, const std::string& folder) {
   std::filesystem::create_directories(folder);
-  const std::string stem = (std::filesystem::path(folder) / std::filesystem::path(log.path()).stem()).string();
-  write_text_file(stem + ".txt", report_text(data));
-  write_text_file(stem + ".json", report_json(data).dump(2) + "\n");
-  write_text_file(stem + ".html", html(report_page(log, data)));
-  return stem;
+  const std::vector<std::string> paths = report_paths(log.path(), folder);
+  for (const std::string& path : paths) io::check_output(path);  // before the first is written
+  io::write_file(paths[0], report_text(data));
+  io::write_file(paths[1], report_json(data).dump(2) + "\n");
+  io::write_file(paths[2], html(report_page(log, data)));
+  return std::filesystem::path(paths[2]).replace_extension().string();
 }
 
-void write_text_file(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw io::WriteError(path, "writing the file", errno);
+std::vector<std::string> report_paths(const std::string& log, const std::string& folder) {
+  const std::string stem = (std::filesystem::path(folder) / std::filesystem::path(log).stem()).string();
+  return {stem + ".txt", stem + ".json", stem + ".html"};
 }
 
 ReportData report_data(const io::McapReader& log) {

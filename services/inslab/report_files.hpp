@@ -35,7 +35,7 @@ ReportPage report_page(const io::McapReader& log, const ReportData& data);
 /// io::WriteError.
 std::string write_report(const io::McapReader& log, const ReportData& data, const std::string& folder);
 
-/// Writes a whole file. Throws io::WriteError.
-void write_text_file(const std::string& path, const std::string& text);
+/// The files that write_report() makes of a log of this name in the folder.
+std::vector<std::string> report_paths(const std::string& log, const std::string& folder);
 
 }  // namespace inslab::cli

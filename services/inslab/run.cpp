@@ -6,6 +6,7 @@
 #include "app/clock_override.hpp"
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
+#include "io/output_file.hpp"
 #include "score/score_text.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/live_run.hpp"
@@ -25,6 +26,14 @@ struct Outputs {
   std::string report_folder;
 };
 
+/// Nothing that is there already may stand in the way at the end of a run.
+void check_outputs(const std::string& log_file, const Outputs& outputs) {
+  io::check_output(log_file);
+  if (!outputs.junit.empty()) io::check_output(outputs.junit);
+  if (outputs.report_folder.empty()) return;
+  for (const std::string& path : report_paths(log_file, outputs.report_folder)) io::check_output(path);
+}
+
 /// What the checks and the acceptance come to together; both are in the last line when they are as good.
 app::Outcome with_acceptance(const app::Outcome& checks, const std::string& verdict, bool accepted) {
   if (checks.code == app::kOk && accepted) return {app::kOk, checks.reason + "; " + verdict};
@@ -36,8 +45,11 @@ int run(RunOptions options, const Outputs& outputs) {
   app::override_clock(options.clock, loaded);
   if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
   if (options.log_file.empty()) {
-    options.log_file = "runs/" + loaded.scenario.name + "-" + app::utc_text(app::realtime_now()) + ".mcap";
+    const std::string unit = options.network.unit.empty() ? "" : "-" + options.network.unit;
+    options.log_file =
+        io::fresh_file("runs/" + loaded.scenario.name + unit + "-" + app::utc_text(app::realtime_now()), ".mcap");
   }
+  check_outputs(options.log_file, outputs);
   std::optional<std::string> failure;
   {
     LiveRun live(options, loaded);
@@ -45,7 +57,7 @@ int run(RunOptions options, const Outputs& outputs) {
     live.follow();
     failure = live.failure();
   }
-  if (!std::filesystem::exists(options.log_file)) {
+  if (!std::filesystem::exists(options.log_file) || std::filesystem::is_empty(options.log_file)) {
     std::fprintf(stderr, "inslab run: %s; there is no log\n", failure ? failure->c_str() : "the logger wrote nothing");
     return app::kFailed;
   }
@@ -59,7 +71,7 @@ int run(RunOptions options, const Outputs& outputs) {
   if (!outputs.report_folder.empty()) {
     std::printf("\nreport %s.html\n", write_report(log, report_data(log), outputs.report_folder).c_str());
   }
-  if (!outputs.junit.empty()) write_text_file(outputs.junit, score::junit_xml(loaded.scenario.name, score.verdicts));
+  if (!outputs.junit.empty()) io::write_file(outputs.junit, score::junit_xml(loaded.scenario.name, score.verdicts));
   if (!score.verdicts.empty()) outcome = with_acceptance(outcome, verdict_words(score, summary), score.accepted());
   std::printf("%s\n", outcome.words().c_str());
   return outcome.code;
@@ -80,6 +92,7 @@ void add_run(CLI::App& app, std::function<int()>& action) {
                       "write what `inslab report` says of the log into this folder");
   options->network.add_to(*command);
   options->clock.add_to(*command);
+  add_overwrite(*command);
   command->callback([options, outputs, &action] { action = [options, outputs] { return run(*options, *outputs); }; });
 }
 

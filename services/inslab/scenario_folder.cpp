@@ -17,10 +17,7 @@ class Folder {
   /// Writes what a declared struct says; returns the file's name.
   template <class T>
   std::string write(const std::string& name, const T& value) const {
-    const std::string text = config::to_json(value).dump(2) + "\n";
-    io::OutputFile file(path_of(name));
-    file.append(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-    file.close();
+    io::write_file(path_of(name), config::to_json(value).dump(2) + "\n");
     return name;
   }
 

@@ -99,6 +99,7 @@ void add_simulate(CLI::App& app, std::function<int()>& action) {
   command->add_option("-o,--output", options->directory, "directory for the log NAME.mcap")->capture_default_str();
   command->add_option("--vehicle", options->vehicle_log, "log of a live run whose vehicle states are used again");
   command->add_flag("--no-log", options->without_log, "write no log");
+  add_overwrite(*command);
   command->callback([options, &action] { action = [options] { return simulate(*options); }; });
 }
 

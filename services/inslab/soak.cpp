@@ -10,6 +10,7 @@
 #include "app/host.hpp"
 #include "app/service_names.hpp"
 #include "io/log_info.hpp"
+#include "io/output_place.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/live_run.hpp"
 #include "services/inslab/process_usage.hpp"
@@ -196,7 +197,8 @@ int soak(SoakOptions options) {
     return app::kBadInput;
   }
   const std::string name = loaded.scenario.name + "-" + app::utc_text(app::realtime_now());
-  if (options.run.log_file.empty()) options.run.log_file = "runs/soak-" + name + ".mcap";
+  if (options.run.log_file.empty()) options.run.log_file = io::fresh_file("runs/soak-" + name, ".mcap");
+  io::check_output(options.run.log_file);
   options.run.clock.mode = "lockstep";
   const bool good = Soak(options, loaded).go();
   if (good && !options.keep_log) {
@@ -225,6 +227,7 @@ void add_soak(CLI::App& app, std::function<int()>& action) {
   command->add_option("--log", options->run.log_file, "file to write; default runs/soak-NAME-TIME.mcap");
   command->add_flag("--keep-log", options->keep_log, "keep the log even when everything held");
   options->run.network.add_to(*command);
+  add_overwrite(*command);
   command->callback([options, &action] { action = [options] { return soak(*options); }; });
 }
 

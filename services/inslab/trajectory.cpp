@@ -152,6 +152,7 @@ void add_trajectory(CLI::App& app, std::function<int()>& action) {
       ->allow_extra_args(false);
   command->add_option("--repair", options->repair,
                       "write the rows to this file (11 columns), repaired, and report every change");
+  add_overwrite(*command);
   command->callback([options, &action] { action = [options] { return check(*options); }; });
 }
 

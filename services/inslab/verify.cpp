@@ -77,9 +77,7 @@ int verify_one(const Verification& verification, const Request& request) {
   }
   if (!request.picture.empty()) {
     const std::string bytes = io::drawn(verification.picture(), io::PictureFormat::Svg);
-    io::OutputFile file(request.picture);
-    file.append(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    file.close();
+    io::write_file(request.picture, bytes);
   }
   fmt::print("{}: {}\n", verification.name, held ? "every row held" : "NOT every row held");
   return held ? app::kOk : app::kFailed;
@@ -112,6 +110,7 @@ void add_verify(CLI::App& app, std::function<int()>& action) {
     }
     if (verification.picture != nullptr) {
       command->add_option("--picture", request->picture, "write the curves there (SVG)");
+      add_overwrite(*command);
     }
     if (verification.over_dds != nullptr) {
       command->add_flag("--dds", request->over_dds, "through the real processes in lockstep, too");

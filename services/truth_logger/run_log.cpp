@@ -8,8 +8,9 @@ namespace {
 
 constexpr const char* kVersion = INSLAB_VERSION;
 
-io::McapWriter::Options log_options(std::size_t chunk_bytes) {
+io::McapWriter::Options log_options(std::size_t chunk_bytes, io::OutputFile::Kind kind) {
   io::McapWriter::Options options;
+  options.kind = kind;
   options.chunk_bytes = chunk_bytes;
   options.library = std::string("inslab ") + kVersion;
   return options;
@@ -22,8 +23,8 @@ std::string profile_record(ProfileKind kind, const SensorAddress& sensor, std::u
 }
 
 RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario, const std::string& cpu_features,
-               std::size_t chunk_bytes)
-    : path_(path), file_(path, log_options(chunk_bytes)) {
+               std::size_t chunk_bytes, io::OutputFile::Kind kind)
+    : path_(path), file_(path, log_options(chunk_bytes, kind)) {
   file_.metadata("scenario", {{"file", scenario.file.filename().string()},
                               {"name", scenario.scenario.name},
                               {"unit", scenario.unit},
@@ -44,7 +45,7 @@ RunLog::RunLog(const std::string& path, std::size_t chunk_bytes)
     : RunLog(path, io::mcap::read_unfinished(path), chunk_bytes) {}
 
 RunLog::RunLog(const std::string& path, const io::mcap::UnfinishedLog& unfinished, std::size_t chunk_bytes)
-    : path_(path), file_(path, log_options(chunk_bytes), unfinished) {
+    : path_(path), file_(path, log_options(chunk_bytes, io::OutputFile::Kind::Log), unfinished) {
   for (const io::mcap::MetadataIndex& record : unfinished.metadata) {
     if (record.name.rfind("ack/", 0) == 0) ++acks_;
     if (record.name.rfind("recovery/", 0) == 0) ++recoveries_;

@@ -19,7 +19,7 @@ class RunLog {
  public:
   /// Creates the file and describes the scenario in it. Throws io::WriteError.
   RunLog(const std::string& path, const scenario::LoadedScenario& scenario, const std::string& cpu_features,
-         std::size_t chunk_bytes = kChunkBytes);
+         std::size_t chunk_bytes = kChunkBytes, io::OutputFile::Kind kind = io::OutputFile::Kind::Log);
 
   /// Goes on with the log that a killed process left. Throws io::ReadError, io::WriteError.
   RunLog(const std::string& path, std::size_t chunk_bytes);

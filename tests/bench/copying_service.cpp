@@ -48,6 +48,7 @@ class CopyingInjector : public Copier {
     perfect.dv_b = truth.dv_v;
     outputs_.put(sample, perfect);
   }
+  void end_run(const RunId&) override {}  // it has no swaps
   void flush_blocks() override { outputs_.flush_blocks(); }
   void take(const Credit& credit) override { outputs_.take(credit); }
   std::vector<std::uint64_t> outputs_end() const override { return outputs_.ends(); }
@@ -82,6 +83,7 @@ class CopyingEmulator : public Copier {
     fix.v_n = truth.v_n;
     fixes_.put(fix);
   }
+  void end_run(const RunId&) override {}  // it has no swaps
   void flush_blocks() override { fixes_.flush_block(); }
   void take(const Credit& credit) override { fixes_.take(credit); }
   std::vector<std::uint64_t> outputs_end() const override { return {fixes_.next_sequence()}; }

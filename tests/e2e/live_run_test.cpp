@@ -150,5 +150,32 @@ TEST(LiveRun, SummaryOfASimulatedLogPasses) {
   EXPECT_THAT(summary.output(), ContainsRegex("\nresult: passed: [0-9]+ of [0-9]+ checks held\n$"));
 }
 
+TEST(OutputFiles, NoFormatReplacesTheLogThatItReadsAndNoResultIsReplacedUnasked) {
+  const TestFolder folder;
+  Process simulate("inslab", {"simulate", source("tests/data/short.json"), "-o", folder / ""});
+  ASSERT_EQ(simulate.wait(seconds(60)), 0) << simulate.output();
+  const std::string log = folder / "short.mcap";
+  const auto run = [](std::vector<std::string> arguments) {
+    Process process("inslab", arguments);
+    const int code = process.wait(seconds(60)).value_or(-1);
+    return std::to_string(code) + ": " + process.output();
+  };
+  for (const std::string format : {"csv", "hdf5", "nav", "imu", "gnss", "kml", "novatel"}) {
+    std::vector<std::string> arguments{"export", log, "--format", format, "-o", log, "--overwrite"};
+    if (format == "imu" || format == "novatel") arguments.insert(arguments.end(), {"--topic", "inslab/imu/0"});
+    EXPECT_THAT(run(arguments), testing::StartsWith("2: ")) << format;
+    ASSERT_TRUE(io::McapReader(log).closed_properly()) << format;
+  }
+  EXPECT_THAT(run({"report", log, "--junit", log, "--overwrite"}), HasSubstr("is an input of this command"));
+  EXPECT_THAT(run({"simulate", source("tests/data/short.json"), "-o", folder / ""}),
+              HasSubstr("short.mcap: is there already and is kept; --overwrite replaces it"));
+  EXPECT_THAT(run({"simulate", source("tests/data/short.json"), "-o", folder / "", "--overwrite"}),
+              testing::StartsWith("0: "));
+  EXPECT_THAT(run({"run", source("tests/data/short.json"), "--log", log, "--domain", own_domain()}),
+              testing::StartsWith("2: "))
+      << "before anything is started";
+  EXPECT_TRUE(io::McapReader(log).closed_properly());
+}
+
 }  // namespace
 }  // namespace inslab::e2e

@@ -104,9 +104,7 @@ void ResultFolder::keep(const std::string& name, const std::string& text) const 
 
 std::string ResultFolder::written_aside(const std::string& name, const std::string& text) const {
   const std::string aside = file(fmt::format(".{}.{}.{}", name, app::host_name(), app::process_id()));
-  io::OutputFile out(aside);
-  out.append(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  out.close();
+  io::write_file(aside, text);
   return aside;
 }
 
