@@ -61,15 +61,17 @@ class Regular {
     const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
     std::nth_element(intervals.begin(), middle, intervals.end());
     if (!(*middle > 0.0)) throw ReadError(path_ + ": its times do not increase");
-    // A time as printed has its own rounding; the mean of those intervals near the median has less of it, and
-    // what is left below a nanosecond is not the sensor's.
+    // A time as printed has its own rounding; the mean of those intervals near the median has less of it. What is left
+    // near a whole number of nanoseconds is not the sensor's; 300 Hz has a third of one.
     double sum = 0.0, count = 0.0;
     for (const double interval : intervals) {
       if (std::abs(interval - *middle) > 0.5 * *middle) continue;
       sum += interval;
       count += 1.0;
     }
-    info_.dt_s = std::round(1e9 * sum / count) * 1e-9;
+    const double mean_ns = 1e9 * sum / count;
+    constexpr double kRounding_ns = 0.02;
+    info_.dt_s = 1e-9 * (std::abs(mean_ns - std::round(mean_ns)) < kRounding_ns ? std::round(mean_ns) : mean_ns);
     begun_ = true;
     begin_(info_);
     for (const RawSample& raw : waiting_) pass(raw);

@@ -96,7 +96,8 @@ void export_novatel(const McapReader& log, const FileExportOptions& options, Exp
   TextWriter out(options.destination, "");
   export_topic<ImuSample>(log, result, [&](const ImuSample& sample) {
     if (sample.interval_ns == 0) return false;
-    if (sample.interval_ns != interval_ns) {
+    // Where the period is no whole number of nanoseconds, intervals differ by one.
+    if (std::abs(sample.interval_ns - interval_ns) > 1) {
       // The lines do not say their interval: a reader takes it from the type.
       throw std::invalid_argument("IMU type " + std::to_string(options.novatel_imu_type) + " puts out a sample each " +
                                   std::to_string(interval_ns) + " ns, " + result.topic + " each " +

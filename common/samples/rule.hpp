@@ -22,11 +22,10 @@ enum class Rule : std::uint32_t {
   KnownName,    ///< words out of a fixed set
   // Several fields of a scenario.
   RunName,               ///< a run's name makes a file's name
-  TruthPeriod,           ///< a whole number of nanoseconds
   RunLength,             ///< at least one period of the truth
   StartInWeek,           ///< the seconds of week are less than a week
   SensorNumberOnce,      ///< no two sensors of a kind share a number
-  SensorPeriod,          ///< a multiple of the truth's
+  SensorInstants,        ///< instants of two streams coincide or keep a distance
   OutagePeriod,          ///< an outage ends before it comes again
   OutagePath,            ///< an outage area has points, and legs of at most 10 km
   NamedFile,             ///< files that a scenario names are there
@@ -89,7 +88,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 68> values{"readable",
+  static constexpr std::array<std::string_view, 67> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -100,11 +99,10 @@ struct EnumNames<Rule> {
                                                            "bounded_size",
                                                            "known_name",
                                                            "run_name",
-                                                           "truth_period",
                                                            "run_length",
                                                            "start_in_week",
                                                            "sensor_number_once",
-                                                           "sensor_period",
+                                                           "sensor_instants",
                                                            "outage_period",
                                                            "outage_path",
                                                            "named_file",

@@ -133,7 +133,8 @@ std::shared_ptr<const io::TrajectoryFile> load_rows(const std::filesystem::path&
 }
 
 void check_rows_cover_run(const LoadedScenario& loaded) {
-  const time::Nanoseconds last_sample = loaded.truth_rate.at(loaded.truth_samples - 1);
+  const time::Nanoseconds last_sample =
+      loaded.truth_grid().at_or_before(time::from_seconds(loaded.scenario.duration_s));
   const time::Nanoseconds last_row = loaded.trajectory_file->rows.back().time;
   if (last_sample <= last_row) return;
   throw config::Error(loaded.file.string(), {Rule::FileCoversRun, "duration_s",
@@ -176,16 +177,15 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit, 
   if (auto broken = violation(scenario)) throw config::Error(file.string(), *broken);
   if (auto broken = missing_file(scenario, file.parent_path())) throw config::Error(file.string(), *broken);
   loaded.truth_rate = time::Rate(scenario.truth_rate_hz);
-  loaded.truth_samples =
-      1 + static_cast<std::uint64_t>(time::from_seconds(scenario.duration_s) / loaded.truth_rate.period());
   const std::filesystem::path folder = file.parent_path();
+  for (const ImuSensor& sensor : scenario.imu) loaded.imus.push_back(load_imu(folder, sensor));
+  for (const GnssSensor& sensor : scenario.gnss) loaded.gnss.push_back(load_gnss(folder, sensor));
+  loaded.truth_samples = 1 + loaded.truth_grid().index(time::from_seconds(scenario.duration_s));
   if (scenario.trajectory.source == TrajectorySource::File && rows == TrajectoryRows::Read) {
     loaded.trajectory_file = load_rows(folder / scenario.trajectory.file.path, scenario.trajectory.file);
     check_rows_cover_run(loaded);
   }
   take_segments_from_file(loaded.scenario.trajectory, folder);
-  for (const ImuSensor& sensor : scenario.imu) loaded.imus.push_back(load_imu(folder, sensor));
-  for (const GnssSensor& sensor : scenario.gnss) loaded.gnss.push_back(load_gnss(folder, sensor));
   loaded.swaps = load_swaps(scenario.swaps, folder, 1);
   return loaded;
 }
@@ -214,6 +214,13 @@ std::vector<AnyProfile> load_schedule(const std::filesystem::path& file, std::ui
   }
   if (files.missing) throw config::Error(file.string(), *files.missing);
   return load_swaps(schedule.swaps, file.parent_path(), first_request_id);
+}
+
+time::Grid LoadedScenario::truth_grid() const {
+  std::vector<time::Rate> rates{truth_rate};
+  for (const LoadedImu& imu : imus) rates.push_back(imu.rate);
+  for (const LoadedGnss& receiver : gnss) rates.push_back(receiver.rate);
+  return time::Grid(rates);
 }
 
 time::GpsTime LoadedScenario::start(time::Nanoseconds realtime_now) const {

@@ -5,7 +5,7 @@
 
 #include "io/trajectory_file.hpp"
 #include "scenario/scenario.hpp"
-#include "time/rate.hpp"
+#include "time/grid.hpp"
 
 namespace inslab::scenario {
 
@@ -34,8 +34,8 @@ struct LoadedGnss {
 struct LoadedScenario {
   std::filesystem::path file;
   Scenario scenario;
-  time::Rate truth_rate{200.0};
-  std::uint64_t truth_samples = 0;  ///< sample 0 included
+  time::Rate truth_rate{200.0};     ///< what the scenario asks for
+  std::uint64_t truth_samples = 0;  ///< of truth_grid(), sample 0 included
   /// What the trajectory's file says, judged by its limits; null when the trajectory has none. Its rows reach from sim
   /// time 0 to the last sample at least, and they have what the method needs.
   std::shared_ptr<const io::TrajectoryFile> trajectory_file;
@@ -44,6 +44,8 @@ struct LoadedScenario {
   std::vector<AnyProfile> swaps;  ///< requests in order: target and request are filled in
   std::string unit;               ///< the vehicle's name on the network; empty: it has none
 
+  /// When the truth has samples: at its own rate, and at every instant of a sensor.
+  time::Grid truth_grid() const;
   /// GPS time of sim time 0; with `start: now` that of `realtime_now` (CLOCK_REALTIME).
   time::GpsTime start(time::Nanoseconds realtime_now) const;
   /// The seed of the random streams: the scenario's, or, for a unit with a name, one drawn from that and the name, so

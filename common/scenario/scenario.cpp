@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
-#include <stdexcept>
 
+#include "samples/limits.hpp"
 #include "scenario/waypoint_route.hpp"
-#include "time/rate.hpp"
+#include "time/grid.hpp"
 
 namespace inslab::scenario {
 
@@ -16,21 +16,41 @@ std::string at(const char* list, std::size_t index, const char* key) {
   return std::string(list) + "[" + std::to_string(index) + "]." + key;
 }
 
-/// Periods divide, numbers are given once.
+/// A rate of the scenario, and where it stands.
+struct NamedRate {
+  std::string path;
+  double hz;
+};
+
+/// Two streams' instants coincide or keep a distance. `earlier` are the rates above this one.
+std::optional<Violation> rate_violation(const NamedRate& rate, const std::vector<NamedRate>& earlier) {
+  for (const NamedRate& other : earlier) {
+    const double apart_ns = time::least_distance_ns(time::Rate(rate.hz), time::Rate(other.hz));
+    const auto least_ns = static_cast<double>(time::Grid::kLeastApart.count());
+    if (apart_ns >= least_ns) continue;
+    const std::string hz = inslab::detail::number_text(rate.hz), other_hz = inslab::detail::number_text(other.hz);
+    return Violation{Rule::SensorInstants, rate.path,
+                     "is " + hz + ", and its instants come within " + inslab::detail::number_text(apart_ns) +
+                         " ns of those of " + other.path + ", " + other_hz + ", without meeting them: the truth has " +
+                         "a sample at each; expected at least " + inslab::detail::number_text(least_ns) +
+                         " ns: choose one rate for both, a whole multiple, or fewer digits"};
+  }
+  return std::nullopt;
+}
+
+/// Numbers are given once, instants are apart.
 template <class Sensor>
 std::optional<Violation> sensors_violation(const char* list, const std::vector<Sensor>& sensors,
-                                           const time::Rate& truth) {
+                                           std::vector<NamedRate>& rates) {
   std::set<std::uint32_t> numbers;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     if (!numbers.insert(sensors[i].number).second) {
       return Violation{Rule::SensorNumberOnce, at(list, i, "number"),
                        "is " + std::to_string(sensors[i].number) + ", which another sensor has"};
     }
-    try {
-      (void)time::Rate(sensors[i].rate_hz).multiple_of(truth);
-    } catch (const std::invalid_argument& error) {
-      return Violation{Rule::SensorPeriod, at(list, i, "rate_hz"), error.what()};
-    }
+    const NamedRate rate{at(list, i, "rate_hz"), sensors[i].rate_hz};
+    if (auto broken = rate_violation(rate, rates)) return broken;
+    rates.push_back(rate);
   }
   return std::nullopt;
 }
@@ -205,13 +225,7 @@ std::optional<Violation> acceptance_violation(const Scenario& scenario) {
 
 std::optional<Violation> violation(const Scenario& scenario) {
   if (auto broken = name_violation(scenario.name)) return broken;
-  std::optional<time::Rate> truth;
-  try {
-    truth.emplace(scenario.truth_rate_hz);
-  } catch (const std::invalid_argument& error) {
-    return Violation{Rule::TruthPeriod, "truth_rate_hz", error.what()};
-  }
-  if (time::from_seconds(scenario.duration_s) < truth->period()) {
+  if (time::from_seconds(scenario.duration_s) < time::Rate(scenario.truth_rate_hz).at(1)) {
     return Violation{Rule::RunLength, "duration_s", "is shorter than one period of the truth"};
   }
   if (scenario.start.at == StartAt::GpsTime && scenario.start.gps_seconds_of_week_s >= 604800.0) {
@@ -227,8 +241,9 @@ std::optional<Violation> violation(const Scenario& scenario) {
                      "expected real_time at rate 1"};
   }
   if (auto broken = route_violation(scenario)) return broken;
-  if (auto broken = sensors_violation("imu", scenario.imu, *truth)) return broken;
-  if (auto broken = sensors_violation("gnss", scenario.gnss, *truth)) return broken;
+  std::vector<NamedRate> rates{{"truth_rate_hz", scenario.truth_rate_hz}};
+  if (auto broken = sensors_violation("imu", scenario.imu, rates)) return broken;
+  if (auto broken = sensors_violation("gnss", scenario.gnss, rates)) return broken;
   for (std::size_t i = 0; i < scenario.gnss.size(); ++i) {
     if (auto broken = outages_violation(scenario.gnss[i], at("gnss", i, ""))) return broken;
   }

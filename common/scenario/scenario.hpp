@@ -35,7 +35,7 @@ struct ImuSensor {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
     visit(Field("number", "the N of inslab/imu/N").in(0.0, 63.0), self.number);
-    visit(Field("rate_hz", "the truth rate or a whole fraction of it").in(1e-3, 1e4).required(), self.rate_hz);
+    visit(Field("rate_hz", "of its samples").in(1e-3, 1e4).required(), self.rate_hz);
     visit(Field("error_profile", "file; absent: an ideal IMU").at_most(4096), self.error_profile);
     visit(Field("vibration_profile", "file; absent: still").at_most(4096), self.vibration_profile);
     visit(Field("installation_profile", "file; absent: at the vehicle's reference point").at_most(4096),
@@ -58,7 +58,7 @@ struct GnssSensor {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
     visit(Field("number", "the N of inslab/gnss/N").in(0.0, 63.0), self.number);
-    visit(Field("rate_hz", "a whole fraction of the truth rate").in(1e-3, 1e4).required(), self.rate_hz);
+    visit(Field("rate_hz", "of its epochs").in(1e-3, 1e4).required(), self.rate_hz);
     visit(Field("error_profile", "file").at_most(4096).required(), self.error_profile);
     visit(Field("installation_profile", "file; absent: at the vehicle's reference point").at_most(4096),
           self.installation_profile);
@@ -184,7 +184,9 @@ struct Scenario {
     visit(Field("seed", "of every random stream: the same seed gives the same bits").required(), self.seed);
     visit(Field("start", "GPS time of sim time 0").required(), self.start);
     visit(Field("duration_s").in(1e-3, 1e7).required(), self.duration_s);
-    visit(Field("truth_rate_hz", "the period is a whole number of nanoseconds").in(1.0, 1e4), self.truth_rate_hz);
+    visit(
+        Field("truth_rate_hz", "the truth has a sample at each k/rate, and at every instant of a sensor").in(1.0, 1e4),
+        self.truth_rate_hz);
     visit(Field("trajectory", "the vehicle's motion").required(), self.trajectory);
     visit(Field("imu", "the IMUs of this unit").at_most(8), self.imu);
     visit(Field("gnss", "the GNSS receivers of this unit").at_most(8), self.gnss);
@@ -203,8 +205,9 @@ struct Scenario {
   }
 };
 
-/// The first rule that the scenario breaks and that no single field's limits express, or nothing: periods that do not
-/// divide, sensors given twice, swaps of sensors that are not there or after the end, broken trajectories.
+/// The first rule that the scenario breaks and that no single field's limits express, or nothing: instants
+/// too near to each other, sensors given twice, swaps of sensors that are not there or after the end, broken
+/// trajectories.
 std::optional<Violation> violation(const Scenario& scenario);
 
 /// The same of a schedule, as far as it can be told without a scenario.

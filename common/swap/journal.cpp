@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "samples/limits.hpp"
 #include "samples/profile_rules.hpp"
@@ -21,8 +22,8 @@ ProfileAck rejected(const AnyProfile& request, const std::string& field, const s
   return ack;
 }
 
-Journal::Journal(std::vector<SensorAddress> sensors, time::Rate truth_rate, time::Nanoseconds end)
-    : sensors_(std::move(sensors)), truth_rate_(truth_rate), end_(end) {}
+Journal::Journal(std::vector<SensorAddress> sensors, time::Grid truth_grid, time::Nanoseconds end)
+    : sensors_(std::move(sensors)), truth_grid_(std::move(truth_grid)), end_(end) {}
 
 std::optional<Violation> Journal::rejection_of(const AnyProfile& request, time::Nanoseconds now) const {
   auto broken = std::visit(
@@ -50,9 +51,8 @@ std::variant<AnyProfile, ProfileAck> Journal::submit(AnyProfile request, time::N
   ProfileRequest& head = request_of(request);
   head.requested_at_ns = head.apply_at_ns;
   head.requested_in_the_past = head.apply_at_ns >= 0 && head.apply_at_ns < now.count();
-  const std::int64_t period = truth_rate_.period().count();
   const std::int64_t earliest = std::max(head.apply_at_ns, now.count());
-  head.apply_at_ns = (earliest + period - 1) / period * period;
+  head.apply_at_ns = truth_grid_.at_or_after(time::Nanoseconds(earliest)).count();
   head.journal_number = size() + 1;
   apply_times_.insert(std::upper_bound(apply_times_.begin(), apply_times_.end(), head.apply_at_ns), head.apply_at_ns);
   return request;

@@ -7,7 +7,7 @@
 #include "samples/any_profile.hpp"
 #include "samples/run_control.hpp"
 #include "samples/violation.hpp"
-#include "time/rate.hpp"
+#include "time/grid.hpp"
 
 namespace inslab::swap {
 
@@ -22,7 +22,7 @@ class Journal {
  public:
   /// `sensors` are those of the scenario: a request for another one is rejected. `end` is the sim time of the last
   /// truth sample: what would take effect there or later is rejected, since no sample comes out under it.
-  Journal(std::vector<SensorAddress> sensors, time::Rate truth_rate, time::Nanoseconds end);
+  Journal(std::vector<SensorAddress> sensors, time::Grid truth_grid, time::Nanoseconds end);
 
   /// Judges a request when the last truth sample sent was that of sim time `now`. Gives the numbered entry with its
   /// apply time settled (a past or negative one becomes `now`, one between two grid points the later of them), or the
@@ -41,7 +41,7 @@ class Journal {
   std::optional<Violation> rejection_of(const AnyProfile& request, time::Nanoseconds now) const;
 
   std::vector<SensorAddress> sensors_;
-  time::Rate truth_rate_;
+  time::Grid truth_grid_;
   time::Nanoseconds end_;
   std::vector<std::int64_t> apply_times_;  // sorted
 };

@@ -7,7 +7,7 @@ namespace inslab::gnss {
 namespace {
 
 GnssModel::Setup setup_of(const scenario::LoadedScenario& scenario, const scenario::LoadedGnss& gnss) {
-  return {scenario.stream_seed(), gnss.number,  scenario.truth_rate, gnss.rate, gnss.errors,
+  return {scenario.stream_seed(), gnss.number,  gnss.rate,        gnss.errors,
           gnss.installation,      gnss.outages, gnss.outage_areas};
 }
 

@@ -12,7 +12,7 @@ class EmulatorOnBus : public app::TruthConsumer {
  public:
   EmulatorOnBus(app::Context& context, const scenario::LoadedGnss& gnss)
       : emulator_(context.scenario(), gnss),
-        fixes_(context, dds::topics::gnss(gnss.number, 1.0 / gnss.rate.period_s()),
+        fixes_(context, dds::topics::gnss(gnss.number, gnss.rate.hz()),
                {app::stream_consumers(context.scenario().scenario, SensorKind::Gnss, gnss.number)}),
         acks_(context.participant(), dds::topics::profile_ack()) {}
 

@@ -31,7 +31,7 @@ random::Stream stream(const GnssModel::Setup& setup, const char* quantity) {
 
 GnssModel::GnssModel(const Setup& setup)
     : sensor_number_(setup.sensor_number),
-      period_ns_(setup.gnss_rate.multiple_of(setup.truth_rate) * setup.truth_rate.period().count()),
+      rate_(setup.gnss_rate),
       errors_(checked(setup.errors)),
       installation_(checked(setup.installation)),
       outages_(setup.outages, setup.outage_areas),
@@ -87,8 +87,8 @@ Vector3 GnssModel::drift_ned_m(std::int64_t time_ns) const {
 
 std::optional<GnssFix> GnssModel::observe(const TruthState& truth) {
   const std::int64_t time_ns = truth.header.sim_time_ns;
-  if (time_ns <= 0 || time_ns % period_ns_ != 0) return std::nullopt;
-  epoch_ = static_cast<std::uint64_t>(time_ns / period_ns_);
+  if (time_ns <= 0 || !rate_.contains(time::Nanoseconds(time_ns))) return std::nullopt;
+  epoch_ = rate_.index(time::Nanoseconds(time_ns));
 
   const SensorSite antenna = sensor_site(truth, installation_.lever_arm_v_m);
   const Geometry sky = geometry(truth, antenna);

@@ -17,7 +17,7 @@ namespace inslab::gnss {
 
 /// One GNSS receiver that reports position and velocity of its antenna.
 ///
-/// Epoch k is at k periods of sim time, k >= 1. The antenna's true state comes from samples/sensor_site.hpp; position
+/// Epoch k is at instant k of its rate, k >= 1. The antenna's true state comes from samples/sensor_site.hpp; position
 /// errors in NED metres at the antenna are applied exactly through ECEF, velocity errors added in the antenna's NED.
 /// Their draws depend on (seed, sensor number, k) alone: an outage, a swap or another kind of solution changes no other
 /// epoch's. There is no fix in an outage, with fewer than four satellites of the profile's model above its mask, and
@@ -27,7 +27,6 @@ class GnssModel {
   struct Setup {
     std::uint64_t seed = 0;
     std::uint32_t sensor_number = 0;
-    time::Rate truth_rate;
     time::Rate gnss_rate;
     GnssErrorProfile errors;
     InstallationProfile installation;
@@ -35,8 +34,8 @@ class GnssModel {
     std::vector<OutageArea> outage_areas;
   };
 
-  /// Throws std::invalid_argument when a profile breaks a rule of samples/profile_rules.hpp, as OutageSchedule does, or
-  /// when the GNSS period is not a multiple of the truth's.
+  /// Throws std::invalid_argument when a profile breaks a rule of samples/profile_rules.hpp, and as OutageSchedule
+  /// does.
   explicit GnssModel(const Setup& setup);
 
   /// Swaps a profile from the next epoch on. Throws std::invalid_argument when it breaks a rule, and then changes
@@ -67,7 +66,7 @@ class GnssModel {
   Vector3 drift_ned_m(std::int64_t time_ns) const;
 
   std::uint32_t sensor_number_;
-  std::int64_t period_ns_;
+  time::Rate rate_;
   GnssErrorProfile errors_;
   InstallationProfile installation_;
   FaultProfile fault_;

@@ -10,9 +10,9 @@ namespace inslab::imu {
 class ImuOutputs {
  public:
   ImuOutputs(app::Context& context, const scenario::LoadedImu& imu, bool paced_by_nav_app)
-      : samples_(context, dds::topics::imu(imu.number, 1.0 / imu.rate.period_s()),
+      : samples_(context, dds::topics::imu(imu.number, imu.rate.hz()),
                  {app::stream_consumers(context.scenario().scenario, SensorKind::Imu, imu.number), paced_by_nav_app}),
-        truths_(context, dds::topics::imu_truth(imu.number, 1.0 / imu.rate.period_s()), {{{app::kTruthLogger, 0u}}}) {}
+        truths_(context, dds::topics::imu_truth(imu.number, imu.rate.hz()), {{{app::kTruthLogger, 0u}}}) {}
 
   void begin_run(const RunId& run, ClockMode clock) {
     samples_.begin_run(run, clock);

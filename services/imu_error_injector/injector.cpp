@@ -7,21 +7,21 @@ namespace inslab::imu {
 namespace {
 
 ImuModel::Setup setup_of(const scenario::LoadedScenario& scenario, const scenario::LoadedImu& imu) {
-  return {scenario.stream_seed(), imu.number, scenario.truth_rate, imu.rate,
-          scenario.gravity(),     imu.errors, imu.vibration,       imu.installation};
+  return {scenario.stream_seed(), imu.number,      imu.rate, scenario.gravity(), imu.errors,
+          imu.vibration,          imu.installation};
 }
 
 }  // namespace
 
 Injector::Injector(const scenario::LoadedScenario& scenario, const scenario::LoadedImu& imu)
-    : imu_period_(imu.rate.period()),
+    : rate_(imu.rate),
       model_(setup_of(scenario, imu)),
       desk_({SensorKind::Imu, imu.number}, app::kImuInjector, {imu.errors, imu.vibration, imu.installation}) {}
 
 Injector::Result Injector::process(const TruthState& truth) {
   Result result;
   // An IMU slower than the truth swaps between two of its own intervals: only where one begins is anything due.
-  const bool interval_begins = (truth.header.sim_time_ns - truth.interval_ns) % imu_period_.count() == 0;
+  const bool interval_begins = rate_.contains(time::Nanoseconds(truth.header.sim_time_ns - truth.interval_ns));
   if (interval_begins) {
     for (const AnyProfile& entry : desk_.take_due(truth.header.sim_time_ns)) {
       std::visit(

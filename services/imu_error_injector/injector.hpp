@@ -31,7 +31,7 @@ class Injector {
   }
 
  private:
-  time::Nanoseconds imu_period_;
+  time::Rate rate_;
   ImuModel model_;
   swap::ProfileDesk desk_;
 };

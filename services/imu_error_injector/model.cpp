@@ -23,20 +23,19 @@ std::string sensor_name(std::uint32_t number) { return "imu" + std::to_string(nu
 
 ImuModel::ImuModel(const Setup& setup)
     : sensor_number_(setup.sensor_number),
-      truth_period_ns_(setup.truth_rate.period().count()),
-      imu_period_ns_(setup.imu_rate.multiple_of(setup.truth_rate) * truth_period_ns_),
-      dt_s_(setup.imu_rate.period_s()),
+      rate_(setup.imu_rate),
       gravity_(setup.gravity),
       errors_(setup.errors),
       installation_profile_(setup.installation),
       installation_(checked(setup.installation), setup.gravity),
-      vibration_(checked(setup.vibration), {dt_s_, setup.seed, sensor_name(setup.sensor_number)}),
+      vibration_(checked(setup.vibration), {rate_.period_s(), setup.seed, sensor_name(setup.sensor_number)}),
       temperature_(checked(setup.errors).temperature),
-      gyro_(in_si(setup.errors.gyro), dt_s_, setup.seed, sensor_name(setup.sensor_number) + "/gyro", "arw"),
-      accel_(in_si(setup.errors.accel), dt_s_, setup.seed, sensor_name(setup.sensor_number) + "/accel", "vrw"),
+      gyro_(in_si(setup.errors.gyro), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/gyro", "arw"),
+      accel_(in_si(setup.errors.accel), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/accel",
+             "vrw"),
       g_sensitivity_(setup.errors.gyro.g_sensitivity_deg_per_h_per_g),
-      gyro_limits_(in_si(setup.errors.gyro), dt_s_),
-      accel_limits_(in_si(setup.errors.accel), dt_s_),
+      gyro_limits_(in_si(setup.errors.gyro), rate_.period_s()),
+      accel_limits_(in_si(setup.errors.accel), rate_.period_s()),
       drops_(setup.errors.drop_probability,
              random::Stream(setup.seed, sensor_name(setup.sensor_number) + "/dropped_samples")),
       latency_ns_(time::from_seconds(setup.errors.latency_s).count()),
@@ -50,31 +49,42 @@ void ImuModel::apply(const FaultProfile& profile) { pending_.emplace_back(checke
 
 std::optional<ImuModel::Output> ImuModel::measure(const TruthState& truth) {
   if (!previous_) {
-    if (truth.header.sim_time_ns % imu_period_ns_ != 0) return std::nullopt;
+    if (!rate_.contains(time::Nanoseconds(truth.header.sim_time_ns))) return std::nullopt;
     previous_ = truth;
     start_ = installation_.at(truth);
+    find_interval(truth.header.sim_time_ns);
     return std::nullopt;
   }
   const std::int64_t previous_ns = previous_->header.sim_time_ns;
-  if (truth.interval_ns != truth_period_ns_ || truth.header.sim_time_ns - previous_ns != truth_period_ns_) {
+  const std::int64_t now_ns = truth.header.sim_time_ns;
+  if (truth.interval_ns <= 0 || now_ns - previous_ns != truth.interval_ns || now_ns > to_ns_) {
     throw std::invalid_argument("truth at " + std::to_string(truth.header.sim_time_ns) + " ns over " +
                                 std::to_string(truth.interval_ns) + " ns does not continue the one at " +
-                                std::to_string(previous_ns) + " ns");
+                                std::to_string(previous_ns) + " ns up to the IMU's instant at " +
+                                std::to_string(to_ns_) + " ns");
   }
-  if (previous_ns % imu_period_ns_ == 0) begin_interval();
+  if (previous_ns == from_ns_) begin_interval();
   const Installation::Instant end = installation_.at(truth);
   perfect_ += perfect_increments(truth, end);
   start_ = end;
   previous_ = truth;
-  if (truth.header.sim_time_ns % imu_period_ns_ != 0) return std::nullopt;
+  if (now_ns != to_ns_) return std::nullopt;
   return end_interval(truth);
+}
+
+/// The interval that `from_ns` begins or lies in.
+void ImuModel::find_interval(std::int64_t from_ns) {
+  interval_.k = rate_.index(time::Nanoseconds(from_ns));
+  from_ns_ = rate_.at(interval_.k).count();
+  to_ns_ = rate_.at(interval_.k + 1).count();
+  interval_.dt_s = time::to_seconds(time::Nanoseconds(to_ns_ - from_ns_));
+  interval_.stretch = interval_.dt_s / rate_.period_s();
 }
 
 void ImuModel::begin_interval() {
   perfect_ = Increments();
   if (pending_.empty()) return;
-  const auto k = static_cast<std::uint64_t>(previous_->header.sim_time_ns / imu_period_ns_);
-  for (const Profile& profile : pending_) std::visit([this, k](const auto& p) { take(p, k); }, profile);
+  for (const Profile& profile : pending_) std::visit([this](const auto& p) { take(p, interval_.k); }, profile);
   pending_.clear();
 }
 
@@ -85,7 +95,9 @@ void ImuModel::use_profiles() {
 }
 
 void ImuModel::find_start() {
-  if (previous_) start_ = installation_.at(*previous_);
+  if (!previous_) return;
+  start_ = installation_.at(*previous_);
+  find_interval(previous_->header.sim_time_ns);
 }
 
 void ImuModel::take(const ImuErrorProfile& profile, std::uint64_t k) {
@@ -146,21 +158,20 @@ Increments ImuModel::perfect_increments(const TruthState& truth, const Installat
 
 std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) {
   const std::int64_t end_ns = truth.header.sim_time_ns;
-  const auto k = static_cast<std::uint64_t>(end_ns / imu_period_ns_ - 1);
   const double temperature_deg_c = temperature_.at(end_ns);
 
   std::optional<Output> out(std::in_place);  // filled in place: a kilobyte is not worth a copy
   ImuTruth& perfect = out->truth;
   perfect.header = truth.header;
-  perfect.header.sequence_number = k;
+  perfect.header.sequence_number = interval_.k;
   perfect.header.publish_realtime_ns = 0;
   perfect.header.publish_monotonic_ns = 0;
   perfect.sensor_number = sensor_number_;
   perfect.dtheta_b = perfect_.dtheta;
   perfect.dv_b = perfect_.dv;
-  perfect.interval_ns = imu_period_ns_;
+  perfect.interval_ns = end_ns - from_ns_;
   set_pose(truth, perfect);
-  set_errors(vibration_.increments(end_ns - imu_period_ns_, end_ns), temperature_deg_c, k, perfect);
+  set_errors(vibration_.increments(from_ns_, end_ns), temperature_deg_c, perfect);
   perfect.discontinuity = discontinuity_;
   perfect.revisions = revisions_;
   discontinuity_ = false;
@@ -169,10 +180,11 @@ std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) 
   sample.header = perfect.header;
   sample.sensor_number = sensor_number_;
   sample.available_sim_time_ns = end_ns + latency_ns_;
-  sample.interval_ns = imu_period_ns_;
+  sample.interval_ns = perfect.interval_ns;
   sample.temperature_deg_c = temperature_deg_c;
   sample.revisions = revisions_;
-  set_output(k, *out);
+  set_output(*out);
+  find_interval(end_ns);
   return out;
 }
 
@@ -192,20 +204,20 @@ void ImuModel::set_pose(const TruthState& truth, ImuTruth& perfect) const {
   }
 }
 
-void ImuModel::set_errors(const Increments& vibration, double temperature_deg_c, std::uint64_t k, ImuTruth& perfect) {
+void ImuModel::set_errors(const Increments& vibration, double temperature_deg_c, ImuTruth& perfect) {
   const double warmer_k = temperature_deg_c - Temperature::kCalibratedAt;
-  gyro_.add_errors(perfect_.dtheta, vibration.dtheta, warmer_k, k, perfect.gyro_error);
-  accel_.add_errors(perfect_.dv, vibration.dv, warmer_k, k, perfect.accel_error);
+  gyro_.add_errors(perfect_.dtheta, vibration.dtheta, warmer_k, interval_, perfect.gyro_error);
+  accel_.add_errors(perfect_.dv, vibration.dv, warmer_k, interval_, perfect.accel_error);
   if (!g_sensitivity_.is_off()) {
     perfect.gyro_error.g_sensitivity = g_sensitivity_.error(perfect_.dv + vibration.dv);
   }
 }
 
-void ImuModel::set_output(std::uint64_t k, Output& out) {
-  const bool dropped = drops_.dropped(k);
-  const auto limited = [dropped](TriadLimits& limits, const Vector3& perfect, TriadErrorBudget& budget) {
+void ImuModel::set_output(Output& out) {
+  const bool dropped = drops_.dropped(interval_.k);
+  const auto limited = [this, dropped](TriadLimits& limits, const Vector3& perfect, TriadErrorBudget& budget) {
     const Vector3 wanted = perfect + budget.sum();
-    TriadLimits::Result result = limits.applied(wanted, dropped);
+    TriadLimits::Result result = limits.applied(wanted, dropped, interval_.stretch);
     budget.limits = result.increment - wanted;
     return result;
   };
@@ -213,8 +225,8 @@ void ImuModel::set_output(std::uint64_t k, Output& out) {
   const TriadLimits::Result accel = limited(accel_limits_, out.truth.dv_b, out.truth.accel_error);
   out.sample.dtheta_b = gyro.increment;
   out.sample.dv_b = accel.increment;
-  out.sample.mean_omega_ib_b = gyro.increment / dt_s_;
-  out.sample.mean_f_b = accel.increment / dt_s_;
+  out.sample.mean_omega_ib_b = gyro.increment / interval_.dt_s;
+  out.sample.mean_f_b = accel.increment / interval_.dt_s;
   out.sample.gyro_valid = gyro.valid;
   out.sample.accel_valid = accel.valid;
   out.sample.gyro_saturated = gyro.saturated;

@@ -11,6 +11,7 @@
 #include "services/imu_error_injector/dropped_samples.hpp"
 #include "services/imu_error_injector/g_sensitivity.hpp"
 #include "services/imu_error_injector/installation.hpp"
+#include "services/imu_error_injector/sample_interval.hpp"
 #include "services/imu_error_injector/temperature.hpp"
 #include "services/imu_error_injector/triad_errors.hpp"
 #include "services/imu_error_injector/triad_limits.hpp"
@@ -27,7 +28,6 @@ class ImuModel {
   struct Setup {
     std::uint64_t seed = 0;
     std::uint32_t sensor_number = 0;
-    time::Rate truth_rate;
     time::Rate imu_rate;
     nav::Gravity gravity;
     ImuErrorProfile errors;
@@ -40,8 +40,7 @@ class ImuModel {
     ImuTruth truth;
   };
 
-  /// Throws std::invalid_argument when a profile breaks a rule of samples/profile_rules.hpp or when the IMU's period is
-  /// not a multiple of the truth's.
+  /// Throws std::invalid_argument when a profile breaks a rule of samples/profile_rules.hpp.
   explicit ImuModel(const Setup& setup);
 
   /// Swaps a profile from the next interval of the IMU on, in the order of the calls; samples from there carry its
@@ -56,8 +55,8 @@ class ImuModel {
 
   /// The IMU's interval that ends at `truth`; nothing at the first truth sample that lies on the IMU's grid (it only
   /// says where the first interval begins) and between two samples of a slower IMU. Sequence number and random draws
-  /// follow from sim time. Throws std::invalid_argument when `truth` does not continue the one before; the model is
-  /// then as it was.
+  /// follow from sim time. Throws std::invalid_argument when `truth` does not continue the one before, or leaves out an
+  /// instant of the IMU; the model is then as it was.
   std::optional<Output> measure(const TruthState& truth);
 
   /// What a model of the same setup needs to go on from here (recovery/state_stream.hpp).
@@ -76,6 +75,7 @@ class ImuModel {
   void use_profiles();
   void find_start();
   void tune(const ImuErrorProfile& profile, Continuity continuity, std::uint64_t k);
+  void find_interval(std::int64_t from_ns);
   void begin_interval();
   void take(const ImuErrorProfile& profile, std::uint64_t k);
   void take(const VibrationProfile& profile, std::uint64_t k);
@@ -85,13 +85,11 @@ class ImuModel {
   Increments perfect_increments(const TruthState& truth, const Installation::Instant& end) const;
   std::optional<Output> end_interval(const TruthState& truth);
   void set_pose(const TruthState& truth, ImuTruth& perfect) const;
-  void set_errors(const Increments& vibration, double temperature_deg_c, std::uint64_t k, ImuTruth& perfect);
-  void set_output(std::uint64_t k, Output& out);
+  void set_errors(const Increments& vibration, double temperature_deg_c, ImuTruth& perfect);
+  void set_output(Output& out);
 
   std::uint32_t sensor_number_;
-  std::int64_t truth_period_ns_;
-  std::int64_t imu_period_ns_;
-  double dt_s_;
+  time::Rate rate_;
   nav::Gravity gravity_;
 
   ImuErrorProfile errors_;  ///< in use, as the two others
@@ -108,6 +106,9 @@ class ImuModel {
   DroppedSamples drops_;
   std::int64_t latency_ns_;
 
+  std::int64_t from_ns_ = 0;  ///< the interval that is open, or that begins at `previous_`
+  std::int64_t to_ns_ = 0;
+  SampleInterval interval_;
   std::optional<TruthState> previous_;
   Installation::Instant start_;  ///< at `previous_`, under the present installation
   Increments perfect_;           ///< of the interval that is open

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cmath>
+
 #include "samples/imu_truth.hpp"
 #include "services/imu_error_injector/bias.hpp"
 #include "services/imu_error_injector/cross_axis.hpp"
 #include "services/imu_error_injector/noise.hpp"
 #include "services/imu_error_injector/nonlinearity.hpp"
+#include "services/imu_error_injector/sample_interval.hpp"
 #include "services/imu_error_injector/scale_factor.hpp"
 
 namespace inslab::imu {
@@ -15,8 +18,7 @@ class TriadErrors {
   /// `triad` such as "imu0/gyro"; `walk` names the white noise's stream, "arw" or "vrw".
   TriadErrors(const TriadParameters& parameters, double dt_s, std::uint64_t seed, const std::string& triad,
               const std::string& walk)
-      : dt_s_(dt_s),
-        scale_factor_(parameters, dt_s, seed, triad),
+      : scale_factor_(parameters, dt_s, seed, triad),
         nonlinearity_(parameters),
         cross_axis_(parameters.cross_axis_rad),
         bias_(parameters, dt_s, seed, triad),
@@ -37,17 +39,17 @@ class TriadErrors {
     noise_.set_burst(burst);
   }
 
-  /// Sets the errors of interval `k` in `budget`, whose terms are zero. The triad senses its perfect increment and the
+  /// Sets the errors of an interval in `budget`, whose terms are zero. The triad senses its perfect increment and the
   /// vibration, and errs on both; `warmer_k` is the temperature above that of calibration.
-  void add_errors(const Vector3& perfect, const Vector3& vibration, double warmer_k, std::uint64_t k,
+  void add_errors(const Vector3& perfect, const Vector3& vibration, double warmer_k, const SampleInterval& interval,
                   TriadErrorBudget& budget) {
     const Vector3 sensed = perfect + vibration;
     budget.vibration = vibration;
-    budget.scale = scale_factor_.error(sensed, warmer_k, k);
-    if (!nonlinearity_.is_off()) budget.scale += nonlinearity_.error(sensed, dt_s_);
+    budget.scale = scale_factor_.error(sensed, warmer_k, interval.k);
+    if (!nonlinearity_.is_off()) budget.scale += nonlinearity_.error(sensed, interval.dt_s);
     if (!cross_axis_.is_off()) budget.cross_axis = cross_axis_.error(sensed);
-    budget.bias = bias_.error(warmer_k, k);
-    budget.noise = noise_.error(k);
+    budget.bias = interval.stretch * bias_.error(warmer_k, interval.k);
+    budget.noise = std::sqrt(interval.stretch) * noise_.error(interval.k);
   }
 
   /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
@@ -57,7 +59,6 @@ class TriadErrors {
   }
 
  private:
-  double dt_s_;
   ScaleFactor scale_factor_;
   Nonlinearity nonlinearity_;
   CrossAxis cross_axis_;

@@ -36,16 +36,18 @@ class TriadLimits {
     bool valid = true;
     bool saturated = false;
   };
-  /// What comes out of interval k for `increment`, rad | m/s; without it (`dropped`, or a silent sensor) 0 and not
-  /// valid. Intervals come in order: filter and remainder go on.
-  Result applied(const Vector3& increment, bool dropped) {
-    Result out{increment};
+  /// What comes out of an interval for `increment`, rad | m/s; without it (`dropped`, or a silent sensor) 0 and not
+  /// valid. Intervals come in order: filter and remainder go on. Filter and full scale act on the mean rate, so they
+  /// see the increment of an interval of mean length; `stretch` is SampleInterval's.
+  Result applied(const Vector3& increment, bool dropped, double stretch = 1.0) {
+    Result out{increment / stretch};
     if (!bandwidth_.is_off()) out.increment = bandwidth_.filtered(out.increment);
     if (!saturation_.is_off()) {
       const Saturation::Result limited = saturation_.limited(out.increment);
       out.increment = limited.increment;
       out.saturated = limited.saturated;
     }
+    out.increment *= stretch;
     if (!quantization_.is_off()) out.increment = quantization_.quantized(out.increment);
     out.increment = faults_.applied(out.increment);
     if (dropped || silent_) return {Vector3::Zero(), false, false};

@@ -127,7 +127,7 @@ Increments Vibration::increments(std::int64_t from_ns, std::int64_t to_ns) {
 
 Increments Vibration::random_increments(std::int64_t from_ns, std::int64_t to_ns) {
   const std::int64_t dt_ns = to_ns - from_ns;
-  const auto k = static_cast<std::uint64_t>(from_ns / dt_ns);
+  const auto k = static_cast<std::uint64_t>(std::llround(1e-9 * static_cast<double>(from_ns) / setup_.dt_s));
   Increments sum;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const double w = weight(i, from_ns, 0.5e-9 * static_cast<double>(dt_ns)).value;

@@ -50,7 +50,7 @@ class Vibration {
   /// already go on. Times of calls must not go back. Returns whether the mount jumps: it moves, and does not fade.
   bool swap(const VibrationProfile& profile, std::int64_t time_ns, double fade_s);
 
-  /// The integrals over (from_ns, to_ns], to_ns > from_ns; random vibration needs to_ns = (k + 1) dt, from_ns = k dt.
+  /// The integrals over (from_ns, to_ns], to_ns > from_ns; for random vibration they are one interval.
   Increments increments(std::int64_t from_ns, std::int64_t to_ns);
 
   /// Whether the mount moves, and its highest frequency.

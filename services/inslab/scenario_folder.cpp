@@ -43,7 +43,7 @@ std::string write_scenario_folder(const scenario::LoadedScenario& loaded,
     const std::string stem = "imu" + std::to_string(imu.number);
     scenario::ImuSensor sensor;
     sensor.number = imu.number;
-    sensor.rate_hz = 1.0 / imu.rate.period_s();
+    sensor.rate_hz = imu.rate.hz();
     sensor.error_profile = files.write(stem + "_errors.json", imu.errors);
     sensor.vibration_profile = files.write(stem + "_vibration.json", imu.vibration);
     sensor.installation_profile = files.write(stem + "_installation.json", imu.installation);
@@ -54,7 +54,7 @@ std::string write_scenario_folder(const scenario::LoadedScenario& loaded,
     const std::string stem = "gnss" + std::to_string(gnss.number);
     scenario::GnssSensor sensor;
     sensor.number = gnss.number;
-    sensor.rate_hz = 1.0 / gnss.rate.period_s();
+    sensor.rate_hz = gnss.rate.hz();
     sensor.error_profile = files.write(stem + "_errors.json", gnss.errors);
     sensor.installation_profile = files.write(stem + "_installation.json", gnss.installation);
     sensor.outages = gnss.outages;

@@ -32,7 +32,7 @@ Matrix3 C_ev(const TruthState& vehicle) {
 std::uint64_t epoch_of(const GnssFix& fix, const LogSummary& summary) {
   for (const auto& receiver : summary.scenario.gnss) {
     if (receiver.number != fix.sensor_number) continue;
-    return static_cast<std::uint64_t>(fix.header.sim_time_ns / time::Rate(receiver.rate_hz).period().count());
+    return time::Rate(receiver.rate_hz).index(time::Nanoseconds(fix.header.sim_time_ns));
   }
   return fix.header.sequence_number;
 }

@@ -25,7 +25,7 @@ Navigator navigator_for(const scenario::LoadedScenario& scenario, const scenario
 
 NavigatorOnBus::NavigatorOnBus(app::Context& context, const scenario::ReferenceNav& app)
     : app_(app),
-      truth_period_(context.scenario().truth_rate.period()),
+      truth_grid_(context.scenario().truth_grid()),
       navigator_(navigator_for(context.scenario(), app)),
       sent_(dds::topics::nav().name, StreamDirection::Out),
       board_(context.participant(), context.service(), 0,
@@ -35,9 +35,9 @@ NavigatorOnBus::NavigatorOnBus(app::Context& context, const scenario::ReferenceN
              }),
       solutions_(context.participant(), dds::topics::nav()),
       blocks_(context.participant(), dds::topics::block(dds::topics::nav())),
-      imu_(context, dds::topics::imu(app.imu, 1.0 / context.scenario().imu_number(app.imu).rate.period_s()),
+      imu_(context, dds::topics::imu(app.imu, context.scenario().imu_number(app.imu).rate.hz()),
            [this](app::Arrived<ImuSample> arrived) { mailbox_.put(std::move(arrived)); }),
-      gnss_(context, dds::topics::gnss(app.gnss, 1.0 / context.scenario().gnss_number(app.gnss).rate.period_s()),
+      gnss_(context, dds::topics::gnss(app.gnss, context.scenario().gnss_number(app.gnss).rate.hz()),
             [this](app::Arrived<GnssFix> arrived) { mailbox_.put(std::move(arrived)); }),
       credits_(context.participant(), dds::topics::credit(),
                [this](const Credit& credit, const dds::SampleOrigin&) {
@@ -102,7 +102,7 @@ void NavigatorOnBus::handle(const ServiceStatus& status) {
 /// The emulator has done with the truth before this credit, and this service has every fix that came of it.
 void NavigatorOnBus::handle(const Credit& credit) {
   if (!lockstep_ || credit.run_id != run_id_ || credit.next_sequence == 0) return;
-  navigator_.fixes_complete_up_to(static_cast<std::int64_t>(credit.next_sequence - 1) * truth_period_.count());
+  navigator_.fixes_complete_up_to(truth_grid_.at(credit.next_sequence - 1).count());
 }
 
 void NavigatorOnBus::navigate() {

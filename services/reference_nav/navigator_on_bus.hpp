@@ -42,7 +42,7 @@ class NavigatorOnBus {
   int end();
 
   scenario::ReferenceNav app_;
-  time::Nanoseconds truth_period_;
+  time::Grid truth_grid_;
   Navigator navigator_;
   std::string refusal_;  ///< of the alignment, the last that was said
   app::Mailbox<Message> mailbox_;

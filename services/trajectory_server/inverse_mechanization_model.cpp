@@ -7,32 +7,35 @@ namespace inslab::trajectory {
 
 InverseMechanizationModel::InverseMechanizationModel(std::shared_ptr<const io::TrajectoryFile> file,
                                                      const nav::Gravity& gravity, const Options& options,
-                                                     const time::Rate& truth_rate, const time::GpsTime& start)
+                                                     const time::Grid& grid, const time::GpsTime& start)
     : states_(std::move(file)),
-      rate_(truth_rate),
+      grid_(grid),
       start_(start),
       position_feedback_per_s_(options.position_feedback_per_s),
       file_position_(states_.at(time::Nanoseconds(0)).position),
       strapdown_(states_.at(time::Nanoseconds(0)), gravity, options.strapdown),
-      end_(rate_.at(static_cast<std::uint64_t>(states_.end() / rate_.period()))),
+      end_(grid_.at_or_before(states_.end())),
       next_(find_next()) {}
 
 /// The interval that begins at the simulated state, or an empty one where the file ends.
 nav::ImuIncrements InverseMechanizationModel::find_next() {
-  const time::Nanoseconds t = rate_.at(sample_ + 1);
+  const time::Nanoseconds t = grid_.after(now_);
   if (t > end_) return {};
   const nav::NavState file = states_.at(t);
   const nav::Vector3 behind_m = nav::ned_from(strapdown_.position(), file_position_);
   file_position_ = file.position;
-  return strapdown_.increments_to(file.v_n + position_feedback_per_s_ * behind_m, file.q_nb, rate_.period_s());
+  return strapdown_.increments_to(file.v_n + position_feedback_per_s_ * behind_m, file.q_nb,
+                                  time::to_seconds(t - now_));
 }
 
 TruthState InverseMechanizationModel::advance() {
-  const time::Nanoseconds t = rate_.at(sample_ + 1);
+  const time::Nanoseconds t = grid_.after(now_);
   if (t > end_) states_.at(t);  // says what is missing
   strapdown_.advance(next_);
   interval_ = next_;
   ++sample_;
+  span_ = t - now_;
+  now_ = t;
   try {
     nav::check_domain(strapdown_.position());
   } catch (const std::domain_error& error) {
@@ -46,8 +49,8 @@ TruthState InverseMechanizationModel::advance() {
 TruthState InverseMechanizationModel::current() const {
   TruthState truth;
   truth.header.sequence_number = sample_;
-  truth.header.sim_time_ns = rate_.at(sample_).count();
-  const time::GpsTime gps = start_ + rate_.at(sample_);
+  truth.header.sim_time_ns = now_.count();
+  const time::GpsTime gps = start_ + now_;
   truth.header.gps_week = gps.week;
   truth.header.gps_time_of_week_ns = gps.time_of_week_ns;
   const nav::NavState state = strapdown_.state();
@@ -58,7 +61,7 @@ TruthState InverseMechanizationModel::current() const {
   truth.q_nv = state.q_nb;
   truth.dtheta_v = interval_.dtheta_b;
   truth.dv_v = interval_.dv_b;
-  truth.interval_ns = sample_ == 0 ? 0 : rate_.period().count();
+  truth.interval_ns = span_.count();
   const double around_s = interval_.dt_s + next_.dt_s;
   truth.omega_iv_v = (interval_.dtheta_b + next_.dtheta_b) / around_s;
   truth.f_v = (interval_.dv_b + next_.dv_b) / around_s;

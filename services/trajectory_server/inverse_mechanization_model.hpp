@@ -3,7 +3,7 @@
 #include "nav/strapdown.hpp"
 #include "services/trajectory_server/file_states.hpp"
 #include "services/trajectory_server/truth_model.hpp"
-#include "time/rate.hpp"
+#include "time/grid.hpp"
 
 namespace inslab::trajectory {
 
@@ -28,7 +28,7 @@ class InverseMechanizationModel final : public TruthModel {
 
   /// Throws as FileStates and nav::Strapdown do.
   InverseMechanizationModel(std::shared_ptr<const io::TrajectoryFile> file, const nav::Gravity& gravity,
-                            const Options& options, const time::Rate& truth_rate, const time::GpsTime& start);
+                            const Options& options, const time::Grid& grid, const time::GpsTime& start);
 
   /// `omega_iv_v` and `f_v` are the mean of the two intervals that meet at the instant, at the ends that of the only
   /// one there is. `segment_index` is 0, `rate_jump` false.
@@ -43,12 +43,14 @@ class InverseMechanizationModel final : public TruthModel {
   nav::ImuIncrements find_next();
 
   FileStates states_;
-  time::Rate rate_;
+  time::Grid grid_;
   time::GpsTime start_;
   double position_feedback_per_s_;
   nav::Geodetic file_position_;  ///< at the instant that `strapdown_` is at
   nav::Strapdown strapdown_;
   std::uint64_t sample_ = 0;
+  time::Nanoseconds now_{0};
+  time::Nanoseconds span_{0};  ///< of the interval that ends now
   time::Nanoseconds end_;
   nav::ImuIncrements interval_;  ///< ends at the instant; none at the start
   nav::ImuIncrements next_;      ///< begins there; none at the end

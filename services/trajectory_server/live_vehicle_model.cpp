@@ -61,12 +61,12 @@ struct LiveVehicleModel::Instant {
   Vector3 f_v;
 };
 
-LiveVehicleModel::LiveVehicleModel(const scenario::Trajectory& trajectory, const time::Rate& truth_rate,
+LiveVehicleModel::LiveVehicleModel(const scenario::Trajectory& trajectory, const time::Grid& grid,
                                    const time::GpsTime& start)
     : options_(checked(trajectory).vehicle),
       latency_(milliseconds(options_.latency_ms)),
       extrapolation_limit_(milliseconds(options_.extrapolation_limit_ms)),
-      rate_(truth_rate),
+      grid_(grid),
       start_(start),
       gravity_(trajectory.gravity.model,
                {trajectory.gravity.disturbance_mgal, trajectory.gravity.deflection_north_arcsec,
@@ -181,7 +181,8 @@ TruthState LiveVehicleModel::advance() {
 
 TruthState LiveVehicleModel::advanced() {
   ++sample_;
-  const time::Nanoseconds end = rate_.at(sample_);
+  const time::Nanoseconds end = grid_.after(now_);
+  interval_ = end - now_;
   increments_ = {};
   if (is_extrapolating() && !upcoming_.empty()) {
     if (now_ > base_.time) ++link_.returns;
@@ -254,7 +255,7 @@ TruthState LiveVehicleModel::current() const {
   truth.f_v = instant.f_v;
   truth.dtheta_v = increments_.dtheta_v;
   truth.dv_v = increments_.dv_v;
-  truth.interval_ns = sample_ == 0 ? 0 : rate_.period().count();
+  truth.interval_ns = interval_.count();
   return truth;
 }
 

@@ -9,7 +9,7 @@
 #include "services/trajectory_server/live_path.hpp"
 #include "services/trajectory_server/truth_model.hpp"
 #include "services/trajectory_server/vehicle_motion.hpp"
-#include "time/rate.hpp"
+#include "time/grid.hpp"
 
 namespace inslab::trajectory {
 
@@ -30,7 +30,7 @@ class LiveVehicleModel final : public TruthModel {
  public:
   /// Throws std::invalid_argument when the trajectory breaks a rule of scenario::violation(), std::domain_error when
   /// its initial state lies outside the valid domain.
-  LiveVehicleModel(const scenario::Trajectory& trajectory, const time::Rate& truth_rate, const time::GpsTime& start);
+  LiveVehicleModel(const scenario::Trajectory& trajectory, const time::Grid& grid, const time::GpsTime& start);
 
   /// Takes a state into account from the next advance() on; false when it is of no use, which link() says, and changes
   /// nothing else then: it is not finite, outside the limits of VehicleState or of the domain, no rotation, further
@@ -64,7 +64,7 @@ class LiveVehicleModel final : public TruthModel {
   scenario::LiveVehicle options_;
   time::Nanoseconds latency_;
   time::Nanoseconds extrapolation_limit_;
-  time::Rate rate_;
+  time::Grid grid_;
   time::GpsTime start_;
   nav::Gravity gravity_;
 
@@ -77,6 +77,7 @@ class LiveVehicleModel final : public TruthModel {
 
   std::uint64_t sample_ = 0;
   time::Nanoseconds now_{0};
+  time::Nanoseconds interval_{0};  ///< that ends now
   Increments increments_;
   VehicleLink link_;
 };

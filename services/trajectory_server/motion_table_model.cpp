@@ -52,17 +52,19 @@ void MotionTableModel::located(Action action) {
   }
 }
 
-MotionTableModel::MotionTableModel(const scenario::Trajectory& trajectory, const time::Rate& truth_rate,
+MotionTableModel::MotionTableModel(const scenario::Trajectory& trajectory, const time::Grid& grid,
                                    const time::GpsTime& start)
-    : trajectory_(checked(trajectory)), rate_(truth_rate), start_(start), vehicle_(vehicle_at_start(trajectory)) {
+    : trajectory_(checked(trajectory)), grid_(grid), start_(start), vehicle_(vehicle_at_start(trajectory)) {
   located([this] { begin_segment(); });
 }
 
 TruthState MotionTableModel::advance() {
   rate_jump_ = false;
   ++sample_;
-  located([this] {
-    advance_to(rate_.at(sample_));
+  const time::Nanoseconds end = grid_.after(now_);
+  interval_ = end - now_;
+  located([this, end] {
+    advance_to(end);
     nav::check_domain(vehicle_.position());
   });
   increments_ = vehicle_.take_increments();
@@ -130,7 +132,7 @@ TruthState MotionTableModel::current() const {
   truth.f_v = vehicle_.f_v();
   truth.dtheta_v = increments_.dtheta_v;
   truth.dv_v = increments_.dv_v;
-  truth.interval_ns = sample_ == 0 ? 0 : rate_.period().count();
+  truth.interval_ns = interval_.count();
   truth.segment_index = static_cast<std::uint32_t>(segment_);
   truth.rate_jump = rate_jump_;
   return truth;

@@ -3,7 +3,7 @@
 #include "scenario/trajectory.hpp"
 #include "services/trajectory_server/truth_model.hpp"
 #include "services/trajectory_server/vehicle_motion.hpp"
-#include "time/rate.hpp"
+#include "time/grid.hpp"
 
 namespace inslab::trajectory {
 
@@ -16,7 +16,7 @@ class MotionTableModel final : public TruthModel {
   /// Throws std::invalid_argument, naming the JSON path, when the trajectory breaks a rule of scenario::violation(),
   /// and std::domain_error when the start lies outside the valid domain (nav::check_domain) or begins a ballistic
   /// segment too slowly (VehicleMotion::begin).
-  MotionTableModel(const scenario::Trajectory& trajectory, const time::Rate& truth_rate, const time::GpsTime& start);
+  MotionTableModel(const scenario::Trajectory& trajectory, const time::Grid& grid, const time::GpsTime& start);
 
   /// `segment_index` is that of the segment that begins at or contains the instant, and the number of segments after
   /// the last. `rate_jump` tells of jumps at the instant itself; one inside the interval is part of the increments.
@@ -35,11 +35,12 @@ class MotionTableModel final : public TruthModel {
   void located(Action action);
 
   scenario::Trajectory trajectory_;
-  time::Rate rate_;
+  time::Grid grid_;
   time::GpsTime start_;
   VehicleMotion vehicle_;
   std::uint64_t sample_ = 0;
   time::Nanoseconds now_{0};
+  time::Nanoseconds interval_{0};  ///< that ends now
   time::Nanoseconds segment_start_{0};
   std::size_t segment_ = 0;
   std::size_t joint_ = 0;  ///< next joint of the segment

@@ -21,7 +21,7 @@ namespace {
 /// Enough truth for a service that is started again to catch up: half a minute, within bounds.
 std::size_t truth_kept(const scenario::LoadedScenario& scenario) {
   constexpr double kKept_s = 30.0;
-  return static_cast<std::size_t>(std::clamp(scenario.scenario.truth_rate_hz * kKept_s, 1000.0, 30'000.0));
+  return static_cast<std::size_t>(std::clamp(scenario.truth_grid().hz() * kKept_s, 1000.0, 30'000.0));
 }
 
 }  // namespace
@@ -29,11 +29,12 @@ std::size_t truth_kept(const scenario::LoadedScenario& scenario) {
 ServerOnBus::ServerOnBus(app::Context& context)
     : context_(context),
       scenario_(context.scenario()),
+      shortest_period_s_(scenario_.truth_grid().shortest_period_s()),
       run_id_(app::random_run_id()),
       others_(run_id_),
       control_(scenario_.scenario.clock.mode, scenario_.scenario.clock.start_paused),
       clock_(time::Nanoseconds(0), scenario_.scenario.clock.rate),
-      truth_(context, dds::topics::truth(scenario_.scenario.truth_rate_hz),
+      truth_(context, dds::topics::truth(scenario_.truth_grid().hz()),
              {app::truth_consumers(scenario_), false, 2 * app::StreamOutput<TruthState>::kWindowSamples,
               truth_kept(scenario_)}),
       board_(context.participant(), context.service(), 0,
@@ -200,7 +201,7 @@ void ServerOnBus::send_at_deadline() {
   if (control_.paused() || clock_.deadline(source_->next_time()) > monotonic_now()) return;  // a command moved it
   TruthState sample = source_->take();
   const time::Nanoseconds late = monotonic_now() - clock_.deadline(time::Nanoseconds(sample.header.sim_time_ns));
-  sample.header.published_late = time::to_seconds(late) > scenario_.truth_rate.period_s() / clock_.rate();
+  sample.header.published_late = time::to_seconds(late) > shortest_period_s_ / clock_.rate();
   if (sample.header.published_late) ++status_.overruns;
   status_.lag_max_s = std::max(status_.lag_max_s, time::to_seconds(late));
   send(sample);
@@ -214,7 +215,7 @@ void ServerOnBus::send_at_deadline() {
 bool ServerOnBus::ends_block(const TruthState& sample) const {
   if (!source_->has_next() || source_->is_swap_time(time::Nanoseconds(sample.header.sim_time_ns))) return true;
   return std::any_of(scenario_.gnss.begin(), scenario_.gnss.end(), [&sample](const auto& gnss) {
-    return sample.header.sim_time_ns % gnss.rate.period().count() == 0;
+    return gnss.rate.contains(time::Nanoseconds(sample.header.sim_time_ns));
   });
 }
 

@@ -63,6 +63,7 @@ class ServerOnBus {
 
   app::Context& context_;
   const scenario::LoadedScenario& scenario_;
+  double shortest_period_s_;
   RunId run_id_;
   OtherRuns others_;
   std::unique_ptr<TruthSource> source_;

@@ -5,15 +5,16 @@
 
 namespace inslab::trajectory {
 
-SmoothModel::SmoothModel(SmoothMotion motion, std::string name, const nav::Gravity& gravity,
-                         const time::Rate& truth_rate, const time::GpsTime& start)
-    : motion_(std::move(motion)), name_(std::move(name)), rate_(truth_rate), start_(start), vehicle_(motion_, gravity) {
+SmoothModel::SmoothModel(SmoothMotion motion, std::string name, const nav::Gravity& gravity, const time::Grid& grid,
+                         const time::GpsTime& start)
+    : motion_(std::move(motion)), name_(std::move(name)), grid_(grid), start_(start), vehicle_(motion_, gravity) {
   nav::check_domain(vehicle_.position());
 }
 
 TruthState SmoothModel::advance() {
   ++sample_;
-  const time::Nanoseconds end = rate_.at(sample_);
+  const time::Nanoseconds end = grid_.after(vehicle_.now());
+  interval_ = end - vehicle_.now();
   try {
     vehicle_.advance(end);
     nav::check_domain(vehicle_.position());
@@ -40,7 +41,7 @@ TruthState SmoothModel::current() const {
   truth.f_v = vehicle_.f_v();
   truth.dtheta_v = vehicle_.dtheta_v();
   truth.dv_v = vehicle_.dv_v();
-  truth.interval_ns = sample_ == 0 ? 0 : rate_.period().count();
+  truth.interval_ns = interval_.count();
   truth.segment_index = vehicle_.piece_index();
   return truth;
 }

@@ -2,7 +2,7 @@
 
 #include "services/trajectory_server/smooth_vehicle.hpp"
 #include "services/trajectory_server/truth_model.hpp"
-#include "time/rate.hpp"
+#include "time/grid.hpp"
 
 namespace inslab::trajectory {
 
@@ -11,7 +11,7 @@ namespace inslab::trajectory {
 class SmoothModel final : public TruthModel {
  public:
   /// `name` says in messages where the motion comes from. Throws std::domain_error as SmoothVehicle does.
-  SmoothModel(SmoothMotion motion, std::string name, const nav::Gravity& gravity, const time::Rate& truth_rate,
+  SmoothModel(SmoothMotion motion, std::string name, const nav::Gravity& gravity, const time::Grid& grid,
               const time::GpsTime& start);
 
   TruthState current() const override;
@@ -22,10 +22,11 @@ class SmoothModel final : public TruthModel {
  private:
   SmoothMotion motion_;
   std::string name_;
-  time::Rate rate_;
+  time::Grid grid_;
   time::GpsTime start_;
   SmoothVehicle vehicle_;
   std::uint64_t sample_ = 0;
+  time::Nanoseconds interval_{0};  ///< that ends at the instant
 };
 
 }  // namespace inslab::trajectory

@@ -20,11 +20,11 @@ std::unique_ptr<TruthModel> make_file_model(const scenario::LoadedScenario& scen
     return std::make_unique<InverseMechanizationModel>(
         scenario.trajectory_file, scenario.gravity(),
         InverseMechanizationModel::Options{motion.position_feedback_per_s, {motion.full_rotation_term}},
-        scenario.truth_rate, start);
+        scenario.truth_grid(), start);
   }
   try {
     return std::make_unique<SmoothModel>(motion_through(*scenario.trajectory_file, motion.attitude_from_path), "row",
-                                         scenario.gravity(), scenario.truth_rate, start);
+                                         scenario.gravity(), scenario.truth_grid(), start);
   } catch (const std::domain_error& error) {
     throw config::Error(scenario.file.string(), {Rule::MethodNeeds, "trajectory.file.method", error.what()});
   }
@@ -36,17 +36,17 @@ std::unique_ptr<TruthModel> make_truth_model(const scenario::LoadedScenario& sce
   const scenario::Trajectory& trajectory = scenario.scenario.trajectory;
   switch (trajectory.source) {
     case scenario::TrajectorySource::VehicleState:
-      return std::make_unique<LiveVehicleModel>(trajectory, scenario.truth_rate, start);
+      return std::make_unique<LiveVehicleModel>(trajectory, scenario.truth_grid(), start);
     case scenario::TrajectorySource::MotionTable:
       break;
     case scenario::TrajectorySource::File:
       return make_file_model(scenario, start);
     case scenario::TrajectorySource::Waypoints:
       return std::make_unique<SmoothModel>(
-          motion_along_waypoints(trajectory, scenario.truth_rate.at(scenario.truth_samples)), "waypoint",
-          scenario.gravity(), scenario.truth_rate, start);
+          motion_along_waypoints(trajectory, scenario.truth_grid().at(scenario.truth_samples)), "waypoint",
+          scenario.gravity(), scenario.truth_grid(), start);
   }
-  return std::make_unique<MotionTableModel>(trajectory, scenario.truth_rate, start);
+  return std::make_unique<MotionTableModel>(trajectory, scenario.truth_grid(), start);
 }
 
 }  // namespace inslab::trajectory

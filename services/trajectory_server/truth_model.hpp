@@ -8,8 +8,8 @@
 
 namespace inslab::trajectory {
 
-/// The truth of a scenario on the grid t_k = k/rate: what the vehicle does, and what a perfect IMU at its reference
-/// point would measure. Knows no clock and no bus; the same scenario gives the same bits.
+/// The truth of a scenario on LoadedScenario::truth_grid(): what the vehicle does, and what a perfect IMU at its
+/// reference point would measure. Knows no clock and no bus; the same scenario gives the same bits.
 class TruthModel {
  public:
   TruthModel() = default;

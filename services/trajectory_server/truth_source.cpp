@@ -17,17 +17,16 @@ std::vector<SensorAddress> sensors_of(const scenario::LoadedScenario& scenario) 
 
 TruthSource::TruthSource(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id)
     : run_id_(run_id),
-      rate_(scenario.truth_rate),
+      grid_(scenario.truth_grid()),
       samples_(scenario.truth_samples),
       start_(start),
       model_(make_truth_model(scenario, start)),
       live_vehicle_(dynamic_cast<LiveVehicleModel*>(model_.get())),
-      journal_(sensors_of(scenario), scenario.truth_rate, rate_.at(samples_ == 0 ? 0 : samples_ - 1)),
+      journal_(sensors_of(scenario), grid_, grid_.at(samples_ == 0 ? 0 : samples_ - 1)),
       next_(model_->current()) {}
 
 std::variant<AnyProfile, ProfileAck> TruthSource::submit(const AnyProfile& request) {
-  const time::Nanoseconds last_sent = rate_.at(taken_ == 0 ? 0 : taken_ - 1);
-  return journal_.submit(request, last_sent);
+  return journal_.submit(request, last_time_);
 }
 
 std::optional<UsedVehicleState> TruthSource::receive(const VehicleState& state) {
@@ -62,6 +61,8 @@ TruthState TruthSource::take() {
   sample.journal_in_effect = journal_.in_effect(time::Nanoseconds(sample.header.sim_time_ns));
   prepared_ = false;
   ++taken_;
+  last_time_ = next_time_;
+  next_time_ = grid_.after(next_time_);
   return sample;
 }
 

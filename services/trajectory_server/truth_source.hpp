@@ -27,7 +27,7 @@ class TruthSource {
   /// Whether a sample is left: the scenario's duration is not over, nor has the motion ended itself.
   bool has_next() const { return taken_ < samples_ && next_time() <= model_->end(); }
   /// Sim time of the sample that take() gives next.
-  time::Nanoseconds next_time() const { return rate_.at(taken_); }
+  time::Nanoseconds next_time() const { return next_time_; }
   /// The next sample; requests submitted before this call can be in effect for it. Throws std::domain_error when the
   /// vehicle leaves the valid domain.
   TruthState take();
@@ -45,7 +45,7 @@ class TruthSource {
   void compute_next();
 
   RunId run_id_;
-  time::Rate rate_;
+  time::Grid grid_;
   std::uint64_t samples_;
   time::GpsTime start_;
   std::unique_ptr<TruthModel> model_;
@@ -54,6 +54,8 @@ class TruthSource {
   TruthState next_;
   bool prepared_ = true;
   std::uint64_t taken_ = 0;
+  time::Nanoseconds next_time_{0};
+  time::Nanoseconds last_time_{0};  ///< of the sample taken last; 0 before the first
 };
 
 }  // namespace inslab::trajectory

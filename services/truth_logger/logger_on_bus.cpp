@@ -28,8 +28,6 @@ std::uint64_t hash_of(const std::vector<std::uint8_t>& bytes) {
   return std::hash<std::string_view>()({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-double rate_hz(const time::Rate& rate) { return 1.0 / rate.period_s(); }
-
 }  // namespace
 
 LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
@@ -48,12 +46,12 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
   // Callbacks hold indices into the list, and the worker looks them up: it must not move once readers exist.
   channels_.reserve(128);
   const scenario::LoadedScenario& scenario = context.scenario();
-  add_stream(context, dds::topics::truth(rate_hz(scenario.truth_rate)));
+  add_stream(context, dds::topics::truth(scenario.truth_grid().hz()));
   for (const auto& imu : scenario.imus) {
-    add_stream(context, dds::topics::imu(imu.number, rate_hz(imu.rate)));
-    add_stream(context, dds::topics::imu_truth(imu.number, rate_hz(imu.rate)));
+    add_stream(context, dds::topics::imu(imu.number, imu.rate.hz()));
+    add_stream(context, dds::topics::imu_truth(imu.number, imu.rate.hz()));
   }
-  for (const auto& gnss : scenario.gnss) add_stream(context, dds::topics::gnss(gnss.number, rate_hz(gnss.rate)));
+  for (const auto& gnss : scenario.gnss) add_stream(context, dds::topics::gnss(gnss.number, gnss.rate.hz()));
   add_nav_channels(context);
   for (const auto& imu : scenario.imus) scorer_.add(imu.installation, -1);
   for (const auto& gnss : scenario.gnss) scorer_.add(gnss.installation, -1);

@@ -40,7 +40,7 @@ ImuErrorProfile bias_and_noise() {
 }
 
 imu::ImuModel::Setup imu_setup() {
-  imu::ImuModel::Setup setup{1, 0, time::Rate(200.0), time::Rate(200.0), nav::Gravity(), {}, {}, {}};
+  imu::ImuModel::Setup setup{1, 0, time::Rate(200.0), nav::Gravity(), {}, {}, {}};
   setup.errors = bias_and_noise();
   return setup;
 }
@@ -170,7 +170,7 @@ void BM_ImuMovingMount(benchmark::State& state) {
 BENCHMARK(BM_ImuMovingMount);
 
 void BM_GnssFix(benchmark::State& state) {
-  gnss::GnssModel::Setup setup{1, 0, time::Rate(200.0), time::Rate(200.0), {}, {}, {}, {}};
+  gnss::GnssModel::Setup setup{1, 0, time::Rate(200.0), {}, {}, {}, {}};
   setup.errors.position_sigma_ned_m.setConstant(1.0);
   setup.errors.velocity_sigma_ned_m_per_s.setConstant(0.1);
   setup.installation.target.kind = SensorKind::Gnss;

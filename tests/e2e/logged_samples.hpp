@@ -78,4 +78,17 @@ inline void expect_same_run(const std::string& log, const std::string& reference
   expect_same_bits<GnssFix>(log, reference_log, "inslab/gnss/0", 65);  // 10 epochs in the outage, 5 until a fix
 }
 
+/// The same of tests/data/odd_rates.json: 120, 1024 and 300 Hz share 4 Hz, 120 and 1024 Hz 8, 120 and 300 Hz 60, and
+/// each of them 1 Hz with the receiver's 7.
+inline void expect_same_odd_run(const std::string& log, const std::string& reference_log) {
+  constexpr std::size_t kTruthPerSecond = 120 + 1024 + 300 + 7 - 8 - 60 - 4 - 3 * 1 + 4 + 3 * 1 - 1;
+  expect_same_bits<TruthState>(log, reference_log, "inslab/truth", 10 * kTruthPerSecond + 1);
+  expect_same_bits<ImuSample>(log, reference_log, "inslab/imu/0", 10240);
+  expect_same_bits<ImuTruth>(log, reference_log, "inslab/imu_truth/0", 10240);
+  expect_same_bits<ImuSample>(log, reference_log, "inslab/imu/1", 3000);
+  const auto fixes = samples_of<GnssFix>(reference_log, "inslab/gnss/0").size();
+  EXPECT_GT(fixes, 30u);
+  expect_same_bits<GnssFix>(log, reference_log, "inslab/gnss/0", fixes);
+}
+
 }  // namespace inslab::e2e

@@ -51,6 +51,15 @@ TEST_F(TimeModes, LockstepGivesTheBitsOfTheOfflineRun) {
   expect_same_run(log_, reference_);
 }
 
+TEST_F(TimeModes, AtRatesThatDivideNoneOfTheOthersLockstepGivesThemToo) {
+  const std::string odd = source("tests/data/odd_rates.json");
+  Process offline("inslab", {"simulate", odd, "-o", folder_ / "odd"});
+  ASSERT_EQ(offline.wait(seconds(60)), 0) << offline.output();
+  Process run("inslab", {"run", odd, "--log", log_, "--domain", own_domain(), "--clock", "lockstep"});
+  ASSERT_EQ(run.wait(seconds(60)), 0) << run.output();
+  expect_same_odd_run(log_, folder_ / "odd/odd_rates.mcap");
+}
+
 TEST_F(TimeModes, LockstepOverSharedMemoryGivesThemToo) {
   const auto run = live({"--clock", "lockstep", "--transport", "shm"});
   ASSERT_EQ(run->wait(seconds(60)), 0) << run->output();

@@ -12,7 +12,7 @@ namespace {
 
 /// Errors of every epoch, north east down of position (m) and of velocity (m/s).
 std::array<std::vector<double>, 6> errors_of(const GnssErrorProfile& profile, std::uint64_t seed, std::int64_t epochs) {
-  GnssModel::Setup setup{seed, 0, time::Rate(1.0), time::Rate(1.0), profile, {}, {}, {}};
+  GnssModel::Setup setup{seed, 0, time::Rate(1.0), profile, {}, {}, {}};
   setup.installation.target.kind = SensorKind::Gnss;
   GnssModel model(setup);
   TruthState truth;

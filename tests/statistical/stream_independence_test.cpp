@@ -101,7 +101,7 @@ std::array<std::vector<double>, 6> imu_errors(std::uint64_t seed, std::uint32_t 
   ImuErrorProfile errors;
   errors.target = {SensorKind::Imu, number};
   for (const ImuTerm& term : terms) term.set(errors);
-  imu::ImuModel model({seed, number, time::Rate(1.0), time::Rate(1.0), nav::Gravity(), errors, {}, {}});
+  imu::ImuModel model({seed, number, time::Rate(1.0), nav::Gravity(), errors, {}, {}});
   std::array<std::vector<double>, 6> output;
   for (std::int64_t k = 0; k <= samples; ++k) {
     const auto measured = model.measure(steady(k));
@@ -134,7 +134,7 @@ const GnssTerm kGnssTerms[] = {{"white",
 /// Errors of a receiver with the given terms: position north, east, down, velocity likewise.
 std::array<std::vector<double>, 6> gnss_errors(std::uint64_t seed, std::uint32_t number,
                                                const std::vector<GnssTerm>& terms, std::int64_t epochs) {
-  gnss::GnssModel::Setup setup{seed, number, time::Rate(1.0), time::Rate(1.0), {}, {}, {}, {}};
+  gnss::GnssModel::Setup setup{seed, number, time::Rate(1.0), {}, {}, {}, {}};
   setup.errors.target = setup.installation.target = {SensorKind::Gnss, number};
   for (const GnssTerm& term : terms) term.set(setup.errors);
   gnss::GnssModel model(setup);

@@ -26,7 +26,7 @@ nav::NavState state_of(const TruthState& truth) {
 }
 
 imu::ImuModel perfect_imu(const nav::Gravity& gravity, const time::Rate& rate) {
-  return imu::ImuModel({0, 0, rate, rate, gravity, ImuErrorProfile{}, VibrationProfile{}, InstallationProfile{}});
+  return imu::ImuModel({0, 0, rate, gravity, ImuErrorProfile{}, VibrationProfile{}, InstallationProfile{}});
 }
 
 }  // namespace

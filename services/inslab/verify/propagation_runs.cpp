@@ -46,8 +46,7 @@ nav::NavState with_error(nav::NavState state, const ErrorState& x) {
 
 imu::ImuModel imu_of(const RestingRun& run) {
   const time::Rate rate(kRestingRateHz);
-  return imu::ImuModel(
-      {run.seed, 0, rate, rate, nav::Gravity(), run.errors, VibrationProfile{}, InstallationProfile{}});
+  return imu::ImuModel({run.seed, 0, rate, nav::Gravity(), run.errors, VibrationProfile{}, InstallationProfile{}});
 }
 
 ErrorState error_of(const nav::NavState& found, const nav::NavState& truth) {

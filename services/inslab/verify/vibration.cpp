@@ -38,7 +38,7 @@ TruthState rest(std::int64_t k, const nav::Gravity& gravity) {
 template <class Use>
 void shake(const VibrationProfile& vibration, std::uint64_t seed, double duration_s, const Use& use) {
   const nav::Gravity gravity;
-  imu::ImuModel model({seed, 0, time::Rate(200.0), time::Rate(200.0), gravity, {}, vibration, {}});
+  imu::ImuModel model({seed, 0, time::Rate(200.0), gravity, {}, vibration, {}});
   const auto samples = static_cast<std::int64_t>(std::llround(duration_s / kDt));
   for (std::int64_t k = 0; k <= samples; ++k) {
     if (const auto output = model.measure(rest(k, gravity))) use(*output);

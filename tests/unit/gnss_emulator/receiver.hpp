@@ -32,7 +32,7 @@ inline TruthState at_rest(std::int64_t time_ns) { return spinning(time_ns, Vecto
 
 /// A perfect receiver on a truth of 200 Hz.
 inline GnssModel::Setup setup(double gnss_hz = 5.0) {
-  GnssModel::Setup s{42, 0, time::Rate(200.0), time::Rate(gnss_hz), {}, {}, {}, {}};
+  GnssModel::Setup s{42, 0, time::Rate(gnss_hz), {}, {}, {}, {}};
   s.installation.target.kind = SensorKind::Gnss;
   return s;
 }

@@ -23,7 +23,7 @@ const std::vector<TruthState>& motion() {
   return truth;
 }
 
-ImuModel::Setup setup() { return {42, 0, time::Rate(200.0), time::Rate(200.0), kGravity, {}, {}, {}}; }
+ImuModel::Setup setup() { return {42, 0, time::Rate(200.0), kGravity, {}, {}, {}}; }
 
 template <class Errors>
 void add_every_common_term(Errors& errors) {

@@ -9,7 +9,7 @@ TriadErrors triad(const TriadParameters& parameters) { return {parameters, 0.005
 
 TriadErrorBudget errors_of(TriadErrors& errors, const Vector3& perfect, const Vector3& vibration, std::uint64_t k) {
   TriadErrorBudget budget;
-  errors.add_errors(perfect, vibration, 0.0, k, budget);
+  errors.add_errors(perfect, vibration, 0.0, {k, 0.005, 1.0}, budget);
   return budget;
 }
 

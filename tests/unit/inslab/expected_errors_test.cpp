@@ -45,7 +45,7 @@ const std::vector<TruthState>& motion() {
 
 imu::ImuModel imu_of(const ImuErrorProfile& errors, std::uint64_t seed) {
   const time::Rate rate(kRateHz);
-  return imu::ImuModel({seed, 0, rate, rate, nav::Gravity(), errors, VibrationProfile{}, InstallationProfile{}});
+  return imu::ImuModel({seed, 0, rate, nav::Gravity(), errors, VibrationProfile{}, InstallationProfile{}});
 }
 
 nav::NavState state_of(const TruthState& truth) {

@@ -65,6 +65,15 @@ TEST_F(ImuRecording, TheNamesOfOurOwnExportAreKnown) {
   EXPECT_NEAR(info_.dt_s, 0.005, 1e-15);
 }
 
+TEST_F(ImuRecording, APeriodThatIsNoWholeNumberOfNanosecondsIsNotRoundedToOne) {
+  std::ostringstream text;
+  text << "time_ns,gyro_x_rad_per_s\n";
+  for (std::int64_t k = 1; k <= 1200; ++k) text << (2 * k * 1'000'000'000 + 300) / 600 << ",3\n";  // 300 Hz, nearest ns
+  const auto samples = read(text.str());
+  EXPECT_NEAR(info_.dt_s, 1.0 / 300.0, 2e-12);  // one nanosecond over 999 intervals; rounded it errs by 3e-10
+  EXPECT_NEAR(samples[0][0], 0.01, 1e-11);
+}
+
 TEST_F(ImuRecording, AMissingSampleIsRefusedByItsLineUnlessGapsArePassedOver) {
   const std::string text = "time_s,gyro_x_rad_per_s\n0,1\n1,1\n2,1\n4,1\n5,1\n";
   EXPECT_THAT(error_of(text), ::testing::HasSubstr("imu.txt: line 5: comes 2.000000 s after the one before"));

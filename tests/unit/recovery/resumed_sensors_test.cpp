@@ -38,29 +38,43 @@ Bytes bytes_of(const gnss::Emulator::Result& result) {
   return bytes;
 }
 
-/// The scenario's truth and journal, once for all tests.
+/// A scenario's truth and journal, once for all tests.
 struct Run {
-  scenario::LoadedScenario scenario = scenario::load(INSLAB_SOURCE_DIR "/tests/data/recovery.json");
+  scenario::LoadedScenario scenario;
   std::vector<TruthState> truth;
   std::vector<AnyProfile> journal;
 
-  Run() {
+  explicit Run(const std::string& name) : scenario(scenario::load(INSLAB_SOURCE_DIR "/tests/data/" + name + ".json")) {
     trajectory::TruthSource source(scenario, scenario.start(time::Nanoseconds(0)), RunId());
     for (const AnyProfile& swap : scenario.swaps) journal.push_back(std::get<AnyProfile>(source.submit(swap)));
     while (source.has_next()) truth.push_back(source.take());
   }
-  static const Run& once() {
-    static const Run run;
+  static const Run& recovery() {
+    static const Run run("recovery");
+    return run;
+  }
+  static const Run& odd_rates() {
+    static const Run run("odd_rates");
     return run;
   }
 };
 
+/// Before and after each swap, in fades, in the outage, between the intervals of the slow IMU.
+std::vector<std::size_t> stops_of(const Run& run) {
+  std::vector<std::size_t> stops{0, 1, 2, 239, 260, 321};
+  for (const AnyProfile& entry : run.journal) {
+    const auto at = run.scenario.truth_grid().index(time::Nanoseconds(request_of(entry).apply_at_ns));
+    stops.insert(stops.end(), {at - 1, at, at + 1, at + 7, at + 90});
+  }
+  return stops;
+}
+
 /// Runs a sensor through the whole scenario; from each truth sample in `stops` on a second one, that begins afresh with
 /// the first one's state, goes with it for two seconds.
 template <class Sensor, class Make>
-void expect_resumes(const Make& make, const std::vector<std::size_t>& stops) {
+void expect_resumes(const Run& run, const Make& make) {
   constexpr std::size_t kGoesAlong = 400;
-  const Run& run = Run::once();
+  const std::vector<std::size_t> stops = stops_of(run);
   const auto with_journal = [&](Sensor sensor) {
     for (const AnyProfile& entry : run.journal) sensor.add(entry);
     return sensor;
@@ -85,29 +99,28 @@ void expect_resumes(const Make& make, const std::vector<std::size_t>& stops) {
   }
 }
 
-/// Before and after each swap, in fades, in the outage, between the intervals of the slow IMU.
-std::vector<std::size_t> stops() {
-  std::vector<std::size_t> stops{0, 1, 2, 239, 260, 321};
-  for (const AnyProfile& entry : Run::once().journal) {
-    const auto at = static_cast<std::size_t>(request_of(entry).apply_at_ns / 5'000'000);
-    stops.insert(stops.end(), {at - 1, at, at + 1, at + 7, at + 90});
-  }
-  return stops;
-}
-
 TEST(ResumedSensors, AnImuGoesOnWithTheSameBits) {
-  expect_resumes<imu::Injector>([](const auto& scenario) { return imu::Injector(scenario, scenario.imus[0]); },
-                                stops());
+  expect_resumes<imu::Injector>(Run::recovery(),
+                                [](const auto& scenario) { return imu::Injector(scenario, scenario.imus[0]); });
 }
 
 TEST(ResumedSensors, AnImuSlowerThanTheTruthGoesOnWithTheSameBits) {
-  expect_resumes<imu::Injector>([](const auto& scenario) { return imu::Injector(scenario, scenario.imus[1]); },
-                                stops());
+  expect_resumes<imu::Injector>(Run::recovery(),
+                                [](const auto& scenario) { return imu::Injector(scenario, scenario.imus[1]); });
 }
 
 TEST(ResumedSensors, AReceiverGoesOnWithTheSameBits) {
-  expect_resumes<gnss::Emulator>([](const auto& scenario) { return gnss::Emulator(scenario, scenario.gnss[0]); },
-                                 stops());
+  expect_resumes<gnss::Emulator>(Run::recovery(),
+                                 [](const auto& scenario) { return gnss::Emulator(scenario, scenario.gnss[0]); });
+}
+
+TEST(ResumedSensors, AtRatesThatDivideNoneOfTheOthersAllGoOnWithTheSameBits) {
+  for (const std::size_t i : {0, 1}) {
+    expect_resumes<imu::Injector>(Run::odd_rates(),
+                                  [i](const auto& scenario) { return imu::Injector(scenario, scenario.imus[i]); });
+  }
+  expect_resumes<gnss::Emulator>(Run::odd_rates(),
+                                 [](const auto& scenario) { return gnss::Emulator(scenario, scenario.gnss[0]); });
 }
 
 }  // namespace
