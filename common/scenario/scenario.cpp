@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <set>
 
 #include "samples/limits.hpp"
@@ -30,8 +31,9 @@ std::optional<Violation> rate_violation(const NamedRate& rate, const std::vector
     if (apart_ns >= least_ns) continue;
     const std::string hz = inslab::detail::number_text(rate.hz), other_hz = inslab::detail::number_text(other.hz);
     return Violation{Rule::SensorInstants, rate.path,
-                     "is " + hz + ", and its instants come within " + inslab::detail::number_text(apart_ns) +
-                         " ns of those of " + other.path + ", " + other_hz + ", without meeting them: the truth has " +
+                     "is " + hz + ", and its instants come within " +
+                         inslab::detail::number_text(std::round(10.0 * apart_ns) / 10.0) + " ns of those of " +
+                         other.path + ", " + other_hz + ", without meeting them: the truth has " +
                          "a sample at each; expected at least " + inslab::detail::number_text(least_ns) +
                          " ns: choose one rate for both, a whole multiple, or fewer digits"};
   }
