@@ -9,7 +9,7 @@ namespace inslab::io {
 
 /// One position fix of a receiver's antenna.
 struct GnssTextRecord {
-  time::Nanoseconds in_week{0};  ///< GPS seconds of week
+  time::Nanoseconds in_week{0};  ///< GPS time from the beginning of a week; read: of the first line's
   nav::Geodetic position;
   nav::Vector3 sigma_ned_m;
 };
@@ -34,8 +34,8 @@ class GnssTextReader {
   /// Throws ReadError when the file cannot be opened.
   explicit GnssTextReader(const std::string& path) : lines_(path) {}
   /// The next record; false at the end. Throws ReadError, naming file, line and what was expected, for a line that is
-  /// not 7 finite numbers, seconds outside a week or not after those of the line before, or a position outside
-  /// the valid domain.
+  /// not 7 finite numbers, seconds outside a week or not after those of the line before, a position outside
+  /// the valid domain, or a standard deviation that is not above 0.
   bool next(GnssTextRecord& record);
 
  private:

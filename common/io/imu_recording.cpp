@@ -6,7 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "io/decimal_time.hpp"
 #include "io/error.hpp"
+#include "io/imu_columns.hpp"
 #include "io/log_topic.hpp"
 #include "io/text_lines.hpp"
 #include "samples/units.hpp"
@@ -72,10 +74,34 @@ class Regular {
     const double mean_ns = 1e9 * sum / count;
     constexpr double kRounding_ns = 0.02;
     info_.dt_s = 1e-9 * (std::abs(mean_ns - std::round(mean_ns)) < kRounding_ns ? std::round(mean_ns) : mean_ns);
+    judge();
     begun_ = true;
     begin_(info_);
     for (const RawSample& raw : waiting_) pass(raw);
     waiting_.clear();
+  }
+
+  /// Refuses what cannot be what it is taken for: seconds of which no IMU is that slow, and increments that are rates.
+  void judge() const {
+    constexpr double kSlowest_s = 10.0, kG = units::kG;
+    const std::string remedy =
+        "; name the columns in a line above, such as time_ns,gyro_x_rad_per_s,...,accel_z_m_per_s2";
+    if (info_.dt_s > kSlowest_s) {
+      throw ReadError(path_ + ": has a sample each " + std::to_string(info_.dt_s) +
+                      " s if its times are seconds, which no IMU has: they may be milli-, micro- or nanoseconds" +
+                      (place_name_ == "line" ? remedy : ""));
+    }
+    double force[3] = {};
+    for (const RawSample& raw : waiting_) {
+      for (std::size_t i = 0; i < 3; ++i) force[i] += raw.values[3 + i] / static_cast<double>(waiting_.size());
+    }
+    const double as_it_is = std::hypot(force[0], force[1], force[2]);
+    if (is_rate_[3] || is_rate_[4] || is_rate_[5] || std::abs(as_it_is - kG) > 0.05 * kG) return;
+    if (as_it_is / info_.dt_s < 10.0 * kG) return;
+    throw ReadError(path_ + ": has a mean of " + std::to_string(as_it_is) +
+                    " in its accelerometer columns, which is gravity as a rate, in m/s^2; as increments over " +
+                    std::to_string(info_.dt_s) + " s, for which unnamed columns are taken, it would be " +
+                    std::to_string(as_it_is / info_.dt_s) + " m/s^2" + remedy);
   }
 
   void pass(const RawSample& raw) {
@@ -189,59 +215,11 @@ void read_log(const std::string& path, const ImuRecordingOptions& options, ImuRe
       McapReader::Order::LogTime, both);
 }
 
-/// A column of a CSV that says something of an axis or of the time.
-struct CsvColumn {
-  std::size_t place = 0;  ///< in the line
-  int axis = -1;          ///< below 0: the time
-  double scale = 1.0;
-  bool is_rate = false;
-};
-
-struct NamedQuantity {
-  const char* before_axis;
-  const char* after_axis;
-  bool is_gyro;
-  bool is_rate;
-  double scale;
-};
-
-constexpr NamedQuantity kQuantities[] = {
-    {"gyro_", "_rad_per_s", true, true, 1.0},
-    {"gyro_", "_deg_per_s", true, true, units::kDegPerS},
-    {"gyro_", "_deg_per_h", true, true, units::kDegPerH},
-    {"dtheta_", "_rad", true, false, 1.0},
-    {"dtheta_", "_deg", true, false, units::kDeg},
-    {"dtheta_", "_arcsec", true, false, units::kArcsec},
-    {"dtheta_b_rad.", "", true, false, 1.0},
-    {"accel_", "_m_per_s2", false, true, 1.0},
-    {"accel_", "_g", false, true, units::kG},
-    {"accel_", "_mgal", false, true, units::kMGal},
-    {"dv_", "_m_per_s", false, false, 1.0},
-    {"dv_b_m_per_s.", "", false, false, 1.0},
-};
-
-constexpr std::pair<const char*, double> kTimes[] = {
-    {"time_s", 1.0}, {"time_ms", 1e-3}, {"time_us", 1e-6}, {"time_ns", 1e-9}, {"header.sim_time_ns", 1e-9}};
-
-std::optional<CsvColumn> column_named(std::string_view name, std::size_t place) {
-  for (const auto& [time, scale] : kTimes) {
-    if (name == time) return CsvColumn{place, -1, scale, false};
-  }
-  for (const NamedQuantity& quantity : kQuantities) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (name == quantity.before_axis + std::string(1, "xyz"[axis]) + quantity.after_axis) {
-        return CsvColumn{place, (quantity.is_gyro ? 0 : 3) + axis, quantity.scale, quantity.is_rate};
-      }
-    }
-  }
-  return std::nullopt;
-}
-
 /// The layout of a text: from its line of names, or the seven columns.
 struct TextLayout {
   char separator = ',';
   std::size_t fields = 0;
-  std::vector<CsvColumn> columns;
+  std::vector<ImuColumn> columns;
 };
 
 TextLayout layout_of_names(const std::string& path, std::uint64_t line, const std::vector<std::string_view>& names) {
@@ -249,7 +227,7 @@ TextLayout layout_of_names(const std::string& path, std::uint64_t line, const st
   layout.fields = names.size();
   std::array<bool, kImuAxes + 1> seen{};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto column = column_named(names[i], i);
+    const auto column = imu_column_named(names[i], i);
     if (!column) continue;
     bool& taken = seen[static_cast<std::size_t>(column->axis + 1)];
     if (taken) {
@@ -267,21 +245,32 @@ TextLayout layout_of_names(const std::string& path, std::uint64_t line, const st
   return layout;
 }
 
-/// Where a line that is numbers alone may be data of seven columns, and any other a line of names.
-TextLayout layout_of(const std::string& path, std::uint64_t number, std::string_view line) {
+/// A line that is numbers alone is data, with the names of a comment above it or else of seven columns; any other is a
+/// line of names.
+TextLayout layout_of(const std::string& path, std::uint64_t number, std::string_view line,
+                     const std::string& names_above) {
   std::vector<std::string_view> fields;
   const char separator = line.find(',') != std::string_view::npos ? ',' : ' ';
   split(line, separator, fields);
   const bool numbers =
       std::all_of(fields.begin(), fields.end(), [](auto text) { return number_from(text).has_value(); });
   TextLayout layout;
-  if (numbers) {
+  if (numbers && !names_above.empty()) {
+    std::vector<std::string_view> names;
+    split(names_above, ',', names);
+    if (names.size() != fields.size()) {
+      throw ReadError(path + ": line " + std::to_string(number) + ": has " + std::to_string(fields.size()) +
+                      " columns; the names above it are " + std::to_string(names.size()));
+    }
+    layout = layout_of_names(path, number, names);
+  } else if (numbers) {
     if (fields.size() != 1 + kImuAxes) {
       throw ReadError(path + ": line " + std::to_string(number) + ": has " + std::to_string(fields.size()) +
                       " columns without names; expected 7: seconds, dtheta x y z rad, dv x y z m/s");
     }
     layout.fields = fields.size();
-    for (std::size_t i = 0; i < fields.size(); ++i) layout.columns.push_back({i, static_cast<int>(i) - 1, 1.0, false});
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      layout.columns.push_back({i, static_cast<int>(i) - 1, 1.0, false, 1'000'000'000});
   } else {
     layout = layout_of_names(path, number, fields);
   }
@@ -293,8 +282,8 @@ class TextRecording {
  public:
   explicit TextRecording(const std::string& path) : path_(path), lines_(path) {
     if (!next_line()) throw ReadError(path + ": is empty; expected samples of an IMU");
-    layout_ = layout_of(path, lines_.number(), line_);
-    first_is_data_ = number_from(field(0)).has_value() && layout_.fields == 1 + kImuAxes && all_numbers();
+    layout_ = layout_of(path, lines_.number(), line_, names_);
+    first_is_data_ = number_from(field(0)).has_value() && all_numbers();
   }
 
   const TextLayout& layout() const { return layout_; }
@@ -309,28 +298,57 @@ class TextRecording {
                       std::to_string(layout_.fields));
     }
     raw.place = lines_.number();
-    for (const CsvColumn& column : layout_.columns) {
+    for (const ImuColumn& column : layout_.columns) {
+      if (column.axis < 0) {
+        raw.time_s = time_of(place, column);
+        continue;
+      }
       const auto value = number_from(fields_[column.place]);
       if (!value || !std::isfinite(*value)) {
         throw ReadError(place + ", column " + std::to_string(column.place + 1) + ": is '" +
                         std::string(fields_[column.place].substr(0, 40)) + "'; expected a finite number");
       }
-      if (column.axis < 0) {
-        raw.time_s = *value * column.scale;
-      } else {
-        raw.values[static_cast<std::size_t>(column.axis)] = *value * column.scale;
-      }
+      raw.values[static_cast<std::size_t>(column.axis)] = *value * column.scale;
     }
     return true;
   }
 
  private:
+  /// The next line that is no comment. Before the first one a comment may have the names of the columns.
   bool next_line() {
     while (lines_.next(line_)) {
       line_ = trimmed(line_);
-      if (!line_.empty() && line_.front() != '#' && line_.front() != '%') return true;
+      if (line_.empty()) continue;
+      if (line_.front() != '#' && line_.front() != '%') return true;
+      if (layout_.fields == 0) names_ = names_in_comment(line_);
     }
     return false;
+  }
+  /// Empty when the comment is not a list of names with a time and an axis among them.
+  static std::string names_in_comment(std::string_view comment) {
+    const std::size_t begin = comment.find_first_not_of("#% \t");
+    if (begin == std::string_view::npos || comment.find(',') == std::string_view::npos) return "";
+    std::vector<std::string_view> names;
+    split(comment.substr(begin), ',', names);
+    bool has_time = false, has_axis = false;
+    for (const std::string_view name : names) {
+      const auto column = imu_column_named(name, 0);
+      if (column) (column->axis < 0 ? has_time : has_axis) = true;
+    }
+    return has_time && has_axis ? std::string(comment.substr(begin)) : "";
+  }
+  /// Seconds from the first sample.
+  double time_of(const std::string& place, const ImuColumn& column) {
+    const auto ns = exact_nanoseconds(fields_[column.place], column.unit_ns);
+    if (!ns) {
+      throw ReadError(place + ", column " + std::to_string(column.place + 1) + ": is '" +
+                      std::string(fields_[column.place].substr(0, 40)) + "'; expected a time" +
+                      (column.unit_ns == 1'000'000'000
+                           ? " in seconds; milli-, micro- and nanoseconds need a name, such as time_ns, in a line above"
+                           : ""));
+    }
+    if (!first_ns_) first_ns_ = *ns;
+    return static_cast<double>(*ns - *first_ns_) * 1e-9;
   }
   std::string_view field(std::size_t i) {
     split(line_, layout_.separator, fields_);
@@ -345,8 +363,10 @@ class TextRecording {
   TextLines lines_;
   std::string_view line_;
   std::vector<std::string_view> fields_;
+  std::string names_;  ///< in a comment above the first line; empty: none
   TextLayout layout_;
   bool first_is_data_ = false;
+  std::optional<std::int64_t> first_ns_;
 };
 
 bool is_mcap(const std::string& path) {
@@ -377,7 +397,7 @@ ImuRecordingInfo read_imu_recording(const std::string& path, const ImuRecordingO
   if (options.minus_truth)
     throw ReadError(path + ": is no log of ours; only such a log holds the truth beside the IMU");
   TextRecording text(path);
-  for (const CsvColumn& column : text.layout().columns) {
+  for (const ImuColumn& column : text.layout().columns) {
     if (column.axis < 0) continue;
     info.has_axis[static_cast<std::size_t>(column.axis)] = true;
     is_rate[static_cast<std::size_t>(column.axis)] = column.is_rate;

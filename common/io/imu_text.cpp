@@ -3,7 +3,7 @@
 namespace inslab::io {
 
 void ImuTextWriter::write(const ImuTextRecord& record) {
-  out_.number(time::to_seconds(record.in_week), 9);
+  out_.number(time::to_seconds(record.in_week % SecondsOfWeek::kWeek), 9);
   for (const double component : record.dtheta_b) out_.number(component, 15);
   for (const double component : record.dv_b) out_.number(component, 12);
   out_.end_line();

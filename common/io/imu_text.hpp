@@ -9,7 +9,7 @@ namespace inslab::io {
 
 /// One sample of an IMU: increments over the interval that ends at `in_week`, forward-right-down.
 struct ImuTextRecord {
-  time::Nanoseconds in_week{0};  ///< GPS seconds of week
+  time::Nanoseconds in_week{0};  ///< GPS time from the beginning of a week; read: of the first line's
   nav::Vector3 dtheta_b;         ///< rad
   nav::Vector3 dv_b;             ///< m/s
 };

@@ -38,26 +38,34 @@ bool next_numbers(TextLines& lines, std::array<double, N>& numbers) {
   return false;
 }
 
-/// The seconds of week that lines begin with, as nanoseconds.
+/// The seconds of week that lines begin with, as nanoseconds from the beginning of the first line's week.
 class SecondsOfWeek {
  public:
-  /// Throws ReadError when they do not lie in a week, or not after those of the line before.
+  static constexpr time::Nanoseconds kWeek = std::chrono::hours(7 * 24);
+
+  /// Seconds that fall by more than half a week begin the next week. Throws ReadError when they do not lie in a week,
+  /// or not after those of the line before.
   time::Nanoseconds of_line(const TextLines& lines, double seconds) {
     const std::string place = lines.path() + ": line " + std::to_string(lines.number()) + ", column 1: ";
     if (!(seconds >= 0.0 && seconds <= 604800.0)) {
-      throw ReadError(place + "expected seconds of week from 0 to 604800");
+      throw ReadError(place + "is " + std::to_string(seconds) + "; expected seconds of week from 0 to 604800");
     }
-    const time::Nanoseconds in_week = time::from_seconds(seconds);
-    if (last_ && in_week <= *last_) {
-      throw ReadError(place + "is " + std::to_string(seconds) + " after " + std::to_string(time::to_seconds(*last_)) +
-                      "; expected time to go on");
+    time::Nanoseconds from_first_week = time::from_seconds(seconds) + weeks_ * kWeek;
+    if (last_ && *last_ - from_first_week > kWeek / 2) {
+      ++weeks_;
+      from_first_week += kWeek;
     }
-    last_ = in_week;
-    return in_week;
+    if (last_ && from_first_week <= *last_) {
+      throw ReadError(place + "is " + std::to_string(seconds) + " after " +
+                      std::to_string(time::to_seconds(*last_ % kWeek)) + "; expected time to go on");
+    }
+    last_ = from_first_week;
+    return from_first_week;
   }
 
  private:
   std::optional<time::Nanoseconds> last_;
+  int weeks_ = 0;
 };
 
 }  // namespace inslab::io

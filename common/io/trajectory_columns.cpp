@@ -15,6 +15,7 @@ struct Spelling {
 };
 
 constexpr double kMs = 1e-3;
+constexpr double kUs = 1e-6;
 constexpr double kNs = 1e-9;
 constexpr double kUp = -1.0;
 
@@ -25,8 +26,15 @@ constexpr Spelling kSpellings[] = {
     {"t_s", Quantity::Time, 1.0},
     {"time_s", Quantity::Time, 1.0},
     {"sim_time_s", Quantity::Time, 1.0},
+    {"timestamp_s", Quantity::Time, 1.0},
+    {"unix_s", Quantity::Time, 1.0},
     {"t_ms", Quantity::Time, kMs},
     {"time_ms", Quantity::Time, kMs},
+    {"timestamp_ms", Quantity::Time, kMs},
+    {"t_us", Quantity::Time, kUs},
+    {"time_us", Quantity::Time, kUs},
+    {"timestamp_us", Quantity::Time, kUs},
+    {"timestamp_ns", Quantity::Time, kNs},
     {"t_ns", Quantity::Time, kNs},
     {"time_ns", Quantity::Time, kNs},
     {"sim_time_ns", Quantity::Time, kNs},
@@ -85,12 +93,18 @@ constexpr Spelling kSpellings[] = {
     {"segment_index", Quantity::Ignored, 1.0},
     {"rate_jump", Quantity::Ignored, 1.0},
     {"journal_in_effect", Quantity::Ignored, 1.0},
+    {"-", Quantity::Ignored, 1.0},
+    {"q", Quantity::Ignored, 1.0},
+    {"ns", Quantity::Ignored, 1.0},
+    {"age", Quantity::Ignored, 1.0},
+    {"age_s", Quantity::Ignored, 1.0},
+    {"ratio", Quantity::Ignored, 1.0},
 };
 
 /// Beginnings of names that are left aside whole.
-constexpr std::string_view kIgnoredPrefixes[] = {"header.",         "omega_iv_v_",    "f_v_",   "dtheta_v_",
-                                                 "dv_v_",           "std_",           "sigma_", "position_sigma_",
-                                                 "velocity_sigma_", "attitude_sigma_"};
+constexpr std::string_view kIgnoredPrefixes[] = {
+    "header.",         "omega_iv_v_",     "f_v_",           "dtheta_v_", "dv_v_", "std_", "sd_", "sigma_",
+    "position_sigma_", "velocity_sigma_", "attitude_sigma_"};
 
 bool begins_with(std::string_view text, std::string_view beginning) {
   return text.substr(0, beginning.size()) == beginning;

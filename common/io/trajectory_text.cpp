@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/calendar_time.hpp"
+#include "io/decimal_time.hpp"
+#include "io/rtklib_columns.hpp"
 #include "io/text_lines.hpp"
 #include "io/trajectory_rows.hpp"
 #include "samples/limits.hpp"
@@ -12,6 +15,7 @@ namespace inslab::io {
 
 namespace {
 
+constexpr double kLongestTime_s = 9.2e9;  // 292 years in nanoseconds: Unix time has its place
 constexpr std::int64_t kWeekNs = 604'800'000'000'000;
 
 /// What the numbers of a quantity may be, in the unit in which the message speaks.
@@ -53,8 +57,11 @@ Range range_of(Quantity quantity) {
     case Quantity::Ignored:
       break;
   }
-  return {-1e9, 1e9, 1.0, " s"};
+  return {-kLongestTime_s, kLongestTime_s, 1.0, " s"};
 }
+
+/// How long a unit of a column of time is.
+std::int64_t unit_ns_of(const TextColumn& column) { return std::llround(column.scale * 1e9); }
 
 class Reader {
  public:
@@ -95,25 +102,34 @@ class Reader {
   }
   void fail_line(Rule rule, const std::string& reason) { fail(rule, kQuantities * kQuantities, reason); }
 
-  /// The names of columns stand in a comment of some files.
+  /// The names of columns stand in a comment of some files. Where most are known, one that is not is remembered: it is
+  /// why the names cannot be used.
   void keep_names_in_comment(std::string_view line) {
     const std::size_t begin = line.find_first_not_of("#% \t");
     if (begin == std::string_view::npos) return;
+    if (auto columns = rtklib_columns(line.substr(begin))) {
+      from_comment_ = std::move(*columns);
+      return;
+    }
     std::vector<std::string_view> names;
     split(line.substr(begin), line.find(',') == std::string_view::npos ? ' ' : ',', names);
     std::vector<TextColumn> columns;
+    std::string unknown;
     for (const std::string_view name : names) {
       const auto column = column_named(name);
-      if (!column) return;
-      columns.push_back(*column);
+      if (!column && unknown.empty()) unknown = std::string(name.substr(0, 40));
+      if (column) columns.push_back(*column);
     }
-    if (columns.size() >= 4) from_comment_ = TextColumns(std::move(columns));
+    if (columns.size() < 4) return;
+    not_understood_ = unknown;
+    if (unknown.empty()) from_comment_ = TextColumns(std::move(columns));
   }
 
   /// Sets the columns from the first line that is no comment, whose fields are split; that line is a row unless it has
   /// the names. False, with a problem, when they cannot be told.
   bool find_columns(std::string_view line) {
-    const bool is_row = std::all_of(fields_.begin(), fields_.end(),
+    const bool is_dated = from_comment_.size() > 0 && is_calendar_date(fields_.front());
+    const bool is_row = std::all_of(fields_.begin() + (is_dated ? 2 : 0), fields_.end(),
                                     [](std::string_view field) { return number_from(field).has_value(); });
     std::optional<TextColumns> columns;
     if (!is_row) {
@@ -140,9 +156,12 @@ class Reader {
   std::optional<TextColumns> columns_of_numbers() {
     auto columns = separator_ == ' ' ? columns_of_plain_text(fields_.size()) : std::nullopt;
     if (!columns) {
-      fail_line(Rule::FileColumns, "has " + std::to_string(fields_.size()) +
-                                       " numbers and no line of names was above it; expected names such as "
-                                       "t_s,lat_deg,lon_deg,h_m, or 11, 7 or 13 numbers with spaces between");
+      const std::string names = not_understood_.empty()
+                                    ? "no line of names was above it"
+                                    : "of the names above it '" + not_understood_ + "' is not understood";
+      fail_line(Rule::FileColumns, "has " + std::to_string(fields_.size()) + " numbers and " + names +
+                                       "; expected names such as t_s,lat_deg,lon_deg,h_m (with --columns, where '-' "
+                                       "leaves a column aside), or 11, 7 or 13 numbers with spaces between");
     }
     return columns;
   }
@@ -154,7 +173,8 @@ class Reader {
       if (!column) {
         fail_line(Rule::FileColumns, "column " + std::to_string(i + 1) + " is '" + std::string(names[i].substr(0, 40)) +
                                          "'; expected the name of a column with its unit, such as t_s, sow_s, lat_deg, "
-                                         "lon_deg, h_m, vn_mps, ve_mps, vd_mps, roll_deg, pitch_deg, yaw_deg");
+                                         "lon_deg, h_m, vn_mps, ve_mps, vd_mps, roll_deg, pitch_deg, yaw_deg, or '-' "
+                                         "to leave the column aside");
         return std::nullopt;
       }
       columns.push_back(*column);
@@ -169,11 +189,29 @@ class Reader {
                                        std::to_string(reading_.columns.size()));
       return;
     }
+    if (is_calendar_date(fields_.front()) && !date_to_week()) return;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       if (!read_field(i)) return;
     }
     TrajectoryRow row;
     if (fill(row)) rows_.add(lines_.number(), time_of_row(), start_of_row(), row);
+  }
+
+  /// A calendar date and a time of day in GPS time, in place of week and seconds of week.
+  bool date_to_week() {
+    const auto time = gps_from_calendar(fields_[0], fields_[1]);
+    if (!time) {
+      fail(Rule::ValueType, 0,
+           "is '" + std::string(fields_[0].substr(0, 20)) + " " + std::string(fields_[1].substr(0, 20)) +
+               "'; expected a date and a time such as 2024/03/05 10:00:00.000");
+      return false;
+    }
+    week_text_ = std::to_string(time->week);
+    second_text_ = std::to_string(time->time_of_week_ns / 1'000'000'000) + "." +
+                   std::to_string(1'000'000'000 + time->time_of_week_ns % 1'000'000'000).substr(1);
+    fields_[0] = week_text_;
+    fields_[1] = second_text_;
+    return true;
   }
 
   bool read_field(std::size_t i) {
@@ -198,6 +236,7 @@ class Reader {
       return false;
     }
     values_[static_cast<std::size_t>(column.quantity)] = *number * column.scale;
+    if (column.quantity == Quantity::Time) time_ns_ = exact_nanoseconds(fields_[i], unit_ns_of(column)).value_or(0);
     return true;
   }
 
@@ -225,7 +264,7 @@ class Reader {
 
   /// From a zero that all rows share.
   time::Nanoseconds time_of_row() {
-    if (reading_.columns.has(Quantity::Time)) return time::from_seconds(value(Quantity::Time));
+    if (reading_.columns.has(Quantity::Time)) return time::Nanoseconds(time_ns_);
     const time::Nanoseconds in_week = time::from_seconds(value(Quantity::SecondOfWeek));
     std::int64_t week = std::llround(value(Quantity::GpsWeek));  // 0 when there is no such column
     if (week == 0) {
@@ -238,8 +277,10 @@ class Reader {
 
   time::GpsTime start_of_row() const {
     if (reading_.columns.has(Quantity::Time)) {
-      // A time of its own zero; before it there is no GPS time to name.
-      return time::GpsTime{} + std::max(time::Nanoseconds(0), time::from_seconds(value(Quantity::Time)));
+      // Unix time says when it was; a time of its own zero does not, and before it there is no GPS time to name.
+      constexpr std::int64_t kUnixFrom_ns = 1'000'000'000'000'000'000;  // 2001
+      if (time_ns_ >= kUnixFrom_ns) return time::gps_from_realtime(time::Nanoseconds(time_ns_));
+      return time::GpsTime{} + std::max(time::Nanoseconds(0), time::Nanoseconds(time_ns_));
     }
     return time::GpsTime{static_cast<std::uint32_t>(std::llround(value(Quantity::GpsWeek))), 0} +
            time::from_seconds(value(Quantity::SecondOfWeek));
@@ -250,6 +291,9 @@ class Reader {
   TrajectoryReading reading_;
   TrajectoryRows rows_;
   TextColumns from_comment_;
+  std::string not_understood_;  ///< a name in a comment that most of whose names are known
+  std::string week_text_, second_text_;
+  std::int64_t time_ns_ = 0;  ///< of the line, as Quantity::Time has it
   char separator_ = ' ';
   std::vector<std::string_view> fields_;
   std::array<double, kQuantities> values_{};

@@ -45,11 +45,19 @@ reference_nav::AppSetup setup_of(const NavigateOptions& options) {
   return setup;
 }
 
+std::string why_it_never_began(const reference_nav::NavigationFilter& filter) {
+  const auto& counts = filter.counts();
+  std::string why = "the filter never began: ";
+  const std::string& refusal = filter.alignment_refusal();
+  why += refusal.empty() ? "no fix came that it could begin at while it was aligned" : refusal;
+  return why + fmt::format(" (fixes not used {}, too old {}; IMU samples not valid {}, gaps {})", counts.fixes_not_used,
+                           counts.fixes_too_old, counts.imu_not_valid, counts.imu_gaps);
+}
+
 int finish(ResultFiles& files, const NavigateOptions& options, const reference_nav::NavigationFilter& filter) {
   files.close();
   if (files.rows() == 0) {
-    const std::string& why = filter.alignment_refusal();
-    std::cerr << "inslab navigate: no solution: " << (why.empty() ? "the filter never began" : why) << "\n";
+    std::cerr << "inslab navigate: no solution: " << why_it_never_began(filter) << "\n";
     return app::kFailed;
   }
   const auto& counts = filter.counts();
@@ -79,7 +87,7 @@ int navigate_log(const NavigateOptions& options) {
 }
 
 int navigate_files(const NavigateOptions& options) {
-  OfflineFilter filter = filter_with_fixes_of(options.gnss_file, setup_of(options));
+  OfflineFilter filter = filter_with_fixes_of(options.gnss_file, options.imu_file, setup_of(options));
   for_each_text_sample(options.imu_file, options.gps_week,
                        [](const ImuSample&) {});  // a bad line leaves no half result
   ResultFiles files(options.output);

@@ -29,6 +29,9 @@ double squared_normalised(const Matrix3& covariance, const Vector3& innovation) 
 
 constexpr nav::Strapdown::Options kFullRotation{true};
 
+/// Chi-square with 3 degrees of freedom that one honest zero velocity in a thousand is beyond.
+constexpr double kRestLimit = 16.27;
+
 }  // namespace
 
 InertialFilter::Noise InertialFilter::noise_of(const NavigationParameters& p) {
@@ -204,8 +207,11 @@ void InertialFilter::recover(const Antenna& a, const Eigen::Matrix<double, 6, 1>
 void InertialFilter::rest() {
   if (strapdown_.v_n().norm() > zero_velocity_.speed_m_per_s) return;
   settle();
-  Vector21 x = Vector21::Zero();
   const double variance = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
+  const Matrix3 S = covariance_.matrix().block<3, 3>(kVelocity, kVelocity) + variance * Matrix3::Identity();
+  // A gentle pull-away feels like rest; the filter that knows its velocity knows better.
+  if (squared_normalised(S, strapdown_.v_n()) > std::min(innovation_test_.limit, kRestLimit)) return;
+  Vector21 x = Vector21::Zero();
   for (Eigen::Index i = 0; i < 3; ++i) {
     covariance_.update(Vector21::Unit(kVelocity + i), variance, strapdown_.v_n()[i], x);
   }

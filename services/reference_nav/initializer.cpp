@@ -2,6 +2,7 @@
 
 #include "nav/alignment.hpp"
 #include "nav/attitude.hpp"
+#include "nav/geodesy.hpp"
 #include "samples/units.hpp"
 
 namespace inslab::reference_nav {
@@ -13,6 +14,16 @@ Vector21 initial_sigmas(const NavigationParameters& p) {
       units::kMGal * p.accel.bias_sigma_mgal, units::kPpm * p.gyro.scale_factor_sigma_ppm,
       units::kPpm * p.accel.scale_factor_sigma_ppm;
   return sigmas;
+}
+
+Vector3 alignment_sigmas(const NavigationParameters& p, double span_s, double latitude_rad, double gravity_m_per_s2) {
+  const double vrw = units::kMPerSPerSqrtH * p.accel.vrw_m_per_s_per_sqrt_h.maxCoeff();
+  const double arw = units::kDegPerSqrtH * p.gyro.arw_deg_per_sqrt_h.maxCoeff();
+  const double force_m_per_s2 = std::hypot(vrw / std::sqrt(span_s), units::kMGal * p.accel.bias_sigma_mgal.maxCoeff());
+  const double rate_rad_per_s =
+      std::hypot(arw / std::sqrt(span_s), units::kDegPerH * p.gyro.bias_sigma_deg_per_h.maxCoeff());
+  const double tilt = force_m_per_s2 / gravity_m_per_s2;
+  return {tilt, tilt, rate_rad_per_s / nav::omega_ie_n(latitude_rad).x()};
 }
 
 Initializer::Initializer(const NavigationParameters& parameters, const nav::Gravity& gravity)
@@ -54,6 +65,17 @@ std::optional<Matrix3> Initializer::attitude() {
   return std::get<Matrix3>(found);
 }
 
+/// At least what the alignment can be: parameters that promise more would have honest fixes refused. A heading that was
+/// given is as sure as the parameters say.
+void Initializer::doubt_attitude(Vector21& sigmas) const {
+  const InitialState& initial = parameters_.initial;
+  if (initial.attitude == InitialAttitude::Given) return;
+  const nav::Geodetic place{fix_->latitude_rad, fix_->longitude_rad, fix_->height_m};
+  Vector3 least = alignment_sigmas(parameters_, span_s_, place.latitude_rad, gravity_.g_n(place).norm());
+  if (initial.attitude == InitialAttitude::Levelled) least.z() = 0.0;
+  sigmas.segment<3>(kAttitude) = sigmas.segment<3>(kAttitude).cwiseMax(least);
+}
+
 std::optional<Beginning> Initializer::add(const ImuSample& sample) {
   const double dt_s = static_cast<double>(sample.interval_ns) * 1e-9;
   const Vector3 f_b = sample.dv_b / dt_s;
@@ -72,6 +94,7 @@ std::optional<Beginning> Initializer::add(const ImuSample& sample) {
   beginning.time_ns = sample.header.sim_time_ns;
   beginning.sigmas = initial_sigmas(parameters_);
   beginning.state.q_nb = nav::quaternion_from_matrix(*C_nb);
+  doubt_attitude(beginning.sigmas);
   const bool has_velocity = fix_->velocity_sigma_ned_m_per_s.minCoeff() > 0.0;
   if (has_velocity) beginning.state.v_n = fix_->v_n;
   const double age_s = static_cast<double>(beginning.time_ns - fix_->header.sim_time_ns) * 1e-9;

@@ -20,6 +20,16 @@ struct Beginning {
 /// Standard deviations of the state at the beginning: what the parameters say.
 Vector21 initial_sigmas(const NavigationParameters& parameters);
 
+/// Standard deviations of the attitude that `span_s` of rest gives at a latitude, rad about north, east, down: tilts
+/// are accelerometer errors over gravity, heading is the error of the east gyro over the Earth's horizontal rate,
+///
+///   sigma_heading^2 = (N^2 / T + B^2) / (omega_ie cos(latitude))^2,
+///
+/// N the angle random walk, B the bias (P. Groves, Principles of GNSS, Inertial, and Multisensor Integrated Navigation
+/// Systems, 2nd edition (2013), 5.6.2).
+Vector3 alignment_sigmas(const NavigationParameters& parameters, double span_s, double latitude_rad,
+                         double gravity_m_per_s2);
+
 /// Finds the state that the filter begins with, from IMU samples and fixes.
 class Initializer {
  public:
@@ -38,6 +48,7 @@ class Initializer {
 
  private:
   std::optional<Matrix3> attitude();
+  void doubt_attitude(Vector21& sigmas) const;
   void refuse(const std::string& reason);
 
   NavigationParameters parameters_;

@@ -117,7 +117,7 @@ ChainServices::ChainServices(const ChainSettings& settings) {
   for (const auto& [service, sensor] : app::required_services(scenario::load(scenario_file))) {
     std::vector<std::string> arguments = common;
     if (service == app::kTruthLogger) {
-      arguments.insert(arguments.end(), {"--log", settings.folder + "/chain.mcap"});
+      arguments.insert(arguments.end(), {"--log", settings.folder + "/chain.mcap", "--overwrite"});
     } else if (service != app::kReferenceNav) {
       arguments.insert(arguments.end(), {"--sensor", std::to_string(sensor)});
     }

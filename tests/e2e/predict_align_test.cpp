@@ -83,7 +83,7 @@ class Predict : public Commands {
 TEST_F(Predict, AnAccelerometersBiasGrowsWithTheSquareOfTime) {
   const std::string imu = put("biased.json", R"({"name": "biased", "accel": {"bias_constant_mgal": 10}})");
   const std::string file = scenario("rest", imu, 100.0, "");
-  EXPECT_THAT(inslab({"predict", file, "-o", folder_ / "."}),
+  EXPECT_THAT(inslab({"predict", file, "--overwrite", "-o", folder_ / "."}),
               HasSubstr("rest: free inertial navigation with imu 0, height free, 1 sigma"));
   // 1e-4 m/s^2 for 100 s along every axis; (omega_Schuler t)^2 / 12 = 0.13 % less, of the height as much twice more.
   const std::vector<double> end = rows("rest").back();
@@ -91,7 +91,7 @@ TEST_F(Predict, AnAccelerometersBiasGrowsWithTheSquareOfTime) {
   for (const int axis : {1, 2}) EXPECT_NEAR(end[axis], 0.5, 0.002 * 0.5);
   EXPECT_NEAR(end[3], 0.5, 0.003 * 0.5);
   EXPECT_THAT(text_of(folder_ / "rest_predicted.svg"), HasSubstr("</svg>"));
-  inslab({"predict", file, "-o", folder_ / ".", "--hold-vertical", "--position", "3"});
+  inslab({"predict", file, "--overwrite", "-o", folder_ / ".", "--hold-vertical", "--position", "3"});
   EXPECT_EQ(rows("rest").back()[3], 0.0);
   EXPECT_NEAR(rows("rest").front()[1], 3.0, 1e-9);
 }
@@ -104,21 +104,22 @@ TEST_F(Predict, FixesBoundTheErrorsButForOutagesAndSwapsCount) {
   const std::string file = scenario("cut", imu, 30.0, "", R"(, "gnss": [{"number": 0, "rate_hz": 10, "error_profile":
     "fixes.json", "outages": [{"start_s": 10, "duration_s": 5}, {"start_s": 20, "duration_s": 5}]}], "swaps": [{"at_s":
     17, "kind": "imu_error", "sensor_kind": "imu", "sensor_number": 0, "profile": "shaky.json"}])");
-  EXPECT_THAT(inslab({"predict", file, "-o", folder_ / "."}), HasSubstr("the best filter of the fixes of gnss 0"));
+  EXPECT_THAT(inslab({"predict", file, "--overwrite", "-o", folder_ / "."}),
+              HasSubstr("the best filter of the fixes of gnss 0"));
   const double before = row_at("cut", 9.5)[1], outage = row_at("cut", 14.8)[1], after = row_at("cut", 16.5)[1],
                swapped = row_at("cut", 24.8)[1];
   EXPECT_LT(before, 0.05);
   EXPECT_GT(outage, 1.1 * before);
   EXPECT_LT(after, 0.05);
   EXPECT_GT(swapped, 3.0 * outage);
-  inslab({"predict", file, "-o", folder_ / ".", "--free-inertial"});
+  inslab({"predict", file, "--overwrite", "-o", folder_ / ".", "--free-inertial"});
   // 0.1 m/s^2 from 17 s on.
   EXPECT_NEAR(rows("cut").back()[1], 0.05 * 13.0 * 13.0, 0.05 * 0.05 * 13.0 * 13.0);
 }
 
 TEST_F(Predict, NamesTheTermsThatItLeavesOut) {
   const std::string file = scenario("all", source("config/profiles/imu/every_term.json"), 2.0, "");
-  EXPECT_THAT(inslab({"predict", file, "-o", folder_ / "."}),
+  EXPECT_THAT(inslab({"predict", file, "--overwrite", "-o", folder_ / "."}),
               HasSubstr("left out: bandwidth, full scale, quantization, latency, dropped samples\n"));
 }
 
@@ -135,7 +136,7 @@ class Align : public Commands {
   /// RAWIMUSXA lines of a run.
   std::string recorded(const std::string& name, const std::string& motions) {
     const std::string file = scenario(name, source("config/profiles/imu/ideal.json"), 5.0, motions);
-    inslab({"simulate", file, "-o", folder_ / "."});
+    inslab({"simulate", file, "--overwrite", "-o", folder_ / "."});
     inslab({"export", folder_ / (name + ".mcap"), "--format", "novatel", "-o", folder_ / (name + ".asc")});
     return folder_ / (name + ".asc");
   }

@@ -73,7 +73,7 @@ TEST_F(Recovery, EachServiceThatIsKilledGoesOnAndNoBitIsLost) {
   ASSERT_TRUE(reaches(6.5)) << run.output();
   kill_child(run, "inslab-truth-logger");
   EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
-  EXPECT_THAT(run.output(), HasSubstr("inslab-imu-injector was ended by signal 9 and started again"));
+  EXPECT_THAT(run.output(), HasSubstr("inslab-imu-injector 0 was ended by signal 9 (Killed) and started again"));
   EXPECT_THAT(run.output(), HasSubstr("recovered: inslab/imu/0: its service was started again"));
   EXPECT_THAT(run.output(), HasSubstr("recovered: inslab/gnss/0: its service was started again"));
   EXPECT_THAT(run.output(), HasSubstr("recovered: the logger was started again and went on with this log"));
@@ -202,7 +202,7 @@ TEST_F(Recovery, AKilledReferenceNavigationAppAnswersAgainInLockstepToo) {
   kill_child(run, "inslab-reference-nav");
   constexpr int kNotAccepted = 4;
   EXPECT_EQ(run.wait(seconds(120)), kNotAccepted) << run.output();
-  EXPECT_THAT(run.output(), HasSubstr("inslab-reference-nav was ended by signal 9 and started again"));
+  EXPECT_THAT(run.output(), HasSubstr("inslab-reference-nav was ended by signal 9 (Killed) and started again"));
   EXPECT_THAT(run.output(), Not(HasSubstr("FAILED:")));
   const auto solutions = samples_of_kind<NavSolution>(log_, "inslab/nav");
   ASSERT_FALSE(solutions.empty());

@@ -66,11 +66,34 @@ ImuTruth first_true_state(const io::McapReader& log, std::uint32_t imu_number) {
   return *first;
 }
 
-OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const reference_nav::AppSetup& setup) {
+OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const std::string& imu_text,
+                                   const reference_nav::AppSetup& setup) {
   std::vector<GnssFix> fixes;
   io::GnssTextReader reader(gnss_text);
   for (io::GnssTextRecord record; reader.next(record);) fixes.push_back(fix_of(record));
   if (fixes.empty()) throw io::ReadError(gnss_text + ": has no fix; expected at least one line of 7 numbers");
+  std::int64_t imu_from_ns = 0, imu_to_ns = 0;
+  for_each_text_sample(imu_text, 0, [&](const ImuSample& sample) {
+    if (imu_from_ns == 0) imu_from_ns = sample.header.sim_time_ns - sample.interval_ns;
+    imu_to_ns = sample.header.sim_time_ns;
+  });
+  // Each file counts from the week of its own first line; one of them may begin just after the week's end.
+  constexpr std::int64_t kWeek_ns = std::chrono::nanoseconds(io::SecondsOfWeek::kWeek).count();
+  const std::int64_t apart_ns = imu_from_ns - fixes.front().header.sim_time_ns;
+  const std::int64_t shift_ns = std::abs(apart_ns) > kWeek_ns / 2 ? (apart_ns > 0 ? kWeek_ns : -kWeek_ns) : 0;
+  for (GnssFix& fix : fixes) {
+    fix.header.sim_time_ns += shift_ns;
+    fix.available_sim_time_ns += shift_ns;
+  }
+  const std::int64_t gnss_from_ns = fixes.front().header.sim_time_ns, gnss_to_ns = fixes.back().header.sim_time_ns;
+  if (gnss_from_ns > imu_to_ns || gnss_to_ns < imu_from_ns) {
+    const auto span = [](std::int64_t from_ns, std::int64_t to_ns) {
+      return std::to_string(static_cast<double>(from_ns) * 1e-9) + " to " +
+             std::to_string(static_cast<double>(to_ns) * 1e-9) + " s";
+    };
+    throw io::ReadError(gnss_text + ": lasts from " + span(gnss_from_ns, gnss_to_ns) + " of the GPS week, " + imu_text +
+                        " from " + span(imu_from_ns, imu_to_ns) + ": they do not meet; expected one time base in both");
+  }
   return {setup, fixes};
 }
 
@@ -82,9 +105,10 @@ void for_each_text_sample(const std::string& imu_text, std::uint32_t gps_week,
   for (io::ImuTextRecord record; reader.next(record); before = record.in_week) {
     if (!before) continue;
     sample.interval_ns = (record.in_week - *before).count();
-    sample.header.sim_time_ns = sample.header.gps_time_of_week_ns = record.in_week.count();
+    sample.header.sim_time_ns = record.in_week.count();
+    sample.header.gps_time_of_week_ns = (record.in_week % io::SecondsOfWeek::kWeek).count();
     sample.available_sim_time_ns = sample.header.sim_time_ns;
-    sample.header.gps_week = gps_week;
+    sample.header.gps_week = gps_week + static_cast<std::uint32_t>(record.in_week / io::SecondsOfWeek::kWeek);
     sample.header.sequence_number += 1;
     sample.dtheta_b = record.dtheta_b;
     sample.dv_b = record.dv_b;

@@ -38,8 +38,10 @@ OfflineFilter filter_with_fixes_of(const io::McapReader& log, std::uint32_t gnss
 /// The first true state of a log's IMU. Throws io::ReadError when the log has none.
 ImuTruth first_true_state(const io::McapReader& log, std::uint32_t imu_number);
 
-/// The filter with the fixes of a 7-column text, which have no velocity and come without latency. Throws io::ReadError.
-OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const reference_nav::AppSetup& setup);
+/// The filter with the fixes of a 7-column text, which have no velocity and come without latency, for the samples of an
+/// IMU text. Throws io::ReadError, also when the times of the two do not meet.
+OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const std::string& imu_text,
+                                   const reference_nav::AppSetup& setup);
 
 /// Calls `visit` with the samples of a 7-column IMU text, which does not say its week. The first line's interval has no
 /// known beginning and makes no sample. Throws io::ReadError, also when there is no sample.

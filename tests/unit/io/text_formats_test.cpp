@@ -224,7 +224,7 @@ TEST_F(FileExport, ReadersNameLineAndColumnOfWhatTheyRefuse) {
   EXPECT_THAT(message_of([&] { GnssTextReader(path("gnss.txt")).next(gnss); }), HasSubstr("gnss.txt: line 1: "));
   put(path("gnss.txt"), "-1 30 3 4 5 6 7\n");
   EXPECT_THAT(message_of([&] { GnssTextReader(path("gnss.txt")).next(gnss); }),
-              HasSubstr("line 1, column 1: expected seconds of week"));
+              HasSubstr("line 1, column 1: is -1.000000; expected seconds of week from 0 to 604800"));
 }
 
 }  // namespace
