@@ -20,8 +20,11 @@ enum class Tone { Plain, Good, Bad, Odd };
 
 /// One cell of a table. The texts "PASS" and "FAIL" are good and bad by themselves.
 struct Cell {
+  // Implicit, so that rows of texts read as such.
+  // NOLINTNEXTLINE(google-explicit-constructor)
   Cell(std::string cell_text, Tone cell_tone = Tone::Plain, std::string cell_link = {})
       : text(std::move(cell_text)), tone(cell_tone), link(std::move(cell_link)) {}
+  // NOLINTNEXTLINE(google-explicit-constructor)
   Cell(const char* cell_text) : text(cell_text) {}
 
   std::string text;
