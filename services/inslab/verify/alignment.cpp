@@ -67,7 +67,7 @@ Run align_run(std::uint64_t seed) {
   const time::Rate rate(kRateHz);
   const nav::Gravity gravity;
   trajectory::MotionTableModel truth(at_rest(), rate, kStart);
-  imu::ImuModel imu({seed, 0, rate, rate, gravity, catalogue_profile<ImuErrorProfile>("imu/span100c"),
+  imu::ImuModel imu({seed, 0, rate, gravity, catalogue_profile<ImuErrorProfile>("imu/span100c"),
                      VibrationProfile{}, InstallationProfile{}});
   imu.measure(truth.current());
   const nav::Geodetic site{kLatitudeDeg / kDegPerRad, 0.0, 0.0};
