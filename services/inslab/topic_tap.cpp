@@ -64,6 +64,9 @@ TopicTap::TopicTap(dds::Participant& participant, const std::string& topic, Call
     opener.offer(dds::topics::gnss(*number));
   }
   opener.offer(dds::topics::nav());
+  opener.offer(dds::topics::vehicle_state());
+  opener.offer(dds::topics::vehicle_state_used());
+  opener.offer(dds::topics::vehicle_link());
   opener.offer(dds::topics::installation());
   opener.offer(dds::topics::sim_status());
   opener.offer(dds::topics::sim_command());
