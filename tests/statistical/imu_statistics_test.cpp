@@ -29,7 +29,7 @@ TruthState nothing(std::int64_t k, std::int64_t period_ns) {
 /// Integrated output of the three gyros (0..2, rad) and accelerometers (3..5, m/s).
 std::array<std::vector<double>, 6> integrated_output(const ImuErrorProfile& errors, std::uint64_t seed, double rate_hz,
                                                      std::int64_t samples) {
-  ImuModel model({seed, 0, time::Rate(rate_hz), time::Rate(rate_hz), nav::Gravity(), errors, {}, {}});
+  ImuModel model({seed, 0, time::Rate(rate_hz), nav::Gravity(), errors, {}, {}});
   const std::int64_t period_ns = time::Rate(rate_hz).period().count();
   std::array<std::vector<double>, 6> angle;
   for (auto& axis : angle) axis.assign(1, 0.0);

@@ -67,8 +67,8 @@ Run align_run(std::uint64_t seed) {
   const time::Rate rate(kRateHz);
   const nav::Gravity gravity;
   trajectory::MotionTableModel truth(at_rest(), rate, kStart);
-  imu::ImuModel imu({seed, 0, rate, gravity, catalogue_profile<ImuErrorProfile>("imu/span100c"),
-                     VibrationProfile{}, InstallationProfile{}});
+  imu::ImuModel imu({seed, 0, rate, gravity, catalogue_profile<ImuErrorProfile>("imu/span100c"), VibrationProfile{},
+                     InstallationProfile{}});
   imu.measure(truth.current());
   const nav::Geodetic site{kLatitudeDeg / kDegPerRad, 0.0, 0.0};
   align::StaticAlignment direct(rate.period_s(), site.latitude_rad, gravity.g_n(site).norm(), {});
