@@ -7,6 +7,7 @@
 #include "nav/attitude.hpp"
 #include "nav/wgs84.hpp"
 #include "samples/units.hpp"
+#include "services/reference_nav/initializer.hpp"
 
 namespace inslab::reference_nav {
 namespace {
@@ -254,6 +255,40 @@ TEST(InertialFilter, WhiteNoiseOfTheRateTiltsAndSoMoves) {
   EXPECT_NEAR(P(6, 6), n * t_s, 1e-3 * n * t_s);
   EXPECT_NEAR(P(3, 3), g * g * n * std::pow(t_s, 3) / 3.0, 2e-3 * g * g * n * std::pow(t_s, 3) / 3.0);
   EXPECT_NEAR(P(0, 0), g * g * n * std::pow(t_s, 5) / 20.0, 2e-3 * g * g * n * std::pow(t_s, 5) / 20.0);
+}
+
+/// 0.15 deg/sqrt(h) and 0.5 deg/h for 60 s at 48.1 deg: 1.265 deg/h over 10.05 deg/h are 7.2 deg.
+TEST(AlignmentSigmas, FollowFromTheImuTheTimeAtRestAndTheLatitude) {
+  NavigationParameters p;
+  p.gyro.arw_deg_per_sqrt_h.setConstant(0.15);
+  p.gyro.bias_sigma_deg_per_h.setConstant(0.5);
+  p.accel.vrw_m_per_s_per_sqrt_h.setZero();
+  p.accel.bias_sigma_mgal.setConstant(1000.0);
+  const Vector3 sigmas = alignment_sigmas(p, 60.0, 48.1 * units::kDeg, 9.81);
+  const double rate_deg_per_h = std::hypot(0.15 / std::sqrt(1.0 / 60.0), 0.5);
+  EXPECT_NEAR(rate_deg_per_h, 1.265, 0.001);
+  EXPECT_NEAR(sigmas.z(), rate_deg_per_h / (15.041067 * std::cos(48.1 * units::kDeg)), 1e-6);
+  EXPECT_NEAR(sigmas.z() / units::kDeg, 7.2, 0.05);
+  EXPECT_NEAR(sigmas.x(), 0.01 / 9.81, 1e-9);
+}
+
+/// The filter is sure of its velocity: what feels like rest is a gentle cruise.
+TEST(InertialFilter, TakesNoZeroVelocityThatItsOwnVelocityContradicts) {
+  NavigationParameters p = parameters_at_every_sample();
+  for (const double speed_m_per_s : {0.01, 0.25}) {
+    const nav::NavState slow{{0.5, 1.0, 0.0}, {speed_m_per_s, 0.0, 0.0}, nav::Quaternion::Identity()};
+    Vector21 sigmas = Vector21::Zero();
+    sigmas.segment<3>(kVelocity).setConstant(0.01);
+    InertialFilter filter(p, kGravity, slow, sigmas, 0, std::nullopt);
+    ImuInterval still;
+    still.end_ns = kDt_ns;
+    still.increments = {kDt_s * nav::omega_ie_n(0.5), -kDt_s * kGravity.g_n(slow.position), kDt_s};
+    still.at_rest = true;
+    filter.advance(still);
+    // sigma 0.02 of the update: at 0.25 m/s the innovation is 11 standard deviations.
+    const bool is_taken = filter.state().v_n.norm() < 0.99 * speed_m_per_s;
+    EXPECT_EQ(is_taken, speed_m_per_s == 0.01) << filter.state().v_n.norm();
+  }
 }
 
 }  // namespace
