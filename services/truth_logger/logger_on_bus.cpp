@@ -311,9 +311,10 @@ std::string LoggerOnBus::unfinished_services() const {
   return names;
 }
 
-/// Every service has said that it ended, or has been silent for three heartbeats.
+/// Every service has said that it ended, or has been silent for long. After a kill the trajectory server waits some
+/// seconds for acknowledgements of the reader that is gone, and says nothing meanwhile.
 bool LoggerOnBus::all_services_ended() const {
-  constexpr time::Nanoseconds kSilence = seconds(3);
+  constexpr time::Nanoseconds kSilence = seconds(6);
   for (const auto& [service, heard] : services_) {
     const bool ended = heard.state == ServiceState::Finished || heard.state == ServiceState::Fault;
     if (service.first != app::kTruthLogger && !ended && app::monotonic_now() - heard.at < kSilence) return false;
@@ -333,7 +334,7 @@ bool LoggerOnBus::all_samples_here() const {
 bool LoggerOnBus::finished() const {
   // Reliable samples that have not come some seconds after the end will not come.
   return run_ended_ &&
-         ((all_services_ended() && all_samples_here()) || app::monotonic_now() - run_ended_at_ > seconds(8));
+         ((all_services_ended() && all_samples_here()) || app::monotonic_now() - run_ended_at_ > seconds(12));
 }
 
 int LoggerOnBus::run() {
