@@ -91,18 +91,6 @@ TEST_F(Recovery, EachServiceThatIsKilledGoesOnAndNoBitIsLost) {
   }
 }
 
-TEST_F(Recovery, AtRatesThatDivideNoneOfTheOthersNoBitIsLostEither) {
-  const std::string reference = offline("odd_rates");
-  Process run("inslab", {"run", scenario("odd_rates"), "--log", log_, "--domain", own_domain()});
-  ASSERT_TRUE(reaches(2.7)) << run.output();
-  kill_child(run, "inslab-imu-injector");
-  ASSERT_TRUE(reaches(5.2)) << run.output();
-  kill_child(run, "inslab-gnss-emulator");
-  EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
-  EXPECT_THAT(run.output(), HasSubstr("recovered: inslab/imu/0: its service was started again"));
-  expect_same_odd_run(log_, reference);
-}
-
 TEST_F(Recovery, InLockstepAKilledConsumerStopsTheClockUntilItIsBack) {
   const std::string reference = offline("recovery_long");
   const auto logger = [this] { return service("inslab-truth-logger", "recovery_long", {"--log", log_}); };
