@@ -166,7 +166,8 @@ TEST_F(Navigate, RefusesImuTextsNamingFileAndLine) {
                              "line 3, column 5: is 'inf'; expected a finite number");
   expect_refusal_of_imu_text(good + "0.995 0 0 0 0 0 -0.05\n", "line 3, column 1: is 0.995000 after 1.000000");
   expect_refusal_of_imu_text(good + "1 0 0 0 0 0 -0.05\n", "line 3, column 1: is 1.000000 after 1.000000");
-  expect_refusal_of_imu_text(good + "604801 0 0 0 0 0 -0.05\n", "line 3, column 1: expected seconds of week from 0");
+  expect_refusal_of_imu_text(good + "604801 0 0 0 0 0 -0.05\n",
+                             "line 3, column 1: is 604801.000000; expected seconds of week from 0");
   expect_refusal_of_imu_text(good, "has no interval; expected at least two lines of 7 numbers");
   expect_refusal_of_imu_text("", "has no interval; expected at least two lines of 7 numbers");
 }
