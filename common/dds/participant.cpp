@@ -1,12 +1,16 @@
 #include "dds/participant.hpp"
 
 #include <fastdds/rtps/attributes/ServerAttributes.h>
+#include <fastdds/rtps/transport/UDPTransportDescriptor.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 #include <spdlog/spdlog.h>
+#include <sys/statvfs.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
@@ -15,6 +19,7 @@
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <stdexcept>
 
+#include "dds/packet_guard.hpp"
 #include "dds/security.hpp"
 
 namespace inslab::dds {
@@ -31,6 +36,9 @@ constexpr std::uint32_t kSendBufferBytes = 1u << 20;
 constexpr std::uint32_t kParticipantsOfAPeer = 24;
 constexpr std::uint32_t kShmSegmentBytes = 16u << 20;
 constexpr std::uint32_t kShmQueueCapacity = 4096;
+/// Of one participant: its segment, its ports and what Fast DDS keeps beside them.
+constexpr std::uint64_t kShmParticipantBytes = kShmSegmentBytes + (1u << 20);
+constexpr const char* kShmFolder = "/dev/shm";
 
 /// Fast DDS prints its errors in colour on standard output, one for each packet of a hostile peer: say the first few in
 /// our own log.
@@ -82,9 +90,20 @@ void set_transport(efd::DomainParticipantQos& qos, const ParticipantOptions& opt
   }
 }
 
-}  // namespace
-
-namespace {
+/// Of every transport that a stranger's datagram can reach.
+void guard_transports(efd::DomainParticipantQos& qos) {
+  auto& transports = qos.transport();
+  if (transports.use_builtin_transports) {
+    // What Fast DDS would make by itself: out of our reach there.
+    transports.use_builtin_transports = false;
+    transports.user_transports.push_back(std::make_shared<efr::UDPv4TransportDescriptor>());
+    transports.user_transports.push_back(std::make_shared<efr::SharedMemTransportDescriptor>());
+  }
+  for (auto& transport : transports.user_transports) {
+    const bool is_udp = std::dynamic_pointer_cast<efr::UDPTransportDescriptor>(transport) != nullptr;
+    if (is_udp) transport = guarded(transport);
+  }
+}
 
 efr::Locator udp_locator(const std::string& address, std::uint32_t port) {
   efr::Locator locator;
@@ -142,13 +161,30 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
     if (!options.peers.empty()) set_peers(qos, options);
     if (!options.discovery_server.empty()) set_discovery_server(qos, options.discovery_server);
   }
+  guard_transports(qos);
   qos.name(options.name);
   if (!options.security.empty()) set_security(qos, options.security, options.role);
   return qos;
 }
 
+std::string shared_memory_shortage(int participants) {
+  struct statvfs place {};
+  if (statvfs(kShmFolder, &place) != 0) return std::string(kShmFolder) + ": " + std::strerror(errno);
+  const std::uint64_t free_bytes = std::uint64_t{place.f_bavail} * place.f_frsize;
+  const std::uint64_t needed_bytes = static_cast<std::uint64_t>(participants) * kShmParticipantBytes;
+  if (free_bytes >= needed_bytes) return "";
+  const auto mb = [](std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MB"; };
+  return std::string(kShmFolder) + " has " + mb(free_bytes) + " left; " + std::to_string(participants) +
+         (participants == 1 ? " participant needs " : " participants need ") + mb(needed_bytes) +
+         " of shared memory. Use --transport udp, or make it larger: mount -o remount,size=1g /dev/shm, in a "
+         "container --shm-size=1g";
+}
+
 Participant::Participant(const ParticipantOptions& options) : options_(options) {
   forward_fast_dds_log();
+  if (options.transport == Transport::Shm) {
+    if (const std::string shortage = shared_memory_shortage(1); !shortage.empty()) throw std::runtime_error(shortage);
+  }
   auto& factory = *efd::DomainParticipantFactory::get_instance();
   if (options.domain > 232) {
     throw std::runtime_error("DDS domain " + std::to_string(options.domain) + "; expected 0 to 232");

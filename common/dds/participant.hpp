@@ -37,6 +37,10 @@ struct ParticipantOptions {
   std::string role;                             ///< whose keys
 };
 
+/// What keeps `participants` participants of Transport::Shm from the shared memory that they need, and what to do about
+/// it; empty when there is enough. One that runs short later is ended by the kernel (SIGBUS).
+std::string shared_memory_shortage(int participants);
+
 /// The settings of a participant: transport and discovery from the options, or from an XML profile when the environment
 /// names one (FASTRTPS_DEFAULT_PROFILES_FILE).
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(const ParticipantOptions& options);
@@ -44,7 +48,8 @@ eprosima::fastdds::dds::DomainParticipantQos participant_qos(const ParticipantOp
 /// One DDS participant of a process, with one publisher and one subscriber. Writers and readers hold on to it.
 class Participant {
  public:
-  /// Throws std::runtime_error when Fast DDS refuses (a domain out of range, no such interface, no free ports).
+  /// Throws std::runtime_error when Fast DDS refuses (a domain out of range, no such interface, no free ports) and when
+  /// there is too little shared memory for Transport::Shm.
   explicit Participant(const ParticipantOptions& options);
   ~Participant();
   Participant(const Participant&) = delete;
