@@ -1,20 +1,14 @@
 #include "dds/discovery.hpp"
 
-#include <fastdds/rtps/builtin/data/ReaderProxyData.h>
-#include <fastdds/rtps/builtin/data/WriterProxyData.h>
-#include <fastdds/rtps/participant/ParticipantDiscoveryInfo.h>
-#include <fastdds/rtps/reader/ReaderDiscoveryInfo.h>
-#include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
-
 #include <algorithm>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
-#include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <sstream>
+
+#include "dds/fast_dds_network.hpp"
 
 namespace inslab::dds {
 
 namespace efd = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
 
 namespace {
 
@@ -26,17 +20,17 @@ std::string text_of(const Text& value) {
 }
 
 /// What the announcements of a writer and of a reader have in common.
-template <class Proxy>
-Endpoint endpoint_of(const Proxy& proxy, bool is_writer) {
+template <class Data>
+Endpoint endpoint_of(const Data& data, bool is_writer) {
   Endpoint endpoint;
   endpoint.is_writer = is_writer;
-  endpoint.topic = proxy.topicName().to_string();
-  endpoint.type = proxy.typeName().to_string();
-  endpoint.guid_prefix = text_of(proxy.guid().guidPrefix);
-  endpoint.reliable = proxy.m_qos.m_reliability.kind == efd::RELIABLE_RELIABILITY_QOS;
-  endpoint.transient_local = proxy.m_qos.m_durability.kind >= efd::TRANSIENT_LOCAL_DURABILITY_QOS;
-  for (const std::string& name : proxy.m_qos.m_partition.getNames()) endpoint.partitions.push_back(name);
-  for (const auto id : proxy.m_qos.representation.m_value) endpoint.representations.push_back(id);
+  endpoint.topic = data.topic_name.to_string();
+  endpoint.type = data.type_name.to_string();
+  endpoint.guid_prefix = text_of(data.guid.guidPrefix);
+  endpoint.reliable = data.reliability.kind == efd::RELIABLE_RELIABILITY_QOS;
+  endpoint.transient_local = data.durability.kind >= efd::TRANSIENT_LOCAL_DURABILITY_QOS;
+  for (const std::string& name : data.partition.getNames()) endpoint.partitions.push_back(name);
+  for (const auto id : data.representation.m_value) endpoint.representations.push_back(id);
   return endpoint;
 }
 
@@ -73,25 +67,26 @@ std::string mismatch(const Endpoint& writer, const Endpoint& reader) {
   return "";
 }
 
-struct Discovery::Listener : efd::DomainParticipantListener {
-  void on_participant_discovery(efd::DomainParticipant*, rtps::ParticipantDiscoveryInfo&& info) override {
+struct Discovery::Listener : fast_dds::DomainParticipantListener {
+  void on_participant_discovery(efd::DomainParticipant*, fast_dds::ParticipantStatus status,
+                                const fast_dds::ParticipantData& data, bool&) override {
     const std::lock_guard<std::mutex> lock(mutex);
-    const std::string prefix = text_of(info.info.m_guid.guidPrefix);
-    const bool gone = info.status == rtps::ParticipantDiscoveryInfo::REMOVED_PARTICIPANT ||
-                      info.status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT;
+    const std::string prefix = text_of(data.guid.guidPrefix);
+    const bool gone = status == fast_dds::ParticipantStatus::REMOVED_PARTICIPANT ||
+                      status == fast_dds::ParticipantStatus::DROPPED_PARTICIPANT;
     if (gone) {
       participants.erase(prefix);
     } else {
-      participants[prefix] = info.info.m_participantName.to_string();
+      participants[prefix] = data.participant_name.to_string();
     }
   }
-  void on_publisher_discovery(efd::DomainParticipant*, rtps::WriterDiscoveryInfo&& info) override {
-    const bool gone = info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER;
-    note(text_of(info.info.guid()), gone, endpoint_of(info.info, true));
+  void on_data_writer_discovery(efd::DomainParticipant*, fast_dds::WriterStatus status,
+                                const fast_dds::PublicationData& data, bool&) override {
+    note(text_of(data.guid), status == fast_dds::WriterStatus::REMOVED_WRITER, endpoint_of(data, true));
   }
-  void on_subscriber_discovery(efd::DomainParticipant*, rtps::ReaderDiscoveryInfo&& info) override {
-    const bool gone = info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER;
-    note(text_of(info.info.guid()), gone, endpoint_of(info.info, false));
+  void on_data_reader_discovery(efd::DomainParticipant*, fast_dds::ReaderStatus status,
+                                const fast_dds::SubscriptionData& data, bool&) override {
+    note(text_of(data.guid), status == fast_dds::ReaderStatus::REMOVED_READER, endpoint_of(data, false));
   }
   void note(const std::string& guid, bool gone, Endpoint endpoint) {
     const std::lock_guard<std::mutex> lock(mutex);

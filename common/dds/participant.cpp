@@ -1,10 +1,5 @@
 #include "dds/participant.hpp"
 
-#include <fastdds/rtps/attributes/ServerAttributes.h>
-#include <fastdds/rtps/transport/UDPTransportDescriptor.h>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <spdlog/spdlog.h>
 #include <sys/statvfs.h>
 
@@ -19,6 +14,7 @@
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <stdexcept>
 
+#include "dds/fast_dds_network.hpp"
 #include "dds/packet_guard.hpp"
 #include "dds/security.hpp"
 
@@ -108,7 +104,7 @@ void guard_transports(efd::DomainParticipantQos& qos) {
 efr::Locator udp_locator(const std::string& address, std::uint32_t port) {
   efr::Locator locator;
   locator.kind = LOCATOR_KIND_UDPv4;
-  if (!eprosima::fastrtps::rtps::IPLocator::setIPv4(locator, address)) {
+  if (!efr::IPLocator::setIPv4(locator, address)) {
     throw std::runtime_error("'" + address + "'; expected an IPv4 address");
   }
   locator.port = port;
@@ -124,22 +120,24 @@ void set_peers(efd::DomainParticipantQos& qos, const ParticipantOptions& options
   builtin.metatrafficUnicastLocatorList.begin()->kind = LOCATOR_KIND_UDPv4;
 }
 
-/// Fast DDS's own name for the server with id 0.
-constexpr const char* kServerPrefix = "44.53.00.5f.45.50.52.4f.53.49.4d.41";
-
 void set_discovery_server(efd::DomainParticipantQos& qos, const std::string& address) {
   const std::size_t colon = address.rfind(':');
   const int port = colon == std::string::npos ? 0 : std::atoi(address.c_str() + colon + 1);
   if (port <= 0 || port > 65535) {
     throw std::runtime_error("discovery server '" + address + "'; expected ADDRESS:PORT");
   }
-  eprosima::fastrtps::rtps::RemoteServerAttributes server;
-  server.ReadguidPrefix(kServerPrefix);
-  server.metatrafficUnicastLocatorList.push_back(
-      udp_locator(address.substr(0, colon), static_cast<std::uint32_t>(port)));
   auto& config = qos.wire_protocol().builtin.discovery_config;
-  config.discoveryProtocol = eprosima::fastrtps::rtps::DiscoveryProtocol_t::CLIENT;
-  config.m_DiscoveryServers.push_back(server);
+  config.discoveryProtocol = efr::DiscoveryProtocol::CLIENT;
+  fast_dds::add_discovery_server(config, udp_locator(address.substr(0, colon), static_cast<std::uint32_t>(port)));
+}
+
+/// The file of XML profiles that the environment names, under this Fast DDS's name or the other's; empty: none.
+std::string profiles_file() {
+  for (const char* name : {fast_dds::kProfilesVariable, fast_dds::kOtherProfilesVariable}) {
+    const char* file = std::getenv(name);
+    if (file != nullptr && *file != '\0') return file;
+  }
+  return "";
 }
 
 }  // namespace
@@ -147,17 +145,15 @@ void set_discovery_server(efd::DomainParticipantQos& qos, const std::string& add
 efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   auto& factory = *efd::DomainParticipantFactory::get_instance();
   efd::DomainParticipantQos qos = efd::PARTICIPANT_QOS_DEFAULT;
-  const char* xml = std::getenv("FASTRTPS_DEFAULT_PROFILES_FILE");
-  const bool has_xml = xml != nullptr && *xml != '\0';
-  if (has_xml) {
+  if (const std::string xml = profiles_file(); !xml.empty()) {
     // An XML profile has the last word on transport and discovery, and on nothing else.
+    setenv(fast_dds::kProfilesVariable, xml.c_str(), 1);
     factory.load_profiles();
     factory.get_default_participant_qos(qos);
   } else {
     set_transport(qos, options);
-    qos.wire_protocol().builtin.discovery_config.leaseDuration = eprosima::fastrtps::Duration_t(10, 0);
-    qos.wire_protocol().builtin.discovery_config.leaseDuration_announcementperiod =
-        eprosima::fastrtps::Duration_t(1, 0);
+    qos.wire_protocol().builtin.discovery_config.leaseDuration = efd::Duration_t(10, 0);
+    qos.wire_protocol().builtin.discovery_config.leaseDuration_announcementperiod = efd::Duration_t(1, 0);
     if (!options.peers.empty()) set_peers(qos, options);
     if (!options.discovery_server.empty()) set_discovery_server(qos, options.discovery_server);
   }

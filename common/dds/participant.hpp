@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "dds/fast_dds.hpp"
 #include "dds/topics.hpp"
 #include "dds/type_adapter.hpp"
 
@@ -42,7 +43,7 @@ struct ParticipantOptions {
 std::string shared_memory_shortage(int participants);
 
 /// The settings of a participant: transport and discovery from the options, or from an XML profile when the environment
-/// names one (FASTRTPS_DEFAULT_PROFILES_FILE).
+/// names one (FASTRTPS_DEFAULT_PROFILES_FILE or, as 3.x calls it, FASTDDS_DEFAULT_PROFILES_FILE).
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(const ParticipantOptions& options);
 
 /// One DDS participant of a process, with one publisher and one subscriber. Writers and readers hold on to it.
@@ -69,7 +70,7 @@ class Participant {
     eprosima::fastdds::dds::TypeSupport type = participant_->find_type(type_name);
     if (type.empty()) {
       type = eprosima::fastdds::dds::TypeSupport(new TypeAdapter<T>(refused_));
-      if (type.register_type(participant_) != ReturnCode_t::RETCODE_OK) {
+      if (type.register_type(participant_) != eprosima::fastdds::dds::RETCODE_OK) {
         throw std::runtime_error("Fast DDS does not register the type " + type_name);
       }
     }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dds/fast_dds.hpp"
+
 namespace inslab::dds {
 
 namespace efd = eprosima::fastdds::dds;
-using eprosima::fastrtps::Duration_t;
+using eprosima::fastdds::dds::Duration_t;
 
 namespace {
 
@@ -65,9 +67,9 @@ void set_history(Qos& qos, Delivery delivery, std::int32_t stream_depth) {
 }
 
 /// Blocks are tens of kilobytes at most and mostly smaller: no room is kept for the largest.
-eprosima::fastrtps::rtps::MemoryManagementPolicy_t memory_policy(Delivery delivery) {
-  return delivery == Delivery::Block ? eprosima::fastrtps::rtps::DYNAMIC_REUSABLE_MEMORY_MODE
-                                     : eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+eprosima::fastdds::rtps::MemoryManagementPolicy_t memory_policy(Delivery delivery) {
+  return delivery == Delivery::Block ? eprosima::fastdds::rtps::DYNAMIC_REUSABLE_MEMORY_MODE
+                                     : eprosima::fastdds::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
 }
 
 bool is_latched(Delivery delivery) {
@@ -85,9 +87,8 @@ efd::DataWriterQos writer_qos(Delivery delivery, double nominal_rate_hz) {
   // Data sharing crashes, hangs at teardown and loses latched data in 2.9.
   qos.data_sharing().off();
   set_history(qos, delivery, one_second(nominal_rate_hz));
-  auto& times = qos.reliable_writer_qos().times;
-  times.heartbeatPeriod = kHeartbeatPeriod;
-  times.nackResponseDelay = kResponseDelay;
+  fast_dds::set_times(qos, kHeartbeatPeriod, kResponseDelay);
+  qos.representation().m_value = {efd::XCDR_DATA_REPRESENTATION};
   qos.endpoint().history_memory_policy = memory_policy(delivery);
   return qos;
 }
@@ -98,7 +99,8 @@ efd::DataReaderQos reader_qos(Delivery delivery, double nominal_rate_hz) {
   qos.durability().kind = is_latched(delivery) ? efd::TRANSIENT_LOCAL_DURABILITY_QOS : efd::VOLATILE_DURABILITY_QOS;
   qos.data_sharing().off();
   set_history(qos, delivery, std::max(kReaderSamples, one_second(nominal_rate_hz)));
-  qos.reliable_reader_qos().times.heartbeatResponseDelay = kResponseDelay;
+  fast_dds::set_times(qos, kResponseDelay);
+  fast_dds::representation(qos).m_value = {efd::XCDR_DATA_REPRESENTATION};
   qos.endpoint().history_memory_policy = memory_policy(delivery);
   return qos;
 }

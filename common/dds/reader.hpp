@@ -77,7 +77,7 @@ class Reader {
 
     void on_data_available(eprosima::fastdds::dds::DataReader* reader) override {
       eprosima::fastdds::dds::SampleInfo info;
-      while (reader->take_next_sample(static_cast<T*>(&sample), &info) == ReturnCode_t::RETCODE_OK) {
+      while (reader->take_next_sample(static_cast<T*>(&sample), &info) == eprosima::fastdds::dds::RETCODE_OK) {
         if (!info.valid_data) continue;
         SampleOrigin origin;
         const auto& writer = info.sample_identity.writer_guid();

@@ -1,13 +1,13 @@
 // The generated headers come first: they name their types without a namespace, which would be ambiguous after ours.
 // clang-format off
-#include "blockPubSubTypes.h"
-#include "controlPubSubTypes.h"
-#include "gnssPubSubTypes.h"
-#include "imuPubSubTypes.h"
-#include "navPubSubTypes.h"
-#include "profilePubSubTypes.h"
-#include "truthPubSubTypes.h"
-#include "vehiclePubSubTypes.h"
+#include "blockPubSubTypes.hpp"
+#include "controlPubSubTypes.hpp"
+#include "gnssPubSubTypes.hpp"
+#include "imuPubSubTypes.hpp"
+#include "navPubSubTypes.hpp"
+#include "profilePubSubTypes.hpp"
+#include "truthPubSubTypes.hpp"
+#include "vehiclePubSubTypes.hpp"
 // clang-format on
 
 #include "dds/type_adapter.hpp"
@@ -16,17 +16,15 @@
 
 namespace inslab::dds {
 
-bool GeneratedType::key_of(std::vector<std::uint8_t>& cdr, eprosima::fastrtps::rtps::InstanceHandle_t& handle) const {
+bool GeneratedType::key_of(std::vector<std::uint8_t>& cdr, fast_dds::Handle& handle) const {
   // The generated code keeps its key buffer in the type object, which all threads of a participant share.
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
-  eprosima::fastrtps::rtps::SerializedPayload_t payload;
+  fast_dds::Payload payload;
   payload.data = cdr.data();
   payload.length = static_cast<std::uint32_t>(cdr.size());
   payload.max_size = payload.length;
-  void* sample = type_->createData();
-  const bool ok = type_->deserialize(&payload, sample) && type_->getKey(sample, &handle, false);
-  type_->deleteData(sample);
+  const bool ok = fast_dds::key_of(*type_, payload, handle);
   payload.data = nullptr;  // not the payload's to free
   return ok;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "dds/fast_dds.hpp"
 #include "wire/cdr.hpp"
 #include "wire/wire_type.hpp"
 
@@ -22,11 +23,11 @@ class GeneratedType {
  public:
   explicit GeneratedType(std::unique_ptr<eprosima::fastdds::dds::TopicDataType> type) : type_(std::move(type)) {}
 
-  const char* name() const { return type_->getName(); }
-  std::uint32_t max_size() const { return type_->m_typeSize; }
-  bool is_keyed() const { return type_->m_isGetKeyDefined; }
+  std::string name() const { return fast_dds::name_of(*type_); }
+  std::uint32_t max_size() const { return fast_dds::max_size_of(*type_); }
+  bool is_keyed() const { return fast_dds::is_keyed(*type_); }
   /// Key of a sample given as CDR. False when the generated code refuses the bytes.
-  bool key_of(std::vector<std::uint8_t>& cdr, eprosima::fastrtps::rtps::InstanceHandle_t& handle) const;
+  bool key_of(std::vector<std::uint8_t>& cdr, fast_dds::Handle& handle) const;
 
  private:
   std::unique_ptr<eprosima::fastdds::dds::TopicDataType> type_;
@@ -40,58 +41,64 @@ GeneratedType generated_type();
 /// generated one, does not throw on what a hostile writer sends. For Fast DDS a sample is a `void*` made of a `T*`:
 /// what is written is any T, what is read into is always a Received<T>.
 template <class T>
-class TypeAdapter : public eprosima::fastdds::dds::TopicDataType {
+class TypeAdapter : public fast_dds::TopicDataType {
  public:
   /// `refused` counts the samples whose bytes are no valid T.
   explicit TypeAdapter(
       std::shared_ptr<std::atomic<std::uint32_t>> refused = std::make_shared<std::atomic<std::uint32_t>>())
       : generated_(generated_type<T>()), refused_(std::move(refused)) {
-    setName(generated_.name());
-    m_typeSize = generated_.max_size();
-    m_isGetKeyDefined = generated_.is_keyed();
-    // Cyclone DDS 0.10 rejects the TypeInformation that 2.9 would send, and would not see our writers at all.
-    auto_fill_type_information(false);
-    auto_fill_type_object(false);
+    set_name(generated_.name());
+    max_serialized_type_size = generated_.max_size();
+    is_compute_key_provided = generated_.is_keyed();
   }
 
-  bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override {
+  bool serialize(const void* data, fast_dds::Payload& payload, fast_dds::Representation) override {
     const auto& value = *static_cast<const T*>(data);
     const std::size_t size = wire::encoded_size(value);
-    if (size > payload->max_size) return false;
-    wire::encode_to(value, payload->data);
-    payload->length = static_cast<std::uint32_t>(size);
-    payload->encapsulation = CDR_LE;
+    if (size > payload.max_size) return false;
+    wire::encode_to(value, payload.data);
+    payload.length = static_cast<std::uint32_t>(size);
+    payload.encapsulation = CDR_LE;
     return true;
   }
 
-  bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override {
+  bool deserialize(fast_dds::Payload& payload, void* data) override {
     auto& received = static_cast<Received<T>&>(*static_cast<T*>(data));
     T& value = received;
-    if (!wire::decode(payload->data, payload->length, value)) {
+    if (!wire::decode(payload.data, payload.length, value)) {
       refused_->fetch_add(1, std::memory_order_relaxed);
       return false;
     }
-    received.cdr.assign(payload->data, payload->data + payload->length);
+    received.cdr.assign(payload.data, payload.data + payload.length);
     return true;
   }
 
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [value = static_cast<const T*>(data)] { return static_cast<std::uint32_t>(wire::encoded_size(*value)); };
+  std::uint32_t calculate_serialized_size(const void* data, fast_dds::Representation) override {
+    return static_cast<std::uint32_t>(wire::encoded_size(*static_cast<const T*>(data)));
   }
 
-  void* createData() override { return static_cast<T*>(new Received<T>()); }
-  void deleteData(void* data) override { delete static_cast<Received<T>*>(static_cast<T*>(data)); }
+  void* create_data() override { return static_cast<T*>(new Received<T>()); }
+  void delete_data(void* data) override { delete static_cast<Received<T>*>(static_cast<T*>(data)); }
 
-  bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* handle, bool) override {
-    if (!m_isGetKeyDefined) return false;
-    std::vector<std::uint8_t> cdr;
-    wire::encode(*static_cast<const T*>(data), cdr);
-    return generated_.key_of(cdr, *handle);
+  bool compute_key(fast_dds::Payload& payload, fast_dds::Handle& handle, bool) override {
+    if (!is_compute_key_provided) return false;
+    T value;  // decoded by our codec first: the generated one may throw
+    if (!wire::decode(payload.data, payload.length, value)) return false;
+    return key_of(value, handle);
+  }
+  bool compute_key(const void* data, fast_dds::Handle& handle, bool) override {
+    return is_compute_key_provided && key_of(*static_cast<const T*>(data), handle);
   }
 
   bool is_bounded() const override { return true; }
 
  private:
+  bool key_of(const T& value, fast_dds::Handle& handle) const {
+    std::vector<std::uint8_t> cdr;
+    wire::encode(value, cdr);
+    return generated_.key_of(cdr, handle);
+  }
+
   GeneratedType generated_;
   std::shared_ptr<std::atomic<std::uint32_t>> refused_;
 };

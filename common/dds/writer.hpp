@@ -33,8 +33,7 @@ class Writer {
   bool write(const T& sample) {
     constexpr int kTries = 3;
     for (int i = 0; i < kTries; ++i) {
-      if (writer_->write(const_cast<T*>(&sample), eprosima::fastrtps::rtps::InstanceHandle_t()) ==
-          ReturnCode_t::RETCODE_OK) {
+      if (writer_->write(const_cast<T*>(&sample), fast_dds::Handle()) == eprosima::fastdds::dds::RETCODE_OK) {
         return true;
       }
     }
@@ -46,9 +45,9 @@ class Writer {
   /// Waits until all matched reliable readers have acknowledged everything; false after `timeout`.
   bool wait_for_acknowledgments(std::chrono::nanoseconds timeout) {
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(timeout);
-    return writer_->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(
+    return writer_->wait_for_acknowledgments(eprosima::fastdds::dds::Duration_t(
                static_cast<std::int32_t>(seconds.count()), static_cast<std::uint32_t>((timeout - seconds).count()))) ==
-           ReturnCode_t::RETCODE_OK;
+           eprosima::fastdds::dds::RETCODE_OK;
   }
 
  private:

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <fastdds/dds/topic/Topic.hpp>
-#include <fastdds/dds/topic/TopicDataType.hpp>
 #include <string>
 #include <vector>
 
@@ -13,31 +12,30 @@ using Bytes = std::vector<std::uint8_t>;
 
 /// Carries any bytes under the name of a type of ours, as a broken or hostile client of another vendor may.
 template <class T>
-class AnyBytes : public eprosima::fastdds::dds::TopicDataType {
+class AnyBytes : public fast_dds::TopicDataType {
  public:
   AnyBytes() {
-    setName(std::string(wire::WireType<T>::name).c_str());
-    m_typeSize = 65536;
-    m_isGetKeyDefined = generated_type<T>().is_keyed();
-    auto_fill_type_information(false);
-    auto_fill_type_object(false);
+    set_name(std::string(wire::WireType<T>::name));
+    max_serialized_type_size = 65536;
+    is_compute_key_provided = generated_type<T>().is_keyed();
   }
-  bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override {
+  bool serialize(const void* data, fast_dds::Payload& payload, fast_dds::Representation) override {
     const auto& bytes = *static_cast<const Bytes*>(data);
-    std::copy(bytes.begin(), bytes.end(), payload->data);
-    payload->length = static_cast<std::uint32_t>(bytes.size());
+    std::copy(bytes.begin(), bytes.end(), payload.data);
+    payload.length = static_cast<std::uint32_t>(bytes.size());
     return true;
   }
-  bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t*, void*) override { return false; }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [data] { return static_cast<std::uint32_t>(static_cast<Bytes*>(data)->size()); };
+  bool deserialize(fast_dds::Payload&, void*) override { return false; }
+  std::uint32_t calculate_serialized_size(const void* data, fast_dds::Representation) override {
+    return static_cast<std::uint32_t>(static_cast<const Bytes*>(data)->size());
   }
-  void* createData() override { return new Bytes(); }
-  void deleteData(void* data) override { delete static_cast<Bytes*>(data); }
-  bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* handle, bool) override {
+  void* create_data() override { return new Bytes(); }
+  void delete_data(void* data) override { delete static_cast<Bytes*>(data); }
+  bool compute_key(fast_dds::Payload&, fast_dds::Handle&, bool) override { return false; }
+  bool compute_key(const void* data, fast_dds::Handle& handle, bool) override {
     const auto& bytes = *static_cast<const Bytes*>(data);
-    for (std::size_t i = 0; i < 16; ++i) handle->value[i] = i < bytes.size() ? bytes[i] : 0;
-    return m_isGetKeyDefined;
+    for (std::size_t i = 0; i < 16; ++i) handle.value[i] = i < bytes.size() ? bytes[i] : 0;
+    return is_compute_key_provided;
   }
 };
 

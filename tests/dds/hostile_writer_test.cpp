@@ -45,7 +45,7 @@ class HostileWriter : public testing::Test {
     });
 
     eprosima::fastdds::dds::TypeSupport type(new AnyBytes<T>());
-    EXPECT_EQ(type.register_type(&attacker.dds()), ReturnCode_t::RETCODE_OK);
+    EXPECT_EQ(type.register_type(&attacker.dds()), eprosima::fastdds::dds::RETCODE_OK);
     auto& dds_topic = attacker.topic<T>(topic.name);  // finds the type registered under that name: the weapon's
     auto* weapon = attacker.publisher().create_datawriter(&dds_topic, writer_qos(Delivery::Request, 100.0));
     Writer<T> honest(friend_participant, topic);
@@ -62,7 +62,7 @@ class HostileWriter : public testing::Test {
     }
     for (Bytes attack : attacks) weapon->write(&attack);
     // Fast DDS never acknowledges what is larger than the type can be: that is the attacker's own loss.
-    weapon->wait_for_acknowledgments(eprosima::fastrtps::Duration_t(1, 0));
+    weapon->wait_for_acknowledgments(eprosima::fastdds::dds::Duration_t(1, 0));
     honest.write(good);
     std::unique_lock<std::mutex> lock(mutex);
     const bool survived = arrived.wait_for(lock, std::chrono::seconds(20), [&] { return good_arrived; });

@@ -1,12 +1,12 @@
 // The generated headers come first: they name their types without a namespace.
 // clang-format off
-#include "controlPubSubTypes.h"
-#include "gnssPubSubTypes.h"
-#include "imuPubSubTypes.h"
-#include "navPubSubTypes.h"
-#include "profilePubSubTypes.h"
-#include "truthPubSubTypes.h"
-#include "vehiclePubSubTypes.h"
+#include "controlPubSubTypes.hpp"
+#include "gnssPubSubTypes.hpp"
+#include "imuPubSubTypes.hpp"
+#include "navPubSubTypes.hpp"
+#include "profilePubSubTypes.hpp"
+#include "truthPubSubTypes.hpp"
+#include "vehiclePubSubTypes.hpp"
 // clang-format on
 
 #include "dds/type_adapter.hpp"
@@ -99,13 +99,13 @@ TYPED_TEST(Codec, BytesAreThoseOfTheGeneratedType) {
   std::vector<std::uint8_t> ours = filled_cdr<typename TypeParam::PlainType>();
   PubSub type;
   typename PubSub::type generated;
-  eprosima::fastrtps::rtps::SerializedPayload_t in;
+  fast_dds::Payload in;
   in.data = ours.data();
   in.length = static_cast<std::uint32_t>(ours.size());
-  ASSERT_TRUE(type.deserialize(&in, &generated));
+  ASSERT_TRUE(fast_dds::deserialize(type, in, &generated));
   in.data = nullptr;
-  eprosima::fastrtps::rtps::SerializedPayload_t out(type.m_typeSize);
-  ASSERT_TRUE(type.serialize(&generated, &out));
+  fast_dds::Payload out(fast_dds::max_size_of(type));
+  ASSERT_TRUE(fast_dds::serialize(type, &generated, out));
   EXPECT_EQ(std::vector<std::uint8_t>(out.data, out.data + out.length), ours);
 }
 
@@ -141,10 +141,10 @@ TYPED_TEST(Codec, RefusesOtherRepresentations) {
 TYPED_TEST(Codec, AdapterTakesNameSizeAndKeyFromTheGeneratedType) {
   typename TypeParam::PubSubType generated;
   const TypeAdapter<typename TypeParam::PlainType> adapter;
-  EXPECT_STREQ(adapter.getName(), generated.getName());
-  EXPECT_EQ(adapter.m_typeSize, generated.m_typeSize);
-  EXPECT_EQ(adapter.m_isGetKeyDefined, generated.m_isGetKeyDefined);
-  EXPECT_EQ(std::string(adapter.getName()), wire::WireType<typename TypeParam::PlainType>::name);
+  EXPECT_EQ(fast_dds::name_of(adapter), fast_dds::name_of(generated));
+  EXPECT_EQ(adapter.max_serialized_type_size, fast_dds::max_size_of(generated));
+  EXPECT_EQ(adapter.is_compute_key_provided, fast_dds::is_keyed(generated));
+  EXPECT_EQ(fast_dds::name_of(adapter), wire::WireType<typename TypeParam::PlainType>::name);
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ class Hostile {
  public:
   Hostile() : participant_(network("hostile")), garbage_participant_(network("garbage")), client_(participant_) {
     eprosima::fastdds::dds::TypeSupport type(new dds::AnyBytes<ImuErrorProfile>());
-    EXPECT_EQ(type.register_type(&garbage_participant_.dds()), ReturnCode_t::RETCODE_OK);
+    EXPECT_EQ(type.register_type(&garbage_participant_.dds()), eprosima::fastdds::dds::RETCODE_OK);
     const auto topic = dds::topics::request<ImuErrorProfile>();
     garbage_ =
         garbage_participant_.publisher().create_datawriter(&garbage_participant_.topic<ImuErrorProfile>(topic.name),

@@ -29,15 +29,26 @@
 #include <stdexcept>
 #include <string>
 
+#if __has_include(<fastdds/utils/IPLocator.hpp>)  // Fast DDS 3.x and its generator
+#include "blockPubSubTypes.hpp"
+#include "controlPubSubTypes.hpp"
+#include "gnssPubSubTypes.hpp"
+#include "imuPubSubTypes.hpp"
+#include "navPubSubTypes.hpp"
+#include "truthPubSubTypes.hpp"
+#else  // 2.x
 #include "blockPubSubTypes.h"
 #include "controlPubSubTypes.h"
 #include "gnssPubSubTypes.h"
 #include "imuPubSubTypes.h"
 #include "navPubSubTypes.h"
 #include "truthPubSubTypes.h"
+#endif
 
 using namespace eprosima::fastdds::dds;
-using eprosima::fastrtps::Duration_t;
+#if !__has_include(<fastdds/utils/IPLocator.hpp>)
+constexpr auto RETCODE_OK = ReturnCode_t::RETCODE_OK;
+#endif
 
 namespace {
 
@@ -126,7 +137,7 @@ template <class Sample, class Each>
 void take_all(DataReader& reader, const Each& each) {
   Sample sample;
   SampleInfo info;
-  while (reader.take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
+  while (reader.take_next_sample(&sample, &info) == RETCODE_OK) {
     if (info.valid_data) each(sample);
   }
 }
@@ -158,13 +169,13 @@ inslab::NavSolution solve(const std::optional<inslab::GnssFix>& fix, const insla
   nav.gps_time_of_week_ns(imu.header().gps_time_of_week_ns());
   nav.imu_sequence(imu.header().sequence_number());
   nav.q_n_body({1.0, 0.0, 0.0, 0.0});
-  nav.mode(inslab::NAV_MODE_INITIALIZING);
+  nav.mode(inslab::NavMode::NAV_MODE_INITIALIZING);
   if (!fix) return nav;
   constexpr double kSemiMajorAxis_m = 6378137.0;  // WGS-84; a sphere is near enough to carry a fix on for a second
   const double age_s =
       static_cast<double>(imu.header().gps_time_of_week_ns() - fix->header().gps_time_of_week_ns()) * 1e-9;
-  nav.mode(inslab::NAV_MODE_NAVIGATING);
-  nav.reference_point(inslab::REFERENCE_ANTENNA);
+  nav.mode(inslab::NavMode::NAV_MODE_NAVIGATING);
+  nav.reference_point(inslab::ReferencePoint::REFERENCE_ANTENNA);
   nav.latitude_rad(fix->latitude_rad() + fix->v_n_m_per_s()[0] * age_s / kSemiMajorAxis_m);
   nav.longitude_rad(fix->longitude_rad() +
                     fix->v_n_m_per_s()[1] * age_s / (kSemiMajorAxis_m * std::cos(fix->latitude_rad())));
@@ -189,11 +200,11 @@ int navigate_in_blocks(const Options& options) {
   using Clock = std::chrono::steady_clock;
   auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.seconds));
   while (Clock::now() < end) {
-    imu_reader->wait_for_unread_message(Duration_t(0, 50'000'000));
+    imu_reader->wait_for_unread_message({0, 50'000'000});
     take_all<inslab::GnssBlock>(*gnss_reader, [&](const inslab::GnssBlock& block) {
       for (const inslab::GnssFix& sample : block.samples()) {
         gnss.add(sample.header().sequence_number());
-        if (sample.fix_type() != inslab::FIX_NONE) fix = sample;
+        if (sample.fix_type() != inslab::FixType::FIX_NONE) fix = sample;
       }
     });
     take_all<inslab::ImuBlock>(*imu_reader, [&](const inslab::ImuBlock& block) {
@@ -203,7 +214,7 @@ int navigate_in_blocks(const Options& options) {
       nav_writer->write(&nav);
     });
     take_all<inslab::SimStatus>(*status_reader, [&](const inslab::SimStatus& status) {
-      if (status.state() < inslab::RUN_FINISHED || ended) return;
+      if (status.state() < inslab::RunState::RUN_FINISHED || ended) return;
       ended = true;
       end = std::min(end, Clock::now() + std::chrono::milliseconds(500));
     });
@@ -238,11 +249,11 @@ int navigate(const Options& options) {
       closing = true;  // what is still on its way on the other topics has this long to come
       end = std::min(end, Clock::now() + std::chrono::milliseconds(500));
     }
-    imu_reader->wait_for_unread_message(Duration_t(0, 50'000'000));
+    imu_reader->wait_for_unread_message({0, 50'000'000});
     take_all<inslab::GnssFix>(*gnss_reader, [&](const inslab::GnssFix& sample) {
       gnss.add(sample.header().sequence_number());
       note("gnss", sample.header().sequence_number(), sample.latitude_rad(), sample.height_m());
-      if (sample.fix_type() != inslab::FIX_NONE) fix = sample;
+      if (sample.fix_type() != inslab::FixType::FIX_NONE) fix = sample;
     });
     take_all<inslab::ImuSample>(*imu_reader, [&](const inslab::ImuSample& sample) {
       imu.add(sample.header().sequence_number());
@@ -255,10 +266,10 @@ int navigate(const Options& options) {
       note("truth", sample.header().sequence_number(), sample.latitude_rad(), sample.dv_v_m_per_s()[2]);
     });
     take_all<inslab::SimStatus>(*status_reader, [&](const inslab::SimStatus& status) {
-      if (status.state() >= inslab::RUN_FINISHED) truth_sent = status.truth_samples();
+      if (status.state() >= inslab::RunState::RUN_FINISHED) truth_sent = status.truth_samples();
     });
   }
-  nav_writer->wait_for_acknowledgments(Duration_t(2, 0));
+  nav_writer->wait_for_acknowledgments({2, 0});
   if (values != nullptr) std::fclose(values);
   const bool whole_truth = truth.print("inslab/truth");
   const bool whole_imu = imu.print("inslab/imu/0");
@@ -270,6 +281,9 @@ int navigate(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // 3.x looks for XML profiles under a new name; the simulator's manual says the old one.
+  const char* profiles = std::getenv("FASTRTPS_DEFAULT_PROFILES_FILE");
+  if (profiles != nullptr) setenv("FASTDDS_DEFAULT_PROFILES_FILE", profiles, 0);
   try {
     const Options options = parse(argc, argv);
     return options.blocks ? navigate_in_blocks(options) : navigate(options);

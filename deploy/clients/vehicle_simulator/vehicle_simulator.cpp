@@ -24,10 +24,18 @@
 #include <string>
 #include <thread>
 
+#if __has_include(<fastdds/utils/IPLocator.hpp>)  // Fast DDS 3.x and its generator
+#include "controlPubSubTypes.hpp"
+#include "vehiclePubSubTypes.hpp"
+#else  // 2.x
 #include "controlPubSubTypes.h"
 #include "vehiclePubSubTypes.h"
+#endif
 
 using namespace eprosima::fastdds::dds;
+#if !__has_include(<fastdds/utils/IPLocator.hpp>)
+constexpr auto RETCODE_OK = ReturnCode_t::RETCODE_OK;
+#endif
 
 namespace {
 
@@ -141,13 +149,13 @@ class Run : public DataReaderListener {
     SampleInfo info;
     if (reader->get_topicdescription()->get_name() == "inslab/time_mark") {
       inslab::TimeMark mark;
-      while (reader->take_next_sample(&mark, &info) == ReturnCode_t::RETCODE_OK) {
+      while (reader->take_next_sample(&mark, &info) == RETCODE_OK) {
         if (info.valid_data) zero_ns_ = mark.realtime_ns() - mark.sim_time_ns();
       }
       return;
     }
     inslab::SimStatus status;
-    while (reader->take_next_sample(&status, &info) == ReturnCode_t::RETCODE_OK) {
+    while (reader->take_next_sample(&status, &info) == RETCODE_OK) {
       if (info.valid_data) state_ = static_cast<int>(status.state());
     }
   }
@@ -157,7 +165,7 @@ class Run : public DataReaderListener {
 
   bool hears_marks() const { return hears_marks_; }
   bool has_time() const { return zero_ns_ != 0; }
-  bool ended() const { return state_ > static_cast<int>(inslab::RUN_RUNNING); }
+  bool ended() const { return state_ > static_cast<int>(inslab::RunState::RUN_RUNNING); }
   std::int64_t sim_time_ns() const { return realtime_ns() - zero_ns_; }
 
  private:
