@@ -60,8 +60,9 @@ void look_at_environment(Findings& findings) {
       findings.bad(std::string(name) + "=" + file + ": there is no such file", "correct or unset it");
     }
   }
-  if (std::filesystem::exists("DEFAULT_FASTRTPS_PROFILES.xml")) {
-    findings.note("DEFAULT_FASTRTPS_PROFILES.xml in this folder is read by every Fast DDS process started here");
+  for (const std::string name : {"DEFAULT_FASTRTPS_PROFILES.xml", "DEFAULT_FASTDDS_PROFILES.xml"}) {  // of 2.9, of 3.x
+    if (!std::filesystem::exists(name)) continue;
+    findings.note(name + " in this folder is read by the Fast DDS processes started here");
   }
   if (findings.count() == 0) findings.good("no variable leads Fast DDS astray");
 }

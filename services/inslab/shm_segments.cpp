@@ -20,6 +20,11 @@ bool is_locked(const std::filesystem::path& lock_file) {
   return locked;
 }
 
+/// Fast DDS 2.9 calls its files fastrtps_..., 3.x fastdds_...
+bool is_of_fast_dds(const std::string& name) {
+  return name.rfind("fastrtps_", 0) == 0 || name.rfind("fastdds_", 0) == 0;
+}
+
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
@@ -31,7 +36,7 @@ std::vector<ShmSegment> find_shm_segments(const std::filesystem::path& directory
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(directory, ignored)) {
     const std::string name = entry.path().filename().string();
-    if (name.rfind("fastrtps_", 0) != 0 || ends_with(name, "_el") || ends_with(name, "_sl")) continue;
+    if (!is_of_fast_dds(name) || ends_with(name, "_el") || ends_with(name, "_sl")) continue;
     // A data segment has a lock file of its owner (_el); a port has one of its reader (_el) or its readers (_sl).
     ShmSegment segment{entry.path(), {}, false};
     for (const char* suffix : {"_el", "_sl"}) {

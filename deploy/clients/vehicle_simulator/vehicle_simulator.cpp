@@ -246,6 +246,9 @@ int main(int argc, char** argv) {
                  "[--silence FROM_S LENGTH_S] [--seed N]\n";
     return 2;
   }
+  // 3.x looks for XML profiles under a new name; the simulator's manual says the old one.
+  const char* profiles = std::getenv("FASTRTPS_DEFAULT_PROFILES_FILE");
+  if (profiles != nullptr) setenv("FASTDDS_DEFAULT_PROFILES_FILE", profiles, 0);
   auto* factory = DomainParticipantFactory::get_instance();
   // PARTICIPANT_QOS_DEFAULT is what FASTRTPS_DEFAULT_PROFILES_FILE says, if it is set.
   auto* participant = factory->create_participant(static_cast<DomainId_t>(options.domain), PARTICIPANT_QOS_DEFAULT);
