@@ -16,6 +16,8 @@
 
 namespace inslab::dds {
 
+namespace types = ::inslab::v1;  // the generated ones
+
 bool GeneratedType::key_of(std::vector<std::uint8_t>& cdr, fast_dds::Handle& handle) const {
   // The generated code keeps its key buffer in the type object, which all threads of a participant share.
   static std::mutex mutex;
@@ -29,10 +31,10 @@ bool GeneratedType::key_of(std::vector<std::uint8_t>& cdr, fast_dds::Handle& han
   return ok;
 }
 
-#define INSLAB_GENERATED_TYPE(Struct)                                       \
-  template <>                                                               \
-  GeneratedType generated_type<samples::Struct>() {                         \
-    return GeneratedType(std::make_unique<::inslab::Struct##PubSubType>()); \
+#define INSLAB_GENERATED_TYPE(Struct)                                    \
+  template <>                                                            \
+  GeneratedType generated_type<samples::Struct>() {                      \
+    return GeneratedType(std::make_unique<types::Struct##PubSubType>()); \
   }
 
 INSLAB_GENERATED_TYPE(TruthState)
@@ -58,10 +60,10 @@ INSLAB_GENERATED_TYPE(Credit)
 
 #undef INSLAB_GENERATED_TYPE
 
-#define INSLAB_GENERATED_BLOCK(Struct, IdlName)                              \
-  template <>                                                                \
-  GeneratedType generated_type<samples::Block<samples::Struct>>() {          \
-    return GeneratedType(std::make_unique<::inslab::IdlName##PubSubType>()); \
+#define INSLAB_GENERATED_BLOCK(Struct, IdlName)                           \
+  template <>                                                             \
+  GeneratedType generated_type<samples::Block<samples::Struct>>() {       \
+    return GeneratedType(std::make_unique<types::IdlName##PubSubType>()); \
   }
 
 INSLAB_GENERATED_BLOCK(TruthState, TruthBlock)

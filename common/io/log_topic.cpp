@@ -2,19 +2,20 @@
 
 namespace inslab::io {
 
-namespace {
-
-std::string type_of(const McapReader& log, const mcap::Channel& channel) {
-  const auto schema = log.schemas().find(channel.schema_id);
-  return schema == log.schemas().end() ? "" : schema->second.name;
+std::map<std::uint16_t, std::string> channel_types(const McapReader& log) {
+  std::map<std::uint16_t, std::string> types;
+  for (const auto& [id, channel] : log.channels()) {
+    const auto schema = log.schemas().find(channel.schema_id);
+    types[id] = schema == log.schemas().end() ? "" : wire::present_name(schema->second.name);
+  }
+  return types;
 }
-
-}  // namespace
 
 std::set<std::uint16_t> channels_of(const McapReader& log, const std::string& topic, std::string_view type) {
   std::set<std::uint16_t> found;
+  const auto types = channel_types(log);
   for (const auto& [id, channel] : log.channels()) {
-    if (channel.topic == topic && type_of(log, channel) == type) found.insert(id);
+    if (channel.topic == topic && types.at(id) == type) found.insert(id);
   }
   return found;
 }
@@ -28,8 +29,9 @@ std::set<std::uint16_t> needed_channels_of(const McapReader& log, const std::str
 
 std::string topics_text(const McapReader& log) {
   std::string text;
+  const auto types = channel_types(log);
   for (const auto& [id, channel] : log.channels()) {
-    text += (text.empty() ? "" : ", ") + channel.topic + " (" + type_of(log, channel) + ")";
+    text += (text.empty() ? "" : ", ") + channel.topic + " (" + types.at(id) + ")";
   }
   return text.empty() ? "none" : text;
 }

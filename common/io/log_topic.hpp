@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -9,6 +10,9 @@
 #include "wire/wire_type.hpp"
 
 namespace inslab::io {
+
+/// The type of each channel, by its present name (wire::present_name()); empty where the log does not say.
+std::map<std::uint16_t, std::string> channel_types(const McapReader& log);
 
 /// The channels of a topic whose samples are of the named type; empty when the log has none.
 std::set<std::uint16_t> channels_of(const McapReader& log, const std::string& topic, std::string_view type);

@@ -65,7 +65,8 @@ const std::vector<LogType>& log_types() {
 const LogType* find_log_type(std::string_view schema_name) {
   const std::vector<LogType>& types = log_types();
   const auto found =
-      std::find_if(types.begin(), types.end(), [&](const LogType& type) { return type.name == schema_name; });
+      std::find_if(types.begin(), types.end(),
+                   [name = wire::present_name(schema_name)](const LogType& type) { return type.name == name; });
   return found == types.end() ? nullptr : &*found;
 }
 

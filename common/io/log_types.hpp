@@ -18,7 +18,7 @@ struct SampleStamp {
 
 /// One type of message that a log may hold, by the name of its schema.
 struct LogType {
-  std::string_view name;  ///< such as inslab::TruthState
+  std::string_view name;  ///< such as inslab::v1::TruthState
   std::vector<Column> columns;
 
   /// Decodes a CDR payload; both return false when it is not a sample of this type.
@@ -29,7 +29,7 @@ struct LogType {
 /// Every type that travels as a topic.
 const std::vector<LogType>& log_types();
 
-/// Null for a schema that is not ours.
+/// Null for a schema that is not ours; one of an earlier version of the wire types is found by its name there.
 const LogType* find_log_type(std::string_view schema_name);
 
 }  // namespace inslab::io

@@ -149,7 +149,6 @@ class IdlWriter {
 
 template <class Profile>
 void write_profile(IdlWriter& writer, std::string_view comment) {
-  constexpr std::string_view kModule = "inslab::";
   writer.write_struct<Profile>(WireType<Profile>::name.substr(kModule.size()), comment);
 }
 
@@ -170,8 +169,9 @@ std::string profile_idl() {
       "entry in\n"
       "// the journal have the same type. What is not wanted stays zero; a list that is not wanted stays empty.\n"
       "// Derived from the parameter declarations in common/samples by 'inslab reference idl/profile.idl'.\n"
-      "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab {\n\n";
-  return text + writer.text() + "};\n\n#endif\n";
+      "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab { module v1 "
+      "{\n\n";
+  return text + writer.text() + "}; };\n\n#endif\n";
 }
 
 }  // namespace inslab::wire

@@ -21,15 +21,25 @@
 
 namespace inslab::wire {
 
+/// The module of idl/ that all types are in. Its last part is the version of the wire types: it goes up with every
+/// change of a struct or an enumeration, so that a client built with other types does not match instead of reading
+/// them wrong.
+#define INSLAB_WIRE_MODULE "inslab::v1::"
+inline constexpr std::string_view kModule = INSLAB_WIRE_MODULE;
+
+/// The present name of a type that a log may call by an earlier one; any other name as it is. Before the types had a
+/// version, version 1 was `inslab::TruthState` and so on.
+std::string present_name(std::string_view type);
+
 /// The IDL name of every struct that travels as a topic, and the file of idl/ that declares it.
 template <class T>
 struct WireType;
 
-#define INSLAB_WIRE_TYPE(Struct, File)                           \
-  template <>                                                    \
-  struct WireType<samples::Struct> {                             \
-    static constexpr std::string_view name = "inslab::" #Struct; \
-    static constexpr std::string_view idl_file = File;           \
+#define INSLAB_WIRE_TYPE(Struct, File)                                   \
+  template <>                                                            \
+  struct WireType<samples::Struct> {                                     \
+    static constexpr std::string_view name = INSLAB_WIRE_MODULE #Struct; \
+    static constexpr std::string_view idl_file = File;                   \
   }
 
 INSLAB_WIRE_TYPE(TruthState, "truth.idl");
@@ -55,11 +65,11 @@ INSLAB_WIRE_TYPE(Credit, "control.idl");
 
 #undef INSLAB_WIRE_TYPE
 
-#define INSLAB_BLOCK_TYPE(Struct, IdlName)                       \
-  template <>                                                    \
-  struct WireType<samples::Block<samples::Struct>> {             \
-    static constexpr std::string_view name = "inslab::" IdlName; \
-    static constexpr std::string_view idl_file = "block.idl";    \
+#define INSLAB_BLOCK_TYPE(Struct, IdlName)                               \
+  template <>                                                            \
+  struct WireType<samples::Block<samples::Struct>> {                     \
+    static constexpr std::string_view name = INSLAB_WIRE_MODULE IdlName; \
+    static constexpr std::string_view idl_file = "block.idl";            \
   }
 
 INSLAB_BLOCK_TYPE(TruthState, "TruthBlock");
@@ -69,6 +79,7 @@ INSLAB_BLOCK_TYPE(GnssFix, "GnssBlock");
 INSLAB_BLOCK_TYPE(NavSolution, "NavBlock");
 
 #undef INSLAB_BLOCK_TYPE
+#undef INSLAB_WIRE_MODULE
 
 /// The product's own text of one file of idl/, with the files it includes put before it and no preprocessor line left:
 /// what a reader needs to decode the types in it. Throws std::out_of_range for a name that is not in idl/.

@@ -121,6 +121,13 @@ void look_at_clock(Findings& findings) {
   }
 }
 
+std::string cure_of(const std::string& mismatch) {
+  if (mismatch.rfind("type: ", 0) == 0) {
+    return "generate the app's types anew from idl/ and build it again (docs/running.md, \"Versions of the types\")";
+  }
+  return "change the app's settings to those in the README's QoS table";
+}
+
 /// Every pair of a writer and a reader of one topic that will not match, once for each reason.
 void look_at_the_wire(Findings& findings, const DoctorOptions& options) {
   fmt::print("on the wire, domain {}, transport {}, interface {}\n", options.network.domain, options.network.transport,
@@ -141,7 +148,7 @@ void look_at_the_wire(Findings& findings, const DoctorOptions& options) {
       if (why.empty()) continue;
       const std::string what = fmt::format("{}: writer in '{}' and reader in '{}' do not match: {}", writer.topic,
                                            writer.participant, reader.participant, why);
-      if (said.insert(what).second) findings.bad(what, "change the app's settings to those in the README's QoS table");
+      if (said.insert(what).second) findings.bad(what, cure_of(why));
     }
   }
   if (said.empty()) {

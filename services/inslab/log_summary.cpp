@@ -5,6 +5,7 @@
 #include "app/host.hpp"
 #include "app/stream_monitor.hpp"
 #include "config/json_reader.hpp"
+#include "io/log_topic.hpp"
 #include "services/truth_logger/run_log.hpp"
 #include "wire/topic_names.hpp"
 #include "wire/wire_type.hpp"
@@ -177,9 +178,10 @@ LogSummary summarize(const io::McapReader& log) {
   LogSummary summary;
   read_metadata(log, summary);
   Gatherer gatherer(summary);
+  const auto types = io::channel_types(log);
   log.for_each([&](const io::mcap::Message& message) {
     const auto& channel = log.channels().at(message.channel_id);
-    gatherer.take(channel.topic, log.schemas().at(channel.schema_id).name, message);
+    gatherer.take(channel.topic, types.at(message.channel_id), message);
     return true;
   });
   gatherer.finish();

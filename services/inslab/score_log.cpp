@@ -26,10 +26,6 @@ bool took_what_is_true(const std::string& type, const io::mcap::Message& message
   return taken<TruthState>(type, message, add) || taken<GnssFix>(type, message, add);
 }
 
-const std::string& type_of(const io::McapReader& log, const io::mcap::Message& message) {
-  return log.schemas().at(log.channels().at(message.channel_id).schema_id).name;
-}
-
 /// With the installations that the log says were in use.
 score::Scorer scorer_of(const LogSummary& summary, const score::Scorer::Options& options) {
   score::Scorer scorer(summary.scenario, options);
@@ -58,8 +54,9 @@ LogScore score_log(const io::McapReader& log, const LogSummary& summary,
   if (summary.last_status && summary.last_status->clock == ClockMode::Lockstep) {
     scorer.without_latency(score::kLockstepHasNoLatency);
   }
+  const auto types = io::channel_types(log);
   log.for_each([&](const io::mcap::Message& message) {
-    const std::string& type = type_of(log, message);
+    const std::string& type = types.at(message.channel_id);
     if (took_what_is_true(type, message, scorer)) return true;
     const auto add = [&scorer](const auto& sample) { scorer.add(sample); };
     if (taken<ImuSample>(type, message, add)) return true;
@@ -81,9 +78,10 @@ LogScore score_app(const io::McapReader& log, const LogSummary& summary, const O
   LogScore result{scorer_of(summary, options), {}, {}};
   score::Scorer& scorer = result.scorer;
   scorer.without_latency("the app ran on a log");
+  const auto types = io::channel_types(log);
   log.for_each(
       [&](const io::mcap::Message& message) {
-        const std::string& type = type_of(log, message);
+        const std::string& type = types.at(message.channel_id);
         if (imu.count(message.channel_id) == 0) {
           took_what_is_true(type, message, scorer);
           return true;

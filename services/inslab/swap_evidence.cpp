@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "io/log_topic.hpp"
 #include "samples/units.hpp"
 #include "services/inslab/imu_promise.hpp"
 #include "services/inslab/swap_window.hpp"
@@ -326,8 +327,9 @@ bool SwapEvidence::holds() const {
 std::vector<SwapEvidence> weigh_swaps(const io::McapReader& log, const LogSummary& summary) {
   SwapWindowsOfLog windows(summary);
   Joiner joiner(windows);
+  const auto types = io::channel_types(log);
   log.for_each([&](const io::mcap::Message& message) {
-    joiner.take(log.schemas().at(log.channels().at(message.channel_id).schema_id).name, message);
+    joiner.take(types.at(message.channel_id), message);
     return true;
   });
   joiner.finish();

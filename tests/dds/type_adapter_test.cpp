@@ -64,23 +64,25 @@ struct Pair {
 template <class P>
 class Codec : public testing::Test {};
 
-using AllTypes = testing::Types<
-    Pair<samples::TruthState, ::inslab::TruthStatePubSubType>, Pair<samples::ImuSample, ::inslab::ImuSamplePubSubType>,
-    Pair<samples::ImuTruth, ::inslab::ImuTruthPubSubType>, Pair<samples::GnssFix, ::inslab::GnssFixPubSubType>,
-    Pair<samples::NavSolution, ::inslab::NavSolutionPubSubType>,
-    Pair<samples::ImuErrorProfile, ::inslab::ImuErrorProfilePubSubType>,
-    Pair<samples::VibrationProfile, ::inslab::VibrationProfilePubSubType>,
-    Pair<samples::InstallationProfile, ::inslab::InstallationProfilePubSubType>,
-    Pair<samples::GnssErrorProfile, ::inslab::GnssErrorProfilePubSubType>,
-    Pair<samples::FaultProfile, ::inslab::FaultProfilePubSubType>,
-    Pair<samples::ProfileAck, ::inslab::ProfileAckPubSubType>,
-    Pair<samples::Installation, ::inslab::InstallationPubSubType>,
-    Pair<samples::SimCommand, ::inslab::SimCommandPubSubType>, Pair<samples::SimStatus, ::inslab::SimStatusPubSubType>,
-    Pair<samples::TimeMark, ::inslab::TimeMarkPubSubType>,
-    Pair<samples::ServiceStatus, ::inslab::ServiceStatusPubSubType>,
-    Pair<samples::VehicleState, ::inslab::VehicleStatePubSubType>,
-    Pair<samples::UsedVehicleState, ::inslab::UsedVehicleStatePubSubType>,
-    Pair<samples::VehicleLink, ::inslab::VehicleLinkPubSubType>>;
+using AllTypes = testing::Types<Pair<samples::TruthState, ::inslab::v1::TruthStatePubSubType>,
+                                Pair<samples::ImuSample, ::inslab::v1::ImuSamplePubSubType>,
+                                Pair<samples::ImuTruth, ::inslab::v1::ImuTruthPubSubType>,
+                                Pair<samples::GnssFix, ::inslab::v1::GnssFixPubSubType>,
+                                Pair<samples::NavSolution, ::inslab::v1::NavSolutionPubSubType>,
+                                Pair<samples::ImuErrorProfile, ::inslab::v1::ImuErrorProfilePubSubType>,
+                                Pair<samples::VibrationProfile, ::inslab::v1::VibrationProfilePubSubType>,
+                                Pair<samples::InstallationProfile, ::inslab::v1::InstallationProfilePubSubType>,
+                                Pair<samples::GnssErrorProfile, ::inslab::v1::GnssErrorProfilePubSubType>,
+                                Pair<samples::FaultProfile, ::inslab::v1::FaultProfilePubSubType>,
+                                Pair<samples::ProfileAck, ::inslab::v1::ProfileAckPubSubType>,
+                                Pair<samples::Installation, ::inslab::v1::InstallationPubSubType>,
+                                Pair<samples::SimCommand, ::inslab::v1::SimCommandPubSubType>,
+                                Pair<samples::SimStatus, ::inslab::v1::SimStatusPubSubType>,
+                                Pair<samples::TimeMark, ::inslab::v1::TimeMarkPubSubType>,
+                                Pair<samples::ServiceStatus, ::inslab::v1::ServiceStatusPubSubType>,
+                                Pair<samples::VehicleState, ::inslab::v1::VehicleStatePubSubType>,
+                                Pair<samples::UsedVehicleState, ::inslab::v1::UsedVehicleStatePubSubType>,
+                                Pair<samples::VehicleLink, ::inslab::v1::VehicleLinkPubSubType>>;
 TYPED_TEST_SUITE(Codec, AllTypes);
 
 template <class Plain>

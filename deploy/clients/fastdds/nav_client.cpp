@@ -49,6 +49,7 @@ using namespace eprosima::fastdds::dds;
 #if !__has_include(<fastdds/utils/IPLocator.hpp>)
 constexpr auto RETCODE_OK = ReturnCode_t::RETCODE_OK;
 #endif
+namespace types = inslab::v1;  // the wire types' version, in one place
 
 namespace {
 
@@ -163,19 +164,19 @@ struct Count {
 };
 
 // The newest fix, carried on to the time of the IMU sample; initializing until there is one.
-inslab::NavSolution solve(const std::optional<inslab::GnssFix>& fix, const inslab::ImuSample& imu) {
-  inslab::NavSolution nav;
+types::NavSolution solve(const std::optional<types::GnssFix>& fix, const types::ImuSample& imu) {
+  types::NavSolution nav;
   nav.gps_week(imu.header().gps_week());
   nav.gps_time_of_week_ns(imu.header().gps_time_of_week_ns());
   nav.imu_sequence(imu.header().sequence_number());
   nav.q_n_body({1.0, 0.0, 0.0, 0.0});
-  nav.mode(inslab::NavMode::NAV_MODE_INITIALIZING);
+  nav.mode(types::NavMode::NAV_MODE_INITIALIZING);
   if (!fix) return nav;
   constexpr double kSemiMajorAxis_m = 6378137.0;  // WGS-84; a sphere is near enough to carry a fix on for a second
   const double age_s =
       static_cast<double>(imu.header().gps_time_of_week_ns() - fix->header().gps_time_of_week_ns()) * 1e-9;
-  nav.mode(inslab::NavMode::NAV_MODE_NAVIGATING);
-  nav.reference_point(inslab::ReferencePoint::REFERENCE_ANTENNA);
+  nav.mode(types::NavMode::NAV_MODE_NAVIGATING);
+  nav.reference_point(types::ReferencePoint::REFERENCE_ANTENNA);
   nav.latitude_rad(fix->latitude_rad() + fix->v_n_m_per_s()[0] * age_s / kSemiMajorAxis_m);
   nav.longitude_rad(fix->longitude_rad() +
                     fix->v_n_m_per_s()[1] * age_s / (kSemiMajorAxis_m * std::cos(fix->latitude_rad())));
@@ -190,31 +191,31 @@ inslab::NavSolution solve(const std::optional<inslab::GnssFix>& fix, const insla
 // Lockstep at full speed. Exit code 0 when nothing was missing.
 int navigate_in_blocks(const Options& options) {
   Bus bus(options);
-  DataReader* imu_reader = bus.reader<inslab::ImuBlockPubSubType>("inslab/block/imu/0", 256);
-  DataReader* gnss_reader = bus.reader<inslab::GnssBlockPubSubType>("inslab/block/gnss/0", 256);
-  DataReader* status_reader = bus.reader<inslab::SimStatusPubSubType>("inslab/sim/status", 1, true);
-  DataWriter* nav_writer = bus.writer<inslab::NavSolutionPubSubType>("inslab/nav");
+  DataReader* imu_reader = bus.reader<types::ImuBlockPubSubType>("inslab/block/imu/0", 256);
+  DataReader* gnss_reader = bus.reader<types::GnssBlockPubSubType>("inslab/block/gnss/0", 256);
+  DataReader* status_reader = bus.reader<types::SimStatusPubSubType>("inslab/sim/status", 1, true);
+  DataWriter* nav_writer = bus.writer<types::NavSolutionPubSubType>("inslab/nav");
   Count imu, gnss;
-  std::optional<inslab::GnssFix> fix;
+  std::optional<types::GnssFix> fix;
   bool ended = false;
   using Clock = std::chrono::steady_clock;
   auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.seconds));
   while (Clock::now() < end) {
     imu_reader->wait_for_unread_message({0, 50'000'000});
-    take_all<inslab::GnssBlock>(*gnss_reader, [&](const inslab::GnssBlock& block) {
-      for (const inslab::GnssFix& sample : block.samples()) {
+    take_all<types::GnssBlock>(*gnss_reader, [&](const types::GnssBlock& block) {
+      for (const types::GnssFix& sample : block.samples()) {
         gnss.add(sample.header().sequence_number());
-        if (sample.fix_type() != inslab::FixType::FIX_NONE) fix = sample;
+        if (sample.fix_type() != types::FixType::FIX_NONE) fix = sample;
       }
     });
-    take_all<inslab::ImuBlock>(*imu_reader, [&](const inslab::ImuBlock& block) {
-      for (const inslab::ImuSample& sample : block.samples()) imu.add(sample.header().sequence_number());
+    take_all<types::ImuBlock>(*imu_reader, [&](const types::ImuBlock& block) {
+      for (const types::ImuSample& sample : block.samples()) imu.add(sample.header().sequence_number());
       if (block.samples().empty()) return;
-      inslab::NavSolution nav = solve(fix, block.samples().back());
+      types::NavSolution nav = solve(fix, block.samples().back());
       nav_writer->write(&nav);
     });
-    take_all<inslab::SimStatus>(*status_reader, [&](const inslab::SimStatus& status) {
-      if (status.state() < inslab::RunState::RUN_FINISHED || ended) return;
+    take_all<types::SimStatus>(*status_reader, [&](const types::SimStatus& status) {
+      if (status.state() < types::RunState::RUN_FINISHED || ended) return;
       ended = true;
       end = std::min(end, Clock::now() + std::chrono::milliseconds(500));
     });
@@ -231,14 +232,14 @@ int navigate(const Options& options) {
     if (values != nullptr) std::fprintf(values, "%s %" PRIu64 " %a %a\n", topic, sequence, first, second);
   };
   Bus bus(options);
-  DataReader* truth_reader = bus.reader<inslab::TruthStatePubSubType>("inslab/truth", 1000);
-  DataReader* imu_reader = bus.reader<inslab::ImuSamplePubSubType>("inslab/imu/0", 1000);
-  DataReader* gnss_reader = bus.reader<inslab::GnssFixPubSubType>("inslab/gnss/0", 1000);
-  DataReader* status_reader = bus.reader<inslab::SimStatusPubSubType>("inslab/sim/status", 1, true);
-  DataWriter* nav_writer = bus.writer<inslab::NavSolutionPubSubType>("inslab/nav");
+  DataReader* truth_reader = bus.reader<types::TruthStatePubSubType>("inslab/truth", 1000);
+  DataReader* imu_reader = bus.reader<types::ImuSamplePubSubType>("inslab/imu/0", 1000);
+  DataReader* gnss_reader = bus.reader<types::GnssFixPubSubType>("inslab/gnss/0", 1000);
+  DataReader* status_reader = bus.reader<types::SimStatusPubSubType>("inslab/sim/status", 1, true);
+  DataWriter* nav_writer = bus.writer<types::NavSolutionPubSubType>("inslab/nav");
 
   Count truth, imu, gnss;
-  std::optional<inslab::GnssFix> fix;
+  std::optional<types::GnssFix> fix;
   std::uint64_t published = 0;
   std::optional<std::uint64_t> truth_sent;  // when the run has ended
   using Clock = std::chrono::steady_clock;
@@ -250,23 +251,23 @@ int navigate(const Options& options) {
       end = std::min(end, Clock::now() + std::chrono::milliseconds(500));
     }
     imu_reader->wait_for_unread_message({0, 50'000'000});
-    take_all<inslab::GnssFix>(*gnss_reader, [&](const inslab::GnssFix& sample) {
+    take_all<types::GnssFix>(*gnss_reader, [&](const types::GnssFix& sample) {
       gnss.add(sample.header().sequence_number());
       note("gnss", sample.header().sequence_number(), sample.latitude_rad(), sample.height_m());
-      if (sample.fix_type() != inslab::FixType::FIX_NONE) fix = sample;
+      if (sample.fix_type() != types::FixType::FIX_NONE) fix = sample;
     });
-    take_all<inslab::ImuSample>(*imu_reader, [&](const inslab::ImuSample& sample) {
+    take_all<types::ImuSample>(*imu_reader, [&](const types::ImuSample& sample) {
       imu.add(sample.header().sequence_number());
       note("imu", sample.header().sequence_number(), sample.dtheta_b_rad()[0], sample.dv_b_m_per_s()[2]);
-      inslab::NavSolution nav = solve(fix, sample);
+      types::NavSolution nav = solve(fix, sample);
       if (nav_writer->write(&nav)) ++published;
     });
-    take_all<inslab::TruthState>(*truth_reader, [&](const inslab::TruthState& sample) {
+    take_all<types::TruthState>(*truth_reader, [&](const types::TruthState& sample) {
       truth.add(sample.header().sequence_number());
       note("truth", sample.header().sequence_number(), sample.latitude_rad(), sample.dv_v_m_per_s()[2]);
     });
-    take_all<inslab::SimStatus>(*status_reader, [&](const inslab::SimStatus& status) {
-      if (status.state() >= inslab::RunState::RUN_FINISHED) truth_sent = status.truth_samples();
+    take_all<types::SimStatus>(*status_reader, [&](const types::SimStatus& status) {
+      if (status.state() >= types::RunState::RUN_FINISHED) truth_sent = status.truth_samples();
     });
   }
   nav_writer->wait_for_acknowledgments({2, 0});

@@ -36,6 +36,7 @@ using namespace eprosima::fastdds::dds;
 #if !__has_include(<fastdds/utils/IPLocator.hpp>)
 constexpr auto RETCODE_OK = ReturnCode_t::RETCODE_OK;
 #endif
+namespace types = inslab::v1;  // the wire types' version, in one place
 
 namespace {
 
@@ -89,10 +90,10 @@ class Car {
     }
   }
 
-  inslab::VehicleState state() const {
+  types::VehicleState state() const {
     const State d = rates(t_, x_);
     const double c = std::cos(x_.yaw), s = std::sin(x_.yaw);
-    inslab::VehicleState state;
+    types::VehicleState state;
     state.latitude_rad(x_.latitude);
     state.longitude_rad(x_.longitude);
     state.height_m(kHeight_m);
@@ -148,13 +149,13 @@ class Run : public DataReaderListener {
   void on_data_available(DataReader* reader) override {
     SampleInfo info;
     if (reader->get_topicdescription()->get_name() == "inslab/time_mark") {
-      inslab::TimeMark mark;
+      types::TimeMark mark;
       while (reader->take_next_sample(&mark, &info) == RETCODE_OK) {
         if (info.valid_data) zero_ns_ = mark.realtime_ns() - mark.sim_time_ns();
       }
       return;
     }
-    inslab::SimStatus status;
+    types::SimStatus status;
     while (reader->take_next_sample(&status, &info) == RETCODE_OK) {
       if (info.valid_data) state_ = static_cast<int>(status.state());
     }
@@ -165,7 +166,7 @@ class Run : public DataReaderListener {
 
   bool hears_marks() const { return hears_marks_; }
   bool has_time() const { return zero_ns_ != 0; }
-  bool ended() const { return state_ > static_cast<int>(inslab::RunState::RUN_RUNNING); }
+  bool ended() const { return state_ > static_cast<int>(types::RunState::RUN_RUNNING); }
   std::int64_t sim_time_ns() const { return realtime_ns() - zero_ns_; }
 
  private:
@@ -191,7 +192,7 @@ class Sender {
         std::this_thread::sleep_for(std::chrono::microseconds(200));
       }
       car_.advance_to(t_s);
-      inslab::VehicleState state = car_.state();
+      types::VehicleState state = car_.state();
       state.sequence_number(number);
       state.sim_time_ns(static_cast<std::int64_t>(std::llround(t_s * 1e9)));
       hold(state, t_s);
@@ -202,7 +203,7 @@ class Sender {
   std::uint64_t withheld() const { return withheld_; }
 
  private:
-  void hold(const inslab::VehicleState& state, double t_s) {
+  void hold(const types::VehicleState& state, double t_s) {
     const bool silent = t_s >= options_.silence_from_s && t_s < options_.silence_from_s + options_.silence_s;
     const bool lost = std::bernoulli_distribution(options_.loss)(random_);
     const double delay_s = std::uniform_real_distribution<double>(0.0, 1e-3 * options_.jitter_ms)(random_);
@@ -225,7 +226,7 @@ class Sender {
   DataWriter* writer_;
   std::mt19937 random_;
   Car car_;
-  std::multimap<std::int64_t, inslab::VehicleState> held_;  ///< by the sim time at which they go out
+  std::multimap<std::int64_t, types::VehicleState> held_;  ///< by the sim time at which they go out
   std::uint64_t sent_ = 0;
   std::uint64_t withheld_ = 0;
 };
@@ -258,10 +259,10 @@ int main(int argc, char** argv) {
   Run run;
   DataReaderQos mark_qos = DATAREADER_QOS_DEFAULT;
   mark_qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
-  subscriber->create_datareader(topic<inslab::TimeMarkPubSubType>(participant, "inslab/time_mark"), mark_qos, &run);
+  subscriber->create_datareader(topic<types::TimeMarkPubSubType>(participant, "inslab/time_mark"), mark_qos, &run);
   DataReaderQos status_qos = mark_qos;
   status_qos.durability().kind = TRANSIENT_LOCAL_DURABILITY_QOS;
-  subscriber->create_datareader(topic<inslab::SimStatusPubSubType>(participant, "inslab/sim/status"), status_qos, &run);
+  subscriber->create_datareader(topic<types::SimStatusPubSubType>(participant, "inslab/sim/status"), status_qos, &run);
 
   // The run begins when it sees a writer of states. There is none before the first time mark can be heard.
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
@@ -277,7 +278,7 @@ int main(int argc, char** argv) {
   state_qos.publish_mode().kind = SYNCHRONOUS_PUBLISH_MODE;
   state_qos.history().depth = 1000;
   Sender sender(options, publisher->create_datawriter(
-                             topic<inslab::VehicleStatePubSubType>(participant, "inslab/vehicle_state"), state_qos));
+                             topic<types::VehicleStatePubSubType>(participant, "inslab/vehicle_state"), state_qos));
   good = good && wait_for([&] { return run.has_time() || run.ended(); });
   if (good) {
     sender.follow(run);

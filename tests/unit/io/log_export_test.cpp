@@ -14,6 +14,7 @@
 #include "io/error.hpp"
 #include "io/hdf5_writer.hpp"
 #include "io/log_channel.hpp"
+#include "io/log_topic.hpp"
 #include "random_sample.hpp"
 #include "temporary_folder.hpp"
 
@@ -48,6 +49,32 @@ class LogExport : public test::TemporaryFolder {
 };
 
 bool same_bits(double a, double b) { return std::isnan(a) ? std::isnan(b) : std::memcmp(&a, &b, sizeof(a)) == 0; }
+
+TEST_F(LogExport, ALogFromBeforeTheTypesHadAVersionGivesTheSameRows) {
+  {
+    McapWriter writer(path("earlier.mcap"));
+    const auto schema = writer.add_schema("inslab::TruthState", "omgidl", "module inslab { };");
+    const auto channel = writer.add_channel(schema, "inslab/truth", "cdr", {});
+    std::vector<std::uint8_t> bytes;
+    for (std::size_t k = 0; k < kSamples; ++k) {
+      wire::encode(samples_[k], bytes);
+      writer.write(channel, 0, k, k, bytes.data(), bytes.size());
+    }
+    writer.close();
+  }
+  export_log(path("run.mcap"), ExportFormat::Csv, path("now"));
+  const auto topics = export_log(path("earlier.mcap"), ExportFormat::Csv, path("earlier"));
+  ASSERT_EQ(topics.size(), 1u);
+  EXPECT_EQ(topics[0].rows, kSamples);
+  EXPECT_EQ(contents(path("earlier/inslab_truth.csv")), contents(path("now/inslab_truth.csv")));
+  std::size_t read = 0;
+  for_each_sample<TruthState>(McapReader(path("earlier.mcap")), "inslab/truth",
+                              [&read](const TruthState&, std::uint64_t) {
+                                ++read;
+                                return true;
+                              });
+  EXPECT_EQ(read, kSamples);
+}
 
 TEST_F(LogExport, CsvReadsBackToTheSameDoubles) {
   const auto topics = export_log(path("run.mcap"), ExportFormat::Csv, path("out"));
