@@ -2,12 +2,16 @@
 
 /// Transports, and what is heard of others, under the names of Fast DDS 3.x; see dds/fast_dds.hpp.
 
+#include <chrono>
+#include <cstdint>
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
+#include <vector>
 
 #include "dds/fast_dds.hpp"
 
 #ifdef INSLAB_FAST_DDS_3
 #include <fastdds/rtps/attributes/RTPSParticipantAttributes.hpp>
+#include <fastdds/rtps/transport/ChainingTransport.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.hpp>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.hpp>
 #include <fastdds/utils/IPLocator.hpp>
@@ -17,6 +21,7 @@
 #include <fastdds/rtps/builtin/data/WriterProxyData.h>
 #include <fastdds/rtps/participant/ParticipantDiscoveryInfo.h>
 #include <fastdds/rtps/reader/ReaderDiscoveryInfo.h>
+#include <fastdds/rtps/transport/ChainingTransport.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
@@ -24,11 +29,37 @@
 
 namespace eprosima::fastdds::rtps {
 using DiscoveryProtocol = fastrtps::rtps::DiscoveryProtocol_t;
-using fastrtps::rtps::IPLocator;  // NOLINT(misc-unused-using-decls): for those who include this
+// NOLINTBEGIN(misc-unused-using-decls): for those who include this
+using fastrtps::rtps::IPLocator;
+using fastrtps::rtps::Locator_t;
+using fastrtps::rtps::octet;
+using fastrtps::rtps::SenderResource;
+// NOLINTEND(misc-unused-using-decls)
 }  // namespace eprosima::fastdds::rtps
 #endif
 
 namespace inslab::dds::fast_dds {
+
+/// A transport that passes on what another one sends and receives, but for what it chooses to leave out.
+class ChainedTransport : public eprosima::fastdds::rtps::ChainingTransport {
+ public:
+  using Sender = eprosima::fastdds::rtps::SenderResource;
+  using Locators = eprosima::fastdds::rtps::LocatorsIterator;
+  using Deadline = std::chrono::steady_clock::time_point;
+  using ChainingTransport::ChainingTransport;
+
+#ifdef INSLAB_FAST_DDS_3
+  bool send(Sender* sender, const std::vector<eprosima::fastdds::rtps::NetworkBuffer>& buffers, std::uint32_t size,
+            Locators* begin, Locators* end, const Deadline& deadline) override {
+    return sender->send(buffers, size, begin, end, deadline);
+  }
+#else
+  bool send(Sender* sender, const eprosima::fastdds::rtps::octet* buffer, std::uint32_t size, Locators* begin,
+            Locators* end, const Deadline& deadline) override {
+    return sender->send(buffer, size, begin, end, deadline);
+  }
+#endif
+};
 
 #ifdef INSLAB_FAST_DDS_3
 

@@ -1,16 +1,14 @@
 #include "dds/packet_guard.hpp"
 
-#include <fastdds/rtps/transport/ChainingTransport.h>
-
-#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <utility>
 
+#include "dds/fast_dds_network.hpp"
+
 namespace inslab::dds {
 
 namespace efr = eprosima::fastdds::rtps;
-namespace rtps = eprosima::fastrtps::rtps;
 
 namespace {
 
@@ -22,22 +20,16 @@ constexpr unsigned char kVendorFastDds[] = {1, 15};
 constexpr std::size_t kHeaderBytes = 20;
 constexpr std::size_t kSubmessageHeaderBytes = 4;
 
-class GuardedTransport : public efr::ChainingTransport {
+class GuardedTransport : public fast_dds::ChainedTransport {
  public:
   explicit GuardedTransport(const efr::ChainingTransportDescriptor& descriptor)
-      : ChainingTransport(descriptor), low_level_descriptor_(descriptor.low_level_descriptor) {}
+      : ChainedTransport(descriptor), low_level_descriptor_(descriptor.low_level_descriptor) {}
 
   efr::TransportDescriptorInterface* get_configuration() override { return low_level_descriptor_.get(); }
   void shutdown() override { low_level_transport_->shutdown(); }
 
-  bool send(rtps::SenderResource* sender, const rtps::octet* buffer, std::uint32_t size,
-            efr::LocatorsIterator* destinations_begin, efr::LocatorsIterator* destinations_end,
-            const std::chrono::steady_clock::time_point& timeout) override {
-    return sender->send(buffer, size, destinations_begin, destinations_end, timeout);
-  }
-
-  void receive(efr::TransportReceiverInterface* receiver, const rtps::octet* buffer, std::uint32_t size,
-               const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
+  void receive(efr::TransportReceiverInterface* receiver, const efr::octet* buffer, std::uint32_t size,
+               const efr::Locator_t& local, const efr::Locator_t& remote) override {
     if (is_harmless(buffer, size)) receiver->OnDataReceived(buffer, size, local, remote);
   }
 

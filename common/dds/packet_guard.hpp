@@ -1,9 +1,9 @@
 #pragma once
 
-#include <fastdds/rtps/transport/TransportDescriptorInterface.h>
-
 #include <cstddef>
 #include <memory>
+
+#include "dds/fast_dds_network.hpp"
 
 namespace inslab::dds {
 
