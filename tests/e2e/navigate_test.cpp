@@ -145,8 +145,9 @@ TEST_F(Navigate, OnTextFilesWritesElevenColumnsThatAgreeWithTheTruthToTheirSigma
 TEST_F(Navigate, RefusesLogsThatAreNoneOrLackASensor) {
   expect_refusal({*folder_ / "nothing.mcap", "--parameters", kParameters}, "nothing.mcap: cannot open: No such file");
   expect_refusal({kScenario, "--parameters", kParameters}, "expected the magic bytes of an MCAP file");
-  expect_refusal({log(), "--parameters", kParameters, "--imu-number", "3"},
-                 "reference_nav.mcap: has no topic inslab/imu/3 of the type inslab::v1::ImuSample; it has inslab/truth");
+  expect_refusal(
+      {log(), "--parameters", kParameters, "--imu-number", "3"},
+      "reference_nav.mcap: has no topic inslab/imu/3 of the type inslab::v1::ImuSample; it has inslab/truth");
   expect_refusal({log(), "--parameters", kParameters, "--gnss-number", "3"},
                  "reference_nav.mcap: has no topic inslab/gnss/3 of the type inslab::v1::GnssFix");
   expect_refusal({log(), "--parameters", kParameters, "--imu-number", "3", "--start-at-truth"},
