@@ -105,7 +105,7 @@ int run_align(AlignOptions& options) {
 
 void add_align(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<AlignOptions>();
-  CLI::App* command = app.add_subcommand("align", "Attitude of an IMU at rest from gravity and the Earth's rate");
+  CLI::App* command = app.add_subcommand(kAlign.name, kAlign.purpose);
   command
       ->add_option("file", options->file,
                    "a NovAtel ASCII log (RAWIMU...), a log of ours, a text of 7 columns, or a CSV with names")

@@ -62,8 +62,7 @@ int run_allan(AllanOptions& options) {
 
 void add_allan(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<AllanOptions>();
-  CLI::App* command =
-      app.add_subcommand("allan", "Allan deviation of a recorded IMU at rest, and the noise model in it");
+  CLI::App* command = app.add_subcommand(kAllan.name, kAllan.purpose);
   command->add_option("file", options->file, "a log of ours, a text of 7 columns, or a CSV with names (docs/allan.md)")
       ->required();
   command->add_option("--sensor", options->analysis.recording.sensor_number, "of a log: the IMU's number")

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 
 namespace CLI {
@@ -27,13 +28,34 @@ void add_export(CLI::App& app, std::function<int()>& action);
 void add_trajectory(CLI::App& app, std::function<int()>& action);
 void add_plot(CLI::App& app, std::function<int()>& action);
 void add_reference(CLI::App& app, std::function<int()>& action);
+void add_predict(CLI::App& app, std::function<int()>& action);
+
+// Commands of the second program.
 void add_navigate(CLI::App& app, std::function<int()>& action);
 void add_montecarlo(CLI::App& app, std::function<int()>& action);
 void add_align(CLI::App& app, std::function<int()>& action);
 void add_allan(CLI::App& app, std::function<int()>& action);
-void add_predict(CLI::App& app, std::function<int()>& action);
 void add_profile(CLI::App& app, std::function<int()>& action);
 void add_verify(CLI::App& app, std::function<int()>& action);
+
+/// All commands of the program that this is linked into: live_commands.cpp or study_commands.cpp.
+void add_commands(CLI::App& app, std::function<int()>& action);
+
+/// A command that `inslab` hands on to the program inslab-study beside it: no live run needs it, and it is half of what
+/// there is to build.
+struct StudyCommand {
+  const char* name;
+  const char* purpose;
+};
+inline constexpr StudyCommand kNavigate{"navigate",
+                                        "The reference navigation filter offline, on a log or on text files"};
+inline constexpr StudyCommand kMontecarlo{
+    "montecarlo", "Many seeded runs of a scenario with the reference navigation filter, and what they say together"};
+inline constexpr StudyCommand kAlign{"align", "Attitude of an IMU at rest from gravity and the Earth's rate"};
+inline constexpr StudyCommand kAllan{"allan", "Allan deviation of a recorded IMU at rest, and the noise model in it"};
+inline constexpr StudyCommand kProfile{"profile", "Make error profiles"};
+inline constexpr StudyCommand kVerify{"verify", "Show the product's figures beside the published ones"};
+inline constexpr std::array kStudyCommands{kNavigate, kMontecarlo, kAlign, kAllan, kProfile, kVerify};
 
 /// The option --overwrite of a command that writes files: without it no file that is there already is replaced.
 void add_overwrite(CLI::App& command);

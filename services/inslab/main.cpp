@@ -16,30 +16,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", INSLAB_VERSION);
   std::function<int()> action;
-  cli::add_run(app, action);
-  cli::add_summary(app, action);
-  cli::add_report(app, action);
-  cli::add_soak(app, action);
-  cli::add_simulate(app, action);
-  cli::add_status(app, action);
-  cli::add_swap(app, action);
-  cli::add_schedule(app, action);
-  cli::add_control(app, action);
-  cli::add_topics(app, action);
-  cli::add_doctor(app, action);
-  cli::add_check(app, action);
-  cli::add_info(app, action);
-  cli::add_export(app, action);
-  cli::add_trajectory(app, action);
-  cli::add_plot(app, action);
-  cli::add_reference(app, action);
-  cli::add_navigate(app, action);
-  cli::add_montecarlo(app, action);
-  cli::add_align(app, action);
-  cli::add_allan(app, action);
-  cli::add_predict(app, action);
-  cli::add_profile(app, action);
-  cli::add_verify(app, action);
+  cli::add_commands(app, action);
   io::set_output_rule(io::OutputRule::KeepResults);  // a command's --overwrite loosens it
   try {
     app.parse(argc, argv);

@@ -94,7 +94,7 @@ class RunProcesses {
     if (!options_.parameters.empty()) words.insert(words.end(), {"--parameters", options_.parameters});
     if (options_.draw_start) words.emplace_back("--draw-start");
     active_.push_back({run, std::make_unique<ChildProcesses>()});
-    active_.back().process->start("inslab", words);
+    active_.back().process->start("inslab-study", words);
   }
 
   void collect() {
@@ -189,8 +189,7 @@ int run_montecarlo(const MontecarloOptions& options) {
 
 void add_montecarlo(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<MontecarloOptions>();
-  CLI::App* command = app.add_subcommand(
-      "montecarlo", "Many seeded runs of a scenario with the reference navigation filter, and what they say together");
+  CLI::App* command = app.add_subcommand(kMontecarlo.name, kMontecarlo.purpose);
   command->add_option("scenario", options->scenario, "scenario file (JSON); run K has its seed plus K")->required();
   command->add_option("-n", options->runs, "how many runs")->check(CLI::Range(1u, 1000000u))->capture_default_str();
   command->add_option("-j", options->jobs, "how many at a time")

@@ -113,8 +113,7 @@ int navigate(const NavigateOptions& options) {
 
 void add_navigate(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<NavigateOptions>();
-  CLI::App* command =
-      app.add_subcommand("navigate", "The reference navigation filter offline, on a log or on text files");
+  CLI::App* command = app.add_subcommand(kNavigate.name, kNavigate.purpose);
   CLI::Option* log = command->add_option("log", options->log, "an MCAP log of Inslab");
   CLI::Option* imu = command->add_option("--imu", options->imu_file,
                                          "7 columns: seconds of week, dtheta rad, dv m/s, forward-right-down");

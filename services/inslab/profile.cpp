@@ -49,7 +49,7 @@ int run_import(const ProfileOptions& options) {
 }  // namespace
 
 void add_profile(CLI::App& app, std::function<int()>& action) {
-  CLI::App* profile = app.add_subcommand("profile", "Make error profiles");
+  CLI::App* profile = app.add_subcommand(kProfile.name, kProfile.purpose);
   profile->require_subcommand(1);
   auto options = std::make_shared<ProfileOptions>();
   CLI::App* command = profile->add_subcommand("import", "An IMU error profile from another program's file");

@@ -99,7 +99,7 @@ void add_outages(CLI::App& command, verify::OutageTimes& outages) {
 }  // namespace
 
 void add_verify(CLI::App& app, std::function<int()>& action) {
-  CLI::App* verify = app.add_subcommand("verify", "Show the product's figures beside the published ones");
+  CLI::App* verify = app.add_subcommand(kVerify.name, kVerify.purpose);
   verify->require_subcommand(1);
   for (const Verification& verification : verifications()) {
     CLI::App* command = verify->add_subcommand(verification.name, verification.purpose);
