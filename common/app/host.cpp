@@ -4,9 +4,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <random>
+#include <sstream>
+#include <string_view>
 
 namespace inslab::app {
 
@@ -62,6 +65,18 @@ std::string run_id_text(const RunId& run_id) {
   return text;
 }
 
+std::optional<RunId> run_id_of(const std::string& text) {
+  static constexpr std::string_view kHex = "0123456789abcdef";
+  RunId run_id;
+  if (text.size() != 2 * run_id.bytes.size()) return std::nullopt;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t digit = kHex.find(text[i]);
+    if (digit == std::string_view::npos) return std::nullopt;
+    run_id.bytes[i / 2] = static_cast<std::uint8_t>(run_id.bytes[i / 2] << 4 | digit);
+  }
+  return run_id;
+}
+
 std::string host_name() {
   char name[65] = {};
   gethostname(name, sizeof(name) - 1);
@@ -76,6 +91,32 @@ std::uint64_t resident_bytes() {
   std::uint64_t resident_pages = 0;
   statm >> total_pages >> resident_pages;
   return resident_pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+std::string process_space() {
+  std::string boot;
+  std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
+  char space[64] = {};
+  const ssize_t length = readlink("/proc/self/ns/pid", space, sizeof(space) - 1);
+  return boot.substr(0, 13) + " " + std::string(space, length < 0 ? 0 : static_cast<std::size_t>(length));
+}
+
+std::optional<std::uint64_t> started_ticks(std::uint32_t pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+  std::string text;
+  std::getline(file, text, '\0');
+  // The second field, the name, may hold anything; what follows its last parenthesis counts from the third. man 5 proc.
+  constexpr int kState = 3;
+  constexpr int kStartTime = 22;
+  const std::size_t name_end = text.rfind(')');
+  if (name_end == std::string::npos) return std::nullopt;
+  std::istringstream fields(text.substr(name_end + 1));
+  std::string field;
+  for (int number = kState; number <= kStartTime && fields >> field; ++number) {
+    if (number == kState && (field == "Z" || field == "X")) return std::nullopt;
+    if (number == kStartTime) return std::strtoull(field.c_str(), nullptr, 10);
+  }
+  return std::nullopt;
 }
 
 std::string cpu_features() {

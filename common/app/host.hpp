@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "samples/field.hpp"
@@ -20,11 +21,16 @@ void use_precise_timers();
 
 std::uint64_t random_id();  ///< for requests
 RunId random_run_id();
-std::string run_id_text(const RunId& run_id);  ///< 32 hexadecimal digits
+std::string run_id_text(const RunId& run_id);             ///< 32 hexadecimal digits
+std::optional<RunId> run_id_of(const std::string& text);  ///< of that text; nothing when it is none
 
 std::string host_name();
 std::uint32_t process_id();
 std::uint64_t resident_bytes();
+/// Where a process id counts: this boot of this machine, and its PID namespace. Containers of one host differ.
+std::string process_space();
+/// When a process of this process space started, in clock ticks since the boot; nothing when it has ended.
+std::optional<std::uint64_t> started_ticks(std::uint32_t pid);
 /// The instruction set level that the bits of a run depend on, such as "x86-64 avx2 fma".
 std::string cpu_features();
 /// UTC as 20260131T235959Z.

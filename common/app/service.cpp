@@ -7,9 +7,13 @@
 
 #include "app/clock_override.hpp"
 #include "app/exit_code.hpp"
+#include "app/host.hpp"
+#include "app/scenario_hash.hpp"
 #include "app/service_names.hpp"
+#include "app/set_members.hpp"
 #include "app/shutdown.hpp"
 #include "config/error.hpp"
+#include "io/error.hpp"
 
 namespace inslab::app {
 
@@ -48,11 +52,35 @@ dds::ParticipantOptions participant_options(const NetworkOptions& network, const
   return options;
 }
 
-Context::Context(std::string service, ServiceOptions options, scenario::LoadedScenario scenario)
-    : service_(std::move(service)),
+dds::ParticipantOptions participant_options(const NetworkOptions& network, const Identity& identity) {
+  dds::ParticipantOptions options = participant_options(network, identity.service);
+  options.user_data = announced(identity);
+  return options;
+}
+
+Identity identity_of(const std::string& service, const ServiceOptions& options,
+                     const scenario::LoadedScenario& scenario) {
+  Identity identity;
+  identity.service = service;
+  identity.sensor_number = options.sensor;
+  identity.unit = options.network.unit;
+  identity.host = host_name();
+  identity.process_space = process_space();
+  identity.pid = process_id();
+  identity.started_ticks = started_ticks(identity.pid).value_or(0);
+  identity.since_realtime_ns = realtime_now().count();
+  identity.version = INSLAB_VERSION;
+  identity.scenario = scenario.scenario.name;
+  identity.scenario_hash = scenario_hash(scenario);
+  identity.run_id = options.run_id;
+  return identity;
+}
+
+Context::Context(Identity identity, ServiceOptions options, scenario::LoadedScenario scenario)
+    : identity_(std::move(identity)),
       options_(std::move(options)),
       scenario_(std::move(scenario)),
-      participant_(participant_options(options_.network, service_)) {}
+      participant_(participant_options(options_.network, identity_)) {}
 
 int run_service(const char* name, const char* purpose, const ServiceTraits& traits, int argc, char** argv,
                 const std::function<int(Context&)>& body) {
@@ -65,11 +93,20 @@ int run_service(const char* name, const char* purpose, const ServiceTraits& trai
     scenario::LoadedScenario loaded =
         scenario::load(options.scenario, options.network.unit,
                        traits.makes_truth ? scenario::TrajectoryRows::Read : scenario::TrajectoryRows::LeaveOut);
+    const Identity identity = identity_of(name, options, loaded);  // by what the files say
     override_clock(options.clock, loaded);
-    Context context(name, options, std::move(loaded));
+    Context context(identity, options, std::move(loaded));
+    // Whoever starts services of one run has looked before.
+    if (options.run_id == RunId{}) look_around(context.participant(), identity);
     return body(context);
   } catch (const config::Error& error) {
     spdlog::error("{}", error.what());
+    return kBadInput;
+  } catch (const PlaceTaken& taken) {
+    spdlog::error("{}", taken.what());
+    return kBadInput;
+  } catch (const io::OutputRefused& refused) {
+    spdlog::error("{}", refused.what());
     return kBadInput;
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/exit_code.hpp"
+#include "app/host.hpp"
 #include "samples/run_control.hpp"
 
 namespace inslab::app {
@@ -49,6 +50,16 @@ std::vector<std::string> ClockOptions::as_arguments() const {
   return arguments;
 }
 
+namespace {
+
+const CLI::Validator is_run_id(
+    [](std::string& text) {
+      return run_id_of(text) ? std::string() : "'" + text + "' is no run id; expected 32 hexadecimal digits";
+    },
+    "ID");
+
+}  // namespace
+
 std::optional<int> parse(const char* name, const char* purpose, const ServiceTraits& traits, int argc, char** argv,
                          ServiceOptions& options) {
   CLI::App app(purpose, name);
@@ -65,6 +76,12 @@ std::optional<int> parse(const char* name, const char* purpose, const ServiceTra
                    "in the user's runtime folder");
   }
   if (traits.makes_truth) options.clock.add_to(app);
+  std::string run;
+  app.add_option(
+         "--run", run,
+         "id of the one run to take part in: 32 hexadecimal digits. Who gives it has seen to it that nobody else "
+         "has this place; without it the service looks around first")
+      ->check(is_run_id);
   app.add_option("--log-level", options.log_level, "debug, info, warn or error")
       ->check(CLI::IsMember({"debug", "info", "warn", "error"}))
       ->capture_default_str();
@@ -73,6 +90,7 @@ std::optional<int> parse(const char* name, const char* purpose, const ServiceTra
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kOk : kBadInput;
   }
+  if (!run.empty()) options.run_id = *run_id_of(run);
   return std::nullopt;
 }
 

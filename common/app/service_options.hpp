@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "samples/field.hpp"
+
 namespace CLI {
 class App;
 }
@@ -48,6 +50,7 @@ struct ServiceOptions {
   bool overwrites = false;   ///< the log may take the place of a file that is there
   std::string state_folder;  ///< empty: the user's own, see app/checkpoint.hpp
   ClockOptions clock;
+  RunId run_id;  ///< the one run to take part in; zero: whichever is there
   std::string log_level = "info";
 };
 

@@ -2,18 +2,19 @@
 
 #include <functional>
 
+#include "app/service.hpp"
 #include "dds/writer.hpp"
 #include "samples/service_status.hpp"
 #include "time/gps_time.hpp"
 
 namespace inslab::app {
 
-/// The heartbeat of a service: says once a second, and at every change of state, how it is.
+/// The heartbeat of a service: says once a second, and at every change of state, how it is. What was written that must
+/// not be (app/writers.hpp) is said at once, and makes a fault of the end.
 class StatusBoard {
  public:
   /// `fill` adds the counters just before each report.
-  StatusBoard(dds::Participant& participant, std::string service, std::uint32_t sensor_number,
-              std::function<void(ServiceStatus&)> fill);
+  StatusBoard(Context& context, std::uint32_t sensor_number, std::function<void(ServiceStatus&)> fill);
 
   /// Reports when a second has passed since the last report. Cheap otherwise.
   void tick();
@@ -21,7 +22,7 @@ class StatusBoard {
   /// Changes the state and reports it, unless it is that state already.
   void enter(ServiceState state, const std::string& message = {});
 
-  ServiceState state() const { return status_.state; }
+  ServiceState state() const { return state_; }
   void set_run(const RunId& run_id) { status_.run_id = run_id; }
   void set_sim_time(std::int64_t sim_time_ns) { status_.sim_time_ns = sim_time_ns; }
 
@@ -31,8 +32,11 @@ class StatusBoard {
  private:
   void report();
 
-  dds::Participant& participant_;
+  Context& context_;
   ServiceStatus status_;
+  ServiceState state_ = ServiceState::Starting;
+  std::string message_;
+  std::string fault_;  ///< as it was said last
   std::function<void(ServiceStatus&)> fill_;
   time::Nanoseconds last_report_{0};
   dds::Writer<ServiceStatus> writer_;

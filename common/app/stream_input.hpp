@@ -5,8 +5,8 @@
 
 #include "app/host.hpp"
 #include "app/service.hpp"
+#include "app/set_reader.hpp"
 #include "app/stream_monitor.hpp"
-#include "dds/reader.hpp"
 #include "dds/topics.hpp"
 #include "dds/writer.hpp"
 #include "samples/run_control.hpp"
@@ -32,14 +32,13 @@ class StreamInput {
       : consumer_(context.service()),
         monitor_(topic.name, StreamDirection::In),
         credits_(context.participant(), dds::topics::credit()),
-        samples_(context.participant(), topic,
+        samples_(context, topic,
                  [enqueue](const Sample& sample, const dds::SampleOrigin&) {
                    enqueue({{sample}, realtime_now().count()});
                  }),
-        blocks_(context.participant(), dds::topics::block(topic),
-                [enqueue](const Block<Sample>& block, const dds::SampleOrigin&) {
-                  enqueue({block.samples, realtime_now().count()});
-                }) {}
+        blocks_(context, dds::topics::block(topic), [enqueue](const Block<Sample>& block, const dds::SampleOrigin&) {
+          enqueue({block.samples, realtime_now().count()});
+        }) {}
 
   void begin_run(const RunId& run, ClockMode clock) {
     run_ = run;
@@ -119,8 +118,8 @@ class StreamInput {
   time::Nanoseconds next_credit_{0};
   StreamMonitor monitor_;
   dds::Writer<Credit> credits_;
-  dds::Reader<Sample> samples_;
-  dds::Reader<Block<Sample>> blocks_;
+  SetReader<Sample> samples_;
+  SetReader<Block<Sample>> blocks_;
 };
 
 }  // namespace inslab::app

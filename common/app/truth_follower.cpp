@@ -4,6 +4,7 @@
 #include "app/host.hpp"
 #include "app/service_names.hpp"
 #include "app/shutdown.hpp"
+#include "samples/profile_rules.hpp"
 
 namespace inslab::app {
 
@@ -11,38 +12,38 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, TruthConsumer& consumer)
-    : service_(context.service()),
+    : context_(context),
+      service_(context.service()),
       sensor_number_(sensor_number),
       consumer_(consumer),
       truth_monitor_(dds::topics::truth().name, StreamDirection::In),
       checkpoint_(context),
-      board_(context.participant(), context.service(), sensor_number,
+      board_(context, sensor_number,
              [this](ServiceStatus& status) {
                status.streams.push_back(truth_monitor_.status());
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
                consumer_.report(status);
              }),
       credits_(context.participant(), dds::topics::credit()),
-      status_reader_(context.participant(), dds::topics::sim_status(),
+      status_reader_(context, dds::topics::sim_status(),
                      [this](const SimStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }),
-      credit_reader_(context.participant(), dds::topics::credit(),
+      credit_reader_(context, dds::topics::credit(),
                      [this](const Credit& credit, const dds::SampleOrigin&) {
                        if (credit.topic != dds::topics::truth().name) mailbox_.put(credit);
                      }),
-      truth_reader_(context.participant(), dds::topics::truth(context.scenario().scenario.truth_rate_hz),
+      truth_reader_(context, dds::topics::truth(context.scenario().scenario.truth_rate_hz),
                     [this](const TruthState& state, const dds::SampleOrigin&) {
                       mailbox_.put(Arrived{{state}, realtime_now().count()});
                     }),
-      block_reader_(context.participant(),
-                    dds::topics::block(dds::topics::truth(context.scenario().scenario.truth_rate_hz)),
+      block_reader_(context, dds::topics::block(dds::topics::truth(context.scenario().scenario.truth_rate_hz)),
                     [this](const Block<TruthState>& block, const dds::SampleOrigin&) {
                       mailbox_.put(Arrived{block.samples, realtime_now().count()});
                     }) {
-  read_journal<ImuErrorProfile>(context.participant());
-  read_journal<VibrationProfile>(context.participant());
-  read_journal<InstallationProfile>(context.participant());
-  read_journal<GnssErrorProfile>(context.participant());
-  read_journal<FaultProfile>(context.participant());
+  read_journal<ImuErrorProfile>(context);
+  read_journal<VibrationProfile>(context);
+  read_journal<InstallationProfile>(context);
+  read_journal<GnssErrorProfile>(context);
+  read_journal<FaultProfile>(context);
   if (const std::string topic = consumer_.paced_by_nav_app(); !topic.empty()) {
     nav_reader_ = std::make_unique<dds::OpenReader<NavSolution>>(
         context.participant(), dds::topics::nav(),
@@ -57,9 +58,9 @@ TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, Trut
 }
 
 template <class Profile>
-void TruthFollower::read_journal(dds::Participant& participant) {
-  auto reader = std::make_shared<dds::Reader<Profile>>(
-      participant, dds::topics::journal<Profile>(),
+void TruthFollower::read_journal(Context& context) {
+  auto reader = std::make_shared<SetReader<Profile>>(
+      context, dds::topics::journal<Profile>(),
       [this](const Profile& entry, const dds::SampleOrigin&) { mailbox_.put(AnyProfile(entry)); });
   journal_readers_.push_back({reader, [reader] { return reader->matched_writers() > 0; }});
 }
@@ -81,7 +82,7 @@ void TruthFollower::handle(Message message) {
   if (const auto* arrived = std::get_if<Arrived>(&message)) {
     add_truth(*arrived);
   } else if (const auto* entry = std::get_if<AnyProfile>(&message)) {
-    consumer_.add(*entry);
+    obey(*entry);
   } else if (auto* credit = std::get_if<Credit>(&message)) {
     if (credit->consumer == kNavApp) credit->run_id = run_id_;
     consumer_.take(*credit);
@@ -90,7 +91,16 @@ void TruthFollower::handle(Message message) {
   }
 }
 
+/// An entry is judged where it is obeyed too: whoever wrote it, what breaks a rule never reaches a model.
+void TruthFollower::obey(const AnyProfile& entry) {
+  const auto broken = broken_rule(entry);
+  if (!broken) return consumer_.add(entry);
+  context_.writers().note_fault("entry " + std::to_string(request_of(entry).journal_number) +
+                                " of the journal is not obeyed: " + broken->path + ": " + broken->reason);
+}
+
 void TruthFollower::handle(const SimStatus& status) {
+  if (!context_.obeys(status.run_id)) return;
   // Once a run has begun this process serves no other: a second trajectory server must not turn its head.
   if (status.run_id != run_id_ && run_began_) return;
   if (status.run_id != run_id_) begin_run(status);
@@ -284,7 +294,7 @@ int TruthFollower::end() {
     board_.enter(ServiceState::Finished);
   }
   board_.flush(seconds(2));
-  return complete || left_no_run ? kOk : kFailed;
+  return (complete && context_.writers().fault().empty()) || left_no_run ? kOk : kFailed;
 }
 
 }  // namespace inslab::app

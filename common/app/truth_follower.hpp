@@ -8,6 +8,7 @@
 #include "app/checkpoint.hpp"
 #include "app/mailbox.hpp"
 #include "app/service.hpp"
+#include "app/set_reader.hpp"
 #include "app/status_board.hpp"
 #include "app/stop_grace.hpp"
 #include "app/stream_monitor.hpp"
@@ -88,9 +89,10 @@ class TruthFollower {
   };
 
   template <class Profile>
-  void read_journal(dds::Participant& participant);
+  void read_journal(Context& context);
   void handle(Message message);
   void handle(const SimStatus& status);
+  void obey(const AnyProfile& entry);
   void begin_run(const SimStatus& status);
   bool resume();
   std::vector<std::uint8_t> checkpoint() const;
@@ -105,6 +107,7 @@ class TruthFollower {
   bool gave_up();
   int end();
 
+  Context& context_;
   std::string service_;
   std::uint32_t sensor_number_;
   TruthConsumer& consumer_;
@@ -137,10 +140,10 @@ class TruthFollower {
   };
   std::vector<JournalReader> journal_readers_;
   std::unique_ptr<dds::OpenReader<NavSolution>> nav_reader_;
-  dds::Reader<SimStatus> status_reader_;
-  dds::Reader<Credit> credit_reader_;
-  dds::Reader<TruthState> truth_reader_;
-  dds::Reader<Block<TruthState>> block_reader_;
+  SetReader<SimStatus> status_reader_;
+  SetReader<Credit> credit_reader_;
+  SetReader<TruthState> truth_reader_;
+  SetReader<Block<TruthState>> block_reader_;
 };
 
 }  // namespace inslab::app

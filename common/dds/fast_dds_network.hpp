@@ -90,6 +90,7 @@ struct ParticipantData {
   const eprosima::fastdds::rtps::GUID_t& guid;
   const eprosima::fastrtps::string_255& participant_name;
   const eprosima::fastdds::dds::UserDataQosPolicy& user_data;
+  const eprosima::fastrtps::rtps::RemoteLocatorList& metatraffic_locators;
 };
 
 /// Of a writer or a reader.
@@ -154,8 +155,9 @@ class DomainParticipantListener : public eprosima::fastdds::dds::DomainParticipa
   void on_participant_discovery(Participant* participant,
                                 eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) final {
     bool ignored = false;
-    on_participant_discovery(participant, static_cast<ParticipantStatus>(info.status),
-                             {info.info.m_guid, info.info.m_participantName, info.info.m_userData}, ignored);
+    on_participant_discovery(
+        participant, static_cast<ParticipantStatus>(info.status),
+        {info.info.m_guid, info.info.m_participantName, info.info.m_userData, info.info.metatraffic_locators}, ignored);
   }
   void on_publisher_discovery(Participant* participant, eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) final {
     bool ignored = false;

@@ -13,9 +13,11 @@
 #include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "dds/fast_dds_network.hpp"
 #include "dds/packet_guard.hpp"
+#include "dds/participant_listener.hpp"
 #include "dds/security.hpp"
 
 namespace inslab::dds {
@@ -159,6 +161,7 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   }
   guard_transports(qos);
   qos.name(options.name);
+  qos.user_data().data_vec(options.user_data);
   if (!options.security.empty()) set_security(qos, options.security, options.role);
   return qos;
 }
@@ -176,7 +179,8 @@ std::string shared_memory_shortage(int participants) {
          "container --shm-size=1g";
 }
 
-Participant::Participant(const ParticipantOptions& options) : options_(options) {
+Participant::Participant(const ParticipantOptions& options)
+    : options_(options), listener_(std::make_unique<Listener>(options.unit)) {
   forward_fast_dds_log();
   if (options.transport == Transport::Shm) {
     if (const std::string shortage = shared_memory_shortage(1); !shortage.empty()) throw std::runtime_error(shortage);
@@ -185,7 +189,8 @@ Participant::Participant(const ParticipantOptions& options) : options_(options) 
   if (options.domain > 232) {
     throw std::runtime_error("DDS domain " + std::to_string(options.domain) + "; expected 0 to 232");
   }
-  participant_ = factory.create_participant(options.domain, participant_qos(options));
+  participant_ =
+      factory.create_participant(options.domain, participant_qos(options), listener_.get(), efd::StatusMask::none());
   if (participant_ == nullptr) {
     throw std::runtime_error("no DDS participant on domain " + std::to_string(options.domain) + ", interface '" +
                              options.interface_address + "': does the interface exist, are its ports free?");
@@ -201,8 +206,16 @@ Participant::Participant(const ParticipantOptions& options) : options_(options) 
 }
 
 Participant::~Participant() {
+  participant_->set_listener(nullptr);
   participant_->delete_contained_entities();
   efd::DomainParticipantFactory::get_instance()->delete_participant(participant_);
+}
+
+const Peers& Participant::peers() const { return listener_->peers; }
+
+std::vector<OtherVersion> Participant::take_other_versions() {
+  const std::lock_guard<std::mutex> lock(listener_->mutex);
+  return std::exchange(listener_->other_versions, {});
 }
 
 efd::Topic& Participant::topic_of_type(const std::string& name, const std::string& type_name) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dds/fast_dds.hpp"
+#include "dds/peers.hpp"
 #include "dds/topics.hpp"
 #include "dds/type_adapter.hpp"
 
@@ -36,6 +37,15 @@ struct ParticipantOptions {
   std::string discovery_server;                 ///< ADDRESS:PORT of a discovery server with id 0; empty: none
   std::string security;                         ///< folder of keys, see dds/security.hpp; empty: none
   std::string role;                             ///< whose keys
+  std::vector<std::uint8_t> user_data;          ///< what it says of itself in its announcement
+};
+
+/// A writer or reader of one of our topics whose type is of another version than ours: it will never match.
+struct OtherVersion {
+  ParticipantKey participant{};
+  bool is_writer = false;
+  std::string topic;
+  std::string type;
 };
 
 /// What keeps `participants` participants of Transport::Shm from the shared memory that they need, and what to do about
@@ -77,13 +87,21 @@ class Participant {
     return topic_of_type(name, type_name);
   }
 
+  /// The other participants on the network.
+  const Peers& peers() const;
+  /// Who was heard since the last call of having another version of our types, in this unit.
+  std::vector<OtherVersion> take_other_versions();
+
   /// Received samples of any topic whose bytes were not what their type says.
   std::uint32_t refused_messages() const { return refused_->load(); }
 
  private:
+  struct Listener;
+
   eprosima::fastdds::dds::Topic& topic_of_type(const std::string& name, const std::string& type_name);
 
   ParticipantOptions options_;
+  std::unique_ptr<Listener> listener_;
   std::shared_ptr<std::atomic<std::uint32_t>> refused_ = std::make_shared<std::atomic<std::uint32_t>>();
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastdds::dds::Publisher* publisher_ = nullptr;

@@ -29,8 +29,6 @@ struct SampleOrigin {
   }
 };
 
-/// What the writers of one participant have in common.
-using ParticipantKey = std::array<std::uint8_t, 12>;
 inline ParticipantKey participant_of(const SampleOrigin& origin) {
   ParticipantKey key{};
   std::copy_n(origin.writer.begin(), key.size(), key.begin());

@@ -1,6 +1,7 @@
 #include "io/output_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,18 +19,31 @@ OutputFile::OutputFile(const std::string& path, Kind kind) : path_(path) {
     check_output(path);
   }
   const std::string& file = place_ ? place_->growing() : path_;
-  descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
   if (descriptor_ < 0) throw WriteError(path_, "create", errno);
+  claim();
+  if (::ftruncate(descriptor_, 0) == 0 || errno == EINVAL) return;  // pipes and devices have no length
+  const int error_number = errno;
+  ::close(descriptor_);
+  throw WriteError(path_, "empty", error_number);
 }
 
 OutputFile::OutputFile(const std::string& path, std::uint64_t keep) : path_(path), size_(keep) {
   descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor_ < 0) throw WriteError(path_, "open", errno);
+  claim();
   const auto end = static_cast<off_t>(keep);
   if (::ftruncate(descriptor_, end) == 0 && ::lseek(descriptor_, end, SEEK_SET) == end) return;
   const int error_number = errno;
   ::close(descriptor_);
   throw WriteError(path_, "cut", error_number);
+}
+
+/// For as long as this process writes to the file nobody else does. File systems that know no locks do without.
+void OutputFile::claim() {
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(std::exchange(descriptor_, -1));
+  throw OutputRefused(being_written(path_));
 }
 
 OutputFile::~OutputFile() {

@@ -19,7 +19,7 @@ class OutputFile {
  public:
   enum class Kind { Result, Log };
 
-  /// Throws WriteError, also when the rule for outputs forbids it.
+  /// Throws WriteError; OutputRefused when the rule for outputs forbids it or another process writes to the file.
   explicit OutputFile(const std::string& path, Kind kind = Kind::Result);
   /// Goes on with a file that is there, after its first `keep` bytes; the rest is cut off. Throws WriteError.
   OutputFile(const std::string& path, std::uint64_t keep);
@@ -37,6 +37,8 @@ class OutputFile {
   const std::string& path() const { return path_; }
 
  private:
+  void claim();
+
   std::string path_;
   std::optional<OutputPlace> place_;
   int descriptor_ = -1;

@@ -1,6 +1,7 @@
 #include "io/output_place.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -30,6 +31,15 @@ bool is_something_else(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
+/// Whoever writes a file holds its lock.
+bool is_being_written(const std::string& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return locked;
+}
+
 }  // namespace
 
 void set_output_rule(OutputRule rule) { rule_in_force = rule; }
@@ -42,8 +52,13 @@ void check_output(const std::string& path) {
     throw OutputRefused(path +
                         ": is an input of this command and is not replaced; expected another name for the output");
   }
+  if (is_being_written(path)) throw OutputRefused(being_written(path));
   if (rule == OutputRule::ReplaceResults || status.st_size == 0) return;
   throw OutputRefused(path + ": is there already and is kept; --overwrite replaces it, another name leaves it");
+}
+
+std::string being_written(const std::string& path) {
+  return path + ": another process is writing to it; expected another name for the output";
 }
 
 std::string fresh_file(const std::string& stem, const std::string& ending) {

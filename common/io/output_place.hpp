@@ -14,8 +14,11 @@ enum class OutputRule {
 /// Set once by a program, before it works.
 void set_output_rule(OutputRule rule);
 
-/// Throws OutputRefused, saying what to do, when the rule forbids to write to this path.
+/// Throws OutputRefused, saying what to do, when the rule forbids to write to this path, or, unless it allows anything,
+/// when another process is writing to it (io/output_file.hpp).
 void check_output(const std::string& path);
+/// What OutputRefused says then.
+std::string being_written(const std::string& path);
 
 /// A file that was not there, made empty so that nobody else gets the name: STEM + ENDING, or else STEM-2 + ENDING, and
 /// so on. Folders are made. Throws WriteError.

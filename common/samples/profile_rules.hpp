@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "samples/any_profile.hpp"
 #include "samples/fault_profile.hpp"
 #include "samples/gnss_error_profile.hpp"
 #include "samples/imu_error_profile.hpp"
@@ -273,6 +274,16 @@ inline std::optional<Violation> violation(const FaultProfile& profile) {
   if (auto broken = detail::fade_violation(profile.request)) return broken;
   return profile.target.kind == SensorKind::Imu ? detail::receiver_fault_violation(profile)
                                                 : detail::imu_fault_violation(profile);
+}
+
+/// The first limit or rule that a profile of any kind breaks.
+inline std::optional<Violation> broken_rule(const AnyProfile& profile) {
+  return std::visit(
+      [](const auto& one) {
+        auto limits = limit_violation(one);
+        return limits ? limits : violation(one);
+      },
+      profile);
 }
 
 }  // namespace samples

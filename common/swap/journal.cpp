@@ -26,13 +26,7 @@ Journal::Journal(std::vector<SensorAddress> sensors, time::Grid truth_grid, time
     : sensors_(std::move(sensors)), truth_grid_(std::move(truth_grid)), end_(end) {}
 
 std::optional<Violation> Journal::rejection_of(const AnyProfile& request, time::Nanoseconds now) const {
-  auto broken = std::visit(
-      [](const auto& profile) {
-        auto limits = limit_violation(profile);
-        return limits ? limits : violation(profile);
-      },
-      request);
-  if (broken) return broken;
+  if (auto broken = broken_rule(request)) return broken;
   if (std::find(sensors_.begin(), sensors_.end(), target_of(request)) == sensors_.end()) {
     return Violation{Rule::SensorExists, "target_number",
                      "names " + sensor_name(target_of(request)) + ", which this unit does not have"};

@@ -7,6 +7,7 @@
 
 #include "app/host.hpp"
 #include "app/service_names.hpp"
+#include "app/set_members.hpp"
 #include "app/shutdown.hpp"
 
 namespace inslab::cli {
@@ -15,6 +16,14 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 namespace {
+
+/// This process, as the one that has the set, with a run of its own.
+app::Identity identity_for(const RunOptions& options, const scenario::LoadedScenario& loaded) {
+  app::ServiceOptions own;
+  own.network = options.network;
+  own.run_id = app::random_run_id();
+  return app::identity_of("inslab-run", own, loaded);
+}
 
 bool in_progress(const SimStatus& status) {
   return status.state == RunState::Running || status.state == RunState::Paused;
@@ -25,14 +34,23 @@ bool in_progress(const SimStatus& status) {
 LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& loaded)
     : options_(options),
       loaded_(loaded),
-      participant_(app::participant_options(options.network, "inslab-run")),
+      identity_(identity_for(options, loaded)),
+      participant_(app::participant_options(options.network, identity_)),
       client_(participant_),
+      faults_(participant_, dds::topics::service_status(),
+              [this](const ServiceStatus& status, const dds::SampleOrigin&) { note_fault(status); }),
       lockstep_(options.clock.mode.empty() ? loaded.scenario.clock.mode == ClockMode::Lockstep
                                            : options.clock.mode == "lockstep"),
-      holds_the_start_(lockstep_ && !loaded.swaps.empty()) {}
+      holds_the_start_(lockstep_ && !loaded.swaps.empty()) {
+  app::look_around(participant_, identity_, [this](const app::Identity& other) {
+    return app::is_of_the_set(other.service) || other.service == identity_.service;
+  });
+}
 
 void LiveRun::start_services() {
-  std::vector<std::string> common{"--scenario", options_.scenario, "--log-level", options_.verbose ? "info" : "warn"};
+  std::vector<std::string> common{"--scenario",  options_.scenario,
+                                  "--log-level", options_.verbose ? "info" : "warn",
+                                  "--run",       app::run_id_text(identity_.run_id)};
   const std::vector<std::string> network = options_.network.as_arguments();
   common.insert(common.end(), network.begin(), network.end());
   const auto with = [&](std::initializer_list<std::string> more) {
@@ -98,7 +116,23 @@ std::optional<std::string> LiveRun::failure() const {
   if (!children_.all_ended()) return "a service did not end";
   if (!early_ends_.empty()) return early_ends_.front();
   if (next_swap_ < loaded_.swaps.size()) return "the run ended before all swaps were sent";
-  return children_.failure();
+  auto failure = children_.failure();
+  if (failure) *failure += reason();
+  return failure;
+}
+
+/// What the set itself says of what went wrong, after a colon; empty when it says nothing.
+std::string LiveRun::reason() const {
+  const auto status = client_.status();
+  if (status && status->state == RunState::Fault && !status->message.empty()) return ": " + status->message;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return first_fault_.empty() ? "" : ": " + first_fault_;
+}
+
+void LiveRun::note_fault(const ServiceStatus& status) {
+  if (status.state != ServiceState::Fault) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (first_fault_.empty()) first_fault_ = status.message;
 }
 
 /// A service that ends by itself, or by a signal that it obeys, while the run goes on leaves the run without it.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -24,6 +25,7 @@ struct RunOptions {
 /// of the run is started again and goes on from its checkpoint; not so the trajectory server, whose end is the run's.
 class LiveRun {
  public:
+  /// Takes the place for a set in the unit. Throws app::PlaceTaken when there is one. Both are used until the end.
   LiveRun(const RunOptions& options, const scenario::LoadedScenario& loaded);
 
   /// Starts one process for each service of the scenario.
@@ -41,13 +43,19 @@ class LiveRun {
 
  private:
   void note_early_ends(const Progress& progress);
+  void note_fault(const ServiceStatus& status);
+  std::string reason() const;
   void restart_killed(const Progress& progress);
   void send_due_swaps(const SimStatus& status);
 
   const RunOptions& options_;
   const scenario::LoadedScenario& loaded_;
+  app::Identity identity_;
   dds::Participant participant_;
   RunClient client_;
+  mutable std::mutex mutex_;
+  std::string first_fault_;  ///< of a service
+  dds::Reader<ServiceStatus> faults_;
   std::vector<std::string> early_ends_;  ///< which service left the run, and when
   ChildProcesses children_;
   bool lockstep_;

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/exit_code.hpp"
+#include "app/set_members.hpp"
 #include "app/shutdown.hpp"
 #include "config/error.hpp"
 #include "io/error.hpp"
@@ -30,6 +31,9 @@ int main(int argc, char** argv) {
     return action();
   } catch (const config::Error& error) {
     std::cerr << "inslab: " << error.what() << "\n";
+    return app::kBadInput;
+  } catch (const app::PlaceTaken& taken) {
+    std::cerr << "inslab: " << taken.what() << "\n";
     return app::kBadInput;
   } catch (const io::OutputRefused& error) {
     std::cerr << "inslab: " << error.what() << "\n";

@@ -44,19 +44,18 @@ int run(RunOptions options, const Outputs& outputs) {
   scenario::LoadedScenario loaded = scenario::load(options.scenario);
   app::override_clock(options.clock, loaded);
   if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
+  // Before anything is written: it throws when the unit has a set.
+  auto live = std::make_unique<LiveRun>(options, loaded);
   if (options.log_file.empty()) {
     const std::string unit = options.network.unit.empty() ? "" : "-" + options.network.unit;
     options.log_file =
         io::fresh_file("runs/" + loaded.scenario.name + unit + "-" + app::utc_text(app::realtime_now()), ".mcap");
   }
   check_outputs(options.log_file, outputs);
-  std::optional<std::string> failure;
-  {
-    LiveRun live(options, loaded);
-    live.start_services();
-    live.follow();
-    failure = live.failure();
-  }
+  live->start_services();
+  live->follow();
+  const std::optional<std::string> failure = live->failure();
+  live.reset();
   if (!std::filesystem::exists(options.log_file) || std::filesystem::is_empty(options.log_file)) {
     std::fprintf(stderr, "inslab run: %s; there is no log\n", failure ? failure->c_str() : "the logger wrote nothing");
     return app::kFailed;

@@ -197,10 +197,11 @@ int soak(SoakOptions options) {
     return app::kBadInput;
   }
   const std::string name = loaded.scenario.name + "-" + app::utc_text(app::realtime_now());
+  options.run.clock.mode = "lockstep";
+  Soak run(options, loaded);  // before anything is written: it throws when the unit has a set
   if (options.run.log_file.empty()) options.run.log_file = io::fresh_file("runs/soak-" + name, ".mcap");
   io::check_output(options.run.log_file);
-  options.run.clock.mode = "lockstep";
-  const bool good = Soak(options, loaded).go();
+  const bool good = run.go();
   if (good && !options.keep_log) {
     std::filesystem::remove(options.run.log_file);
     fmt::print("the log is removed; --keep-log keeps it\n");

@@ -24,11 +24,12 @@ Navigator navigator_for(const scenario::LoadedScenario& scenario, const scenario
 }  // namespace
 
 NavigatorOnBus::NavigatorOnBus(app::Context& context, const scenario::ReferenceNav& app)
-    : app_(app),
+    : context_(context),
+      app_(app),
       truth_grid_(context.scenario().truth_grid()),
       navigator_(navigator_for(context.scenario(), app)),
       sent_(dds::topics::nav().name, StreamDirection::Out),
-      board_(context.participant(), context.service(), 0,
+      board_(context, 0,
              [this](ServiceStatus& status) {
                status.streams = {imu_.status(), gnss_.status(), sent_.status()};
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
@@ -39,15 +40,15 @@ NavigatorOnBus::NavigatorOnBus(app::Context& context, const scenario::ReferenceN
            [this](app::Arrived<ImuSample> arrived) { mailbox_.put(std::move(arrived)); }),
       gnss_(context, dds::topics::gnss(app.gnss, context.scenario().gnss_number(app.gnss).rate.hz()),
             [this](app::Arrived<GnssFix> arrived) { mailbox_.put(std::move(arrived)); }),
-      credits_(context.participant(), dds::topics::credit(),
+      credits_(context, dds::topics::credit(),
                [this](const Credit& credit, const dds::SampleOrigin&) {
                  const bool of_our_receiver =
                      credit.consumer == app::kGnssEmulator && credit.consumer_number == app_.gnss;
                  if (of_our_receiver && credit.topic == dds::topics::truth().name) mailbox_.put(credit);
                }),
-      service_status_(context.participant(), dds::topics::service_status(),
+      service_status_(context, dds::topics::service_status(),
                       [this](const ServiceStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }),
-      sim_status_(context.participant(), dds::topics::sim_status(),
+      sim_status_(context, dds::topics::sim_status(),
                   [this](const SimStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }) {}
 
 void NavigatorOnBus::handle(const Message& message) {
@@ -68,6 +69,7 @@ void NavigatorOnBus::handle(const app::Arrived<GnssFix>& arrived) {
 }
 
 void NavigatorOnBus::handle(const SimStatus& status) {
+  if (!context_.obeys(status.run_id)) return;
   // Once a run has begun this process serves no other.
   if (status.run_id != run_id_ && run_began_) return;
   if (status.run_id != run_id_) {
@@ -183,7 +185,7 @@ int NavigatorOnBus::end() {
   board_.enter(failure.empty() ? ServiceState::Finished : ServiceState::Fault,
                failure.empty() && by_signal ? "ended by a signal before a run" : failure);
   board_.flush(seconds(2));
-  return failure.empty() ? app::kOk : app::kFailed;
+  return failure.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed;
 }
 
 }  // namespace inslab::reference_nav

@@ -4,6 +4,7 @@
 
 #include "app/mailbox.hpp"
 #include "app/service.hpp"
+#include "app/set_reader.hpp"
 #include "app/status_board.hpp"
 #include "app/stop_grace.hpp"
 #include "app/stream_input.hpp"
@@ -41,6 +42,7 @@ class NavigatorOnBus {
   bool finished() const;
   int end();
 
+  app::Context& context_;
   scenario::ReferenceNav app_;
   time::Grid truth_grid_;
   Navigator navigator_;
@@ -63,9 +65,9 @@ class NavigatorOnBus {
   dds::Writer<Block<NavSolution>> blocks_;
   app::StreamInput<ImuSample> imu_;
   app::StreamInput<GnssFix> gnss_;
-  dds::Reader<Credit> credits_;
-  dds::Reader<ServiceStatus> service_status_;
-  dds::Reader<SimStatus> sim_status_;
+  app::SetReader<Credit> credits_;
+  app::SetReader<ServiceStatus> service_status_;
+  app::SetReader<SimStatus> sim_status_;
 };
 
 }  // namespace inslab::reference_nav

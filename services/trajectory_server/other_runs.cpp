@@ -2,12 +2,6 @@
 
 namespace inslab::trajectory {
 
-void OtherRuns::hear(const SimStatus& status) {
-  if (status.run_id == own_ || has_ended(status.state)) return;
-  const bool it_stays = status.state != RunState::Waiting || status.run_id.bytes < own_.bytes;
-  if (it_stays) server_ = status;
-}
-
 void OtherRuns::hear(const ServiceStatus& status, time::Nanoseconds now) {
   const bool in_another_run =
       status.state == ServiceState::Running && status.run_id != own_ && status.run_id != RunId{};
@@ -20,9 +14,9 @@ void OtherRuns::hear(const ServiceStatus& status, time::Nanoseconds now) {
 }
 
 const ServiceStatus* OtherRuns::orphan(time::Nanoseconds now) const {
-  // A server speaks ten times a second; discovery takes some tenths.
-  constexpr time::Nanoseconds kTimeToHearTheServer = std::chrono::milliseconds(1500);
-  const bool alone = running_ && !server_ && now - running_since_ > kTimeToHearTheServer;
+  // A run that ends just now is left within moments.
+  constexpr time::Nanoseconds kTimeToLeave = std::chrono::milliseconds(1500);
+  const bool alone = running_ && now - running_since_ > kTimeToLeave;
   return alone ? &*running_ : nullptr;
 }
 

@@ -5,6 +5,7 @@
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service_names.hpp"
+#include "app/set_members.hpp"
 #include "app/shutdown.hpp"
 #include "services/trajectory_server/server_on_bus.hpp"
 
@@ -35,14 +36,30 @@ std::string ServerOnBus::missing_peers() const {
   return vehicle_ && !vehicle_->connected() ? "a writer of inslab/vehicle_state" : "";
 }
 
-/// Before the first sample: the exit code when this process must not run.
-std::optional<int> ServerOnBus::yield_to_other_run() {
-  if (const auto& other = others_.server()) {
-    spdlog::error("another trajectory server runs '{}' for this unit; this one ends", other->scenario);
-    board_.enter(ServiceState::Fault, "another trajectory server is at work");
-    board_.flush(seconds(2));
-    return app::kFailed;
+/// A service of this scenario that was given something else; empty when there is none.
+std::string ServerOnBus::stranger_among_services() const {
+  const auto required = app::required_services(scenario_);
+  for (const app::Identity& member : app::members_of(context_.participant(), context_.identity().unit)) {
+    if (std::find(required.begin(), required.end(), member.role()) == required.end()) continue;
+    const std::string why = app::difference(context_.identity(), member);
+    if (!why.empty()) return app::words_of(member) + " does not belong to this trajectory server's run: " + why;
   }
+  return "";
+}
+
+/// An app that was built with other types than ours never matches, and would wait for ever without a word.
+void ServerOnBus::warn_of_other_versions() {
+  for (const dds::OtherVersion& other : context_.participant().take_other_versions()) {
+    if (!told_of_version_.insert(other.participant).second) continue;
+    const auto peer = context_.participant().peers().find(other.participant);
+    spdlog::warn("{} {} {} as {}: it was built with another version of the types and does not match; this set has {}*",
+                 peer ? dds::words_of(*peer) : "a participant that has left", other.is_writer ? "writes" : "reads",
+                 other.topic, other.type, wire::kModule);
+  }
+}
+
+/// Before the first sample: the exit code when services are in a run whose server is gone.
+std::optional<int> ServerOnBus::end_run_without_server() {
   const ServiceStatus* orphan = others_.orphan(monotonic_now());
   if (orphan == nullptr) return std::nullopt;
   return end_run_of(*orphan);
@@ -79,7 +96,12 @@ bool ServerOnBus::wait_until_ready() {
   board_.enter(ServiceState::Ready);
   for (std::string names = missing_peers(); !names.empty(); names = missing_peers()) {
     if (app::shutdown_requested() || control_.stop_requested()) return false;
-    if (others_.server() || others_.orphan(monotonic_now()) != nullptr) return false;
+    if (others_.orphan(monotonic_now()) != nullptr) return false;
+    if (const std::string stranger = stranger_among_services(); !stranger.empty()) {
+      spdlog::error("{}", stranger);
+      status_.message = stranger.substr(0, 256);
+      return false;
+    }
     if (monotonic_now() > deadline) {
       spdlog::error("not ready after {} s: {}", timeout_s, names);
       status_.message = ("not ready: " + names).substr(0, 256);

@@ -30,14 +30,14 @@ ServerOnBus::ServerOnBus(app::Context& context)
     : context_(context),
       scenario_(context.scenario()),
       shortest_period_s_(scenario_.truth_grid().shortest_period_s()),
-      run_id_(app::random_run_id()),
+      run_id_(context.identity().run_id == RunId{} ? app::random_run_id() : context.identity().run_id),
       others_(run_id_),
       control_(scenario_.scenario.clock.mode, scenario_.scenario.clock.start_paused),
       clock_(time::Nanoseconds(0), scenario_.scenario.clock.rate),
       truth_(context, dds::topics::truth(scenario_.truth_grid().hz()),
              {app::truth_consumers(scenario_), false, 2 * app::StreamOutput<TruthState>::kWindowSamples,
               truth_kept(scenario_)}),
-      board_(context.participant(), context.service(), 0,
+      board_(context, 0,
              [this](ServiceStatus& status) {
                status.streams.push_back(truth_.status());
                if (vehicle_ && source_) vehicle_->fill(status, *source_->vehicle_link());
@@ -50,13 +50,9 @@ ServerOnBus::ServerOnBus(app::Context& context)
       acks_(context.participant(), dds::topics::profile_ack()),
       commands_(context.participant(), dds::topics::sim_command(),
                 [this](const SimCommand& command, const dds::SampleOrigin&) { mailbox_.put(command); }),
-      service_status_(context.participant(), dds::topics::service_status(),
+      service_status_(context, dds::topics::service_status(),
                       [this](const ServiceStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }),
-      other_servers_(context.participant(), dds::topics::sim_status(),
-                     [this](const SimStatus& status, const dds::SampleOrigin&) {
-                       if (status.run_id != run_id_) mailbox_.put(status);
-                     }),
-      credits_(context.participant(), dds::topics::credit(), [this](const Credit& credit, const dds::SampleOrigin&) {
+      credits_(context, dds::topics::credit(), [this](const Credit& credit, const dds::SampleOrigin&) {
         if (credit.topic == truth_.topic()) mailbox_.put(credit);
       }) {
   open_profile_topics<ImuErrorProfile>(context.participant());
@@ -138,8 +134,6 @@ void ServerOnBus::handle_messages(time::Nanoseconds patience) {
     } else if (const auto* state = std::get_if<VehicleState>(&*message)) {
       // Before the run there is no time that a state could be of.
       if (status_.state == RunState::Running) vehicle_->take(*state, *source_);
-    } else if (const auto* other = std::get_if<SimStatus>(&*message)) {
-      others_.hear(*other);
     } else {
       const auto& status = std::get<ServiceStatus>(*message);
       others_.hear(status, monotonic_now());
@@ -274,6 +268,7 @@ void ServerOnBus::report_status() {
   if (monotonic_now() < next_report_) return;
   next_report_ = monotonic_now() + milliseconds(100);
   sim_status_.write(status_);
+  warn_of_other_versions();
   if (vehicle_ && status_.state == RunState::Running) vehicle_->report(*source_, run_id_, status_.sim_time_ns);
 }
 
@@ -289,7 +284,7 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   sim_status_.write(status_);
   sim_status_.wait_for_acknowledgments(seconds(2));
   serve_stragglers();
-  const bool good = state != RunState::Fault;
+  const bool good = state != RunState::Fault && context_.writers().fault().empty();
   board_.enter(good ? ServiceState::Finished : ServiceState::Fault, message);
   board_.flush(seconds(2));
   spdlog::info("{}: {} truth samples, {} overruns, largest lag {:.3f} ms{}", enum_name(state), source_->taken(),
@@ -308,7 +303,7 @@ int ServerOnBus::run() {
     installation_.write({{SensorKind::Gnss, gnss.number}, gnss.nominal_installation.lever_arm_v_m, Vector3::Zero()});
   }
   if (!wait_until_ready()) {
-    if (const auto exit_code = yield_to_other_run()) return *exit_code;
+    if (const auto exit_code = end_run_without_server()) return *exit_code;
     if (!app::shutdown_requested() && !control_.stop_requested()) return end(RunState::Fault, status_.message);
     return end(RunState::Stopped, "stopped while it waited for " + missing_peers());
   }

@@ -2,10 +2,12 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "app/mailbox.hpp"
 #include "app/service.hpp"
+#include "app/set_reader.hpp"
 #include "app/status_board.hpp"
 #include "app/stream_output.hpp"
 #include "dds/reader.hpp"
@@ -21,9 +23,10 @@ namespace inslab::trajectory {
 /// on a grid of absolute deadlines or as fast as its consumers give credit, journals the requests for swaps, obeys the
 /// commands, and says how the run goes. The only clock of the run.
 ///
-/// A unit has one trajectory server, and a run has one from its start to its end. One that finds another at work ends
-/// itself. One that finds services still in a run whose server is gone (killed, and started again) ends that run as a
-/// fault, so that every log is closed, and then itself: a run is never gone on with by another clock, nor run twice.
+/// A run has one trajectory server from its start to its end. One that finds services still in a run whose server is
+/// gone (killed, and started again) ends that run as a fault, so that every log is closed, and then itself: a run is
+/// never gone on with by another clock, nor run twice. One that finds a service with another scenario than its own does
+/// not begin.
 class ServerOnBus {
  public:
   explicit ServerOnBus(app::Context& context);
@@ -32,7 +35,7 @@ class ServerOnBus {
   int run();
 
  private:
-  using Message = std::variant<AnyProfile, SimCommand, ServiceStatus, Credit, VehicleState, SimStatus>;
+  using Message = std::variant<AnyProfile, SimCommand, ServiceStatus, Credit, VehicleState>;
   struct Heard {
     ServiceState state;
     std::string message;
@@ -46,7 +49,9 @@ class ServerOnBus {
   std::vector<std::string> missing_services() const;
   std::string missing_peers() const;
   bool wait_until_ready();
-  std::optional<int> yield_to_other_run();
+  std::string stranger_among_services() const;
+  void warn_of_other_versions();
+  std::optional<int> end_run_without_server();
   int end_run_of(const ServiceStatus& orphan);
   void begin();
   int run_to_end();
@@ -73,6 +78,7 @@ class ServerOnBus {
   time::Nanoseconds next_report_{0};    ///< CLOCK_MONOTONIC
   time::Nanoseconds blocked_since_{0};  ///< CLOCK_MONOTONIC since no consumer gave credit; 0: not blocked
   std::uint64_t time_marks_ = 0;
+  std::set<dds::ParticipantKey> told_of_version_;
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
   app::Mailbox<Message> mailbox_;
   std::unique_ptr<VehicleOnBus> vehicle_;  ///< null when the scenario has no live vehicle
@@ -85,9 +91,8 @@ class ServerOnBus {
   std::vector<std::shared_ptr<void>> entities_;  ///< request readers and journal writers of the five kinds
   std::map<ProfileKind, std::function<void(const AnyProfile&)>> write_journal_;
   dds::OpenReader<SimCommand> commands_;
-  dds::Reader<ServiceStatus> service_status_;
-  dds::Reader<SimStatus> other_servers_;
-  dds::Reader<Credit> credits_;
+  app::SetReader<ServiceStatus> service_status_;
+  app::SetReader<Credit> credits_;
 };
 
 }  // namespace inslab::trajectory

@@ -37,7 +37,7 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
       log_(interrupted_ ? RunLog(interrupted_->path, kChunkBytes)
                         : RunLog(path, context.scenario(), app::cpu_features(), kChunkBytes)),
       scorer_(context.scenario().scenario),
-      board_(context.participant(), context.service(), 0,
+      board_(context, 0,
              [this](ServiceStatus& status) {
                for (const auto& [topic, monitor] : streams_) status.streams.push_back(monitor.status());
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
@@ -84,7 +84,7 @@ LoggerOnBus::Channel& LoggerOnBus::add_reader(app::Context& context, const dds::
     channel.reader = std::make_shared<dds::OpenReader<T>>(context.participant(), topic, enqueue);
     channel.matched = [] { return true; };
   } else {
-    auto reader = std::make_shared<dds::Reader<T>>(context.participant(), topic, enqueue);
+    auto reader = std::make_shared<app::SetReader<T>>(context, topic, enqueue);
     channel.matched = [reader] { return reader->matched_writers() > 0; };
     channel.reader = reader;
   }
@@ -150,6 +150,7 @@ void LoggerOnBus::add_stream(app::Context& context, const dds::Topic<T>& topic) 
 
 /// Counts a sample; false when it came before.
 bool LoggerOnBus::note(app::StreamMonitor& monitor, const StreamHeader& header, const Message& message) {
+  if (!context_.obeys(header.run_id) || (run_id_ != RunId{} && header.run_id != run_id_)) return false;
   if (!monitor.received(header, message.received_realtime_ns)) return false;
   watch_the_sender(monitor.topic(), header, message);
   board_.set_run(header.run_id);
@@ -245,6 +246,7 @@ void LoggerOnBus::add_control_channels(app::Context& context) {
   add_channel(context, dds::topics::sim_status()).on_message = [this](const Message& message) {
     SimStatus status;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), status)) return;
+    if (!context_.obeys(status.run_id)) return;
     // Once a run has begun this process logs no other.
     if (run_id_ != RunId{} && status.run_id != run_id_ && run_began_) return;
     run_id_ = status.run_id;
@@ -385,7 +387,7 @@ int LoggerOnBus::end() {
   board_.flush(seconds(2));
   spdlog::info("log {} ({:.1f} MB)", log_.path(), static_cast<double>(log_.file().file_size()) * 1e-6);
   if (!failure_.empty()) spdlog::error("{}", failure_);
-  return failure_.empty() ? app::kOk : app::kFailed;
+  return failure_.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed;
 }
 
 }  // namespace inslab::logger

@@ -10,6 +10,7 @@
 #include "app/checkpoint.hpp"
 #include "app/mailbox.hpp"
 #include "app/service.hpp"
+#include "app/set_reader.hpp"
 #include "app/status_board.hpp"
 #include "app/stop_grace.hpp"
 #include "app/stream_monitor.hpp"

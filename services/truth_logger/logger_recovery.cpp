@@ -17,8 +17,9 @@ using std::chrono::seconds;
 std::optional<LoggerState> LoggerOnBus::interrupted(app::Context& context, app::Checkpoint& checkpoint) {
   if (!checkpoint.has_any()) return std::nullopt;
   app::Mailbox<SimStatus> mailbox;
-  const dds::Reader<SimStatus> reader(context.participant(), dds::topics::sim_status(),
-                                      [&](const SimStatus& status, const dds::SampleOrigin&) { mailbox.put(status); });
+  const app::SetReader<SimStatus> reader(
+      context, dds::topics::sim_status(),
+      [&](const SimStatus& status, const dds::SampleOrigin&) { mailbox.put(status); });
   const auto status = mailbox.take(seconds(2));
   if (!status) return std::nullopt;
   LoggerState state;

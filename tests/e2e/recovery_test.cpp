@@ -155,18 +155,6 @@ TEST_F(Recovery, ARunWhoseTrajectoryServerWasKilledIsEndedByTheNextOneAndNotRunA
   }
 }
 
-TEST_F(Recovery, ASecondTrajectoryServerEndsAndDisturbsNothing) {
-  const std::string reference = offline("recovery");
-  Process run("inslab", {"run", scenario("recovery"), "--log", log_, "--domain", own_domain()});
-  ASSERT_TRUE(reaches(1.0)) << run.output();
-  const auto second = service("inslab-trajectory-server", "recovery");
-  EXPECT_EQ(second->wait(seconds(30)), 1) << second->output();
-  EXPECT_THAT(second->output(), HasSubstr("another trajectory server runs 'recovery'"));
-  EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
-  expect_same_bits<TruthState>(log_, reference, "inslab/truth", 2001);
-  expect_same_bits<ImuSample>(log_, reference, "inslab/imu/0", 2000);
-}
-
 TEST_F(Recovery, AServiceThatComesTooLateAndKnowsNothingSaysSo) {
   const auto log = service("inslab-truth-logger", "recovery_long", {"--log", log_});
   const auto imu = service("inslab-imu-injector", "recovery_long");

@@ -60,6 +60,23 @@ TEST_F(OutputPlaces, ALogGrowsUnderItsOwnName) {
   EXPECT_EQ(contents(path("run.log")), "ab");
 }
 
+TEST_F(OutputPlaces, ALogThatIsBeingWrittenIsNobodyElses) {
+  const auto refuses = ThrowsMessage<OutputRefused>(HasSubstr("run.log: another process is writing to it"));
+  {
+    OutputFile file(path("run.log"), OutputFile::Kind::Log);
+    file.append(reinterpret_cast<const std::uint8_t*>("ab"), 2);
+    for (const OutputRule rule : {OutputRule::ReplaceAll, OutputRule::ReplaceResults}) {
+      set_output_rule(rule);
+      EXPECT_THAT([&] { OutputFile(path("run.log"), OutputFile::Kind::Log); }, refuses);
+      EXPECT_THAT([&] { OutputFile(path("run.log"), std::uint64_t{0}); }, refuses);
+    }
+    EXPECT_THAT([&] { check_output(path("run.log")); }, refuses) << "with --overwrite too";
+    file.append(reinterpret_cast<const std::uint8_t*>("c"), 1);
+    EXPECT_EQ(contents(path("run.log")), "abc");
+  }
+  EXPECT_NO_THROW(OutputFile(path("run.log"), OutputFile::Kind::Log));
+}
+
 TEST_F(OutputPlaces, WhatIsThereIsKeptUnlessAskedForAndAnInputAlways) {
   write_file(path("r.txt"), "old");
   write_file(path("in.txt"), "input");
