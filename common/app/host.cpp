@@ -94,11 +94,14 @@ std::uint64_t resident_bytes() {
 }
 
 std::string process_space() {
-  std::string boot;
-  std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
-  char space[64] = {};
-  const ssize_t length = readlink("/proc/self/ns/pid", space, sizeof(space) - 1);
-  return boot.substr(0, 13) + " " + std::string(space, length < 0 ? 0 : static_cast<std::size_t>(length));
+  static const std::string space = [] {
+    std::string boot;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
+    char name[64] = {};
+    const ssize_t length = readlink("/proc/self/ns/pid", name, sizeof(name) - 1);
+    return boot.substr(0, 13) + " " + std::string(name, length < 0 ? 0 : static_cast<std::size_t>(length));
+  }();
+  return space;
 }
 
 std::optional<std::uint64_t> started_ticks(std::uint32_t pid) {

@@ -10,8 +10,11 @@ namespace inslab::app {
 
 namespace {
 
-/// Those who are there answer an announcement at once; announcements that get lost are repeated every 100 ms at first.
-constexpr time::Nanoseconds kTimeToHear = std::chrono::milliseconds(500);
+/// Those who are there answer an announcement at once; announcements that get lost are repeated every 100 ms at first. A
+/// discovery server passes on what it hears every half second.
+time::Nanoseconds time_to_hear(const dds::Participant& participant) {
+  return std::chrono::milliseconds(participant.options().discovery_server.empty() ? 500 : 1500);
+}
 
 std::string refusal(const Identity& other, const std::string& reason, const std::string& advice) {
   return words_of(other) + " " + reason + (other.unit.empty() ? "" : " in the unit '" + other.unit + "'") + "; " +
@@ -37,7 +40,7 @@ std::vector<Identity> members_of(const dds::Participant& participant, const std:
 void look_around(const dds::Participant& participant, const Identity& own,
                  const std::function<bool(const Identity& other)>& is_in_the_way) {
   constexpr time::Nanoseconds kLook = std::chrono::milliseconds(10);
-  const time::Nanoseconds end = monotonic_now() + kTimeToHear;
+  const time::Nanoseconds end = monotonic_now() + time_to_hear(participant);
   while (monotonic_now() < end && !shutdown_requested()) {
     for (const Identity& other : members_of(participant, own.unit)) {
       if (!is_in_the_way(other) || !must_yield(own, other)) continue;

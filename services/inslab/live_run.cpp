@@ -42,8 +42,11 @@ LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& load
       lockstep_(options.clock.mode.empty() ? loaded.scenario.clock.mode == ClockMode::Lockstep
                                            : options.clock.mode == "lockstep"),
       holds_the_start_(lockstep_ && !loaded.swaps.empty()) {
-  app::look_around(participant_, identity_, [this](const app::Identity& other) {
-    return app::is_of_the_set(other.service) || other.service == identity_.service;
+  std::vector<app::ServiceKey> places = app::required_services(loaded_);
+  places.emplace_back(app::kTrajectoryServer, 0u);
+  places.push_back(identity_.role());
+  app::look_around(participant_, identity_, [&places](const app::Identity& other) {
+    return std::find(places.begin(), places.end(), other.role()) != places.end();
   });
 }
 
