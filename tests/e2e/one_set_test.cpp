@@ -113,7 +113,7 @@ TEST_F(OneSet, OfTwoThatStartTogetherOneRuns) {
   ASSERT_TRUE(eventually([&] { return refused(*one) || refused(*two); }, seconds(20)))
       << one->output() << two->output();
   Process& other = refused(*one) ? *two : *one;
-  EXPECT_TRUE(other.prints("short: 10 %", seconds(30))) << other.output();
+  EXPECT_TRUE(other.prints(" of 8.0 s", seconds(30))) << other.output();
   other.send(SIGINT);
   EXPECT_EQ(other.wait(seconds(30)), 1) << other.output();
 }
