@@ -10,8 +10,8 @@ namespace inslab::app {
 
 namespace {
 
-/// Those who are there answer an announcement at once; announcements that get lost are repeated every 100 ms at first. A
-/// discovery server passes on what it hears every half second.
+/// Those who are there answer an announcement at once; announcements that get lost are repeated every 100 ms at first.
+/// A discovery server passes on what it hears every half second.
 time::Nanoseconds time_to_hear(const dds::Participant& participant) {
   return std::chrono::milliseconds(participant.options().discovery_server.empty() ? 500 : 1500);
 }
