@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -27,6 +28,7 @@ std::optional<Identity> identity_of(const std::string& path) {
 struct Noted {
   std::mutex mutex;
   std::set<Identity> files;
+  std::vector<std::string> paths;
 };
 
 Noted& noted() {
@@ -41,6 +43,8 @@ void note_file_read(const std::string& path) {
   if (!identity) return;
   const std::lock_guard<std::mutex> lock(noted().mutex);
   noted().files.insert(*identity);
+  auto& paths = noted().paths;
+  if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
 }
 
 bool is_file_read(const std::string& path) {
@@ -48,6 +52,11 @@ bool is_file_read(const std::string& path) {
   if (!identity) return false;
   const std::lock_guard<std::mutex> lock(noted().mutex);
   return noted().files.count(*identity) > 0;
+}
+
+std::vector<std::string> files_read() {
+  const std::lock_guard<std::mutex> lock(noted().mutex);
+  return noted().paths;
 }
 
 }  // namespace inslab::config

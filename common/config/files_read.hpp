@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace inslab::config {
 
@@ -9,5 +10,8 @@ namespace inslab::config {
 /// link or by another path.
 void note_file_read(const std::string& path);
 bool is_file_read(const std::string& path);
+
+/// The same files as they were spelt when they were opened, in order; each spelling once.
+std::vector<std::string> files_read();
 
 }  // namespace inslab::config

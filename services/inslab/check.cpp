@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/exit_code.hpp"
+#include "config/files_read.hpp"
 #include "scenario/load.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/reference_nav/app_setup.hpp"
@@ -17,6 +18,7 @@ struct CheckOptions {
   std::string file;
   std::string kind = "scenario";
   std::string sensor_kind;
+  bool lists_files = false;
 };
 
 template <class Enum>
@@ -43,9 +45,13 @@ std::string words_of(const scenario::LoadedScenario& loaded) {
   return "";
 }
 
-int check_scenario(const std::string& file) {
+int check_scenario(const std::string& file, bool lists_files) {
   const scenario::LoadedScenario loaded = scenario::load(file);
   if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
+  if (lists_files) {
+    for (const std::string& path : config::files_read()) fmt::print("{}\n", path);
+    return app::kOk;
+  }
   fmt::print("{}: good: {:.3f} s at {} Hz, {}, {} IMUs, {} GNSS receivers, {} swaps\n", file,
              loaded.scenario.duration_s, loaded.scenario.truth_rate_hz, words_of(loaded), loaded.imus.size(),
              loaded.gnss.size(), loaded.swaps.size());
@@ -79,11 +85,12 @@ void add_check(CLI::App& app, std::function<int()>& action) {
   command->add_option("--kind", options->kind, "what the file is")->check(CLI::IsMember(kinds))->capture_default_str();
   command->add_option("--sensor", options->sensor_kind, "for a profile: the kind of sensor it goes to")
       ->check(CLI::IsMember({"imu", "gnss"}));
+  command->add_flag("--files", options->lists_files, "for a scenario: print only the files that it takes, one a line");
   command->callback([options, &action] {
     action = [options] {
       if (options->kind == "navigation") return check_navigation(options->file);
       const auto kind = value_named<ProfileKind>(options->kind);
-      return kind ? check_profile(*options, *kind) : check_scenario(options->file);
+      return kind ? check_profile(*options, *kind) : check_scenario(options->file, options->lists_files);
     };
   });
 }

@@ -13,6 +13,8 @@ namespace inslab::cli {
 
 void add_run(CLI::App& app, std::function<int()>& action);
 void add_summary(CLI::App& app, std::function<int()>& action);
+void add_judge(CLI::App& app, std::function<int()>& action);
+void add_follow(CLI::App& app, std::function<int()>& action);
 void add_report(CLI::App& app, std::function<int()>& action);
 void add_soak(CLI::App& app, std::function<int()>& action);
 void add_simulate(CLI::App& app, std::function<int()>& action);

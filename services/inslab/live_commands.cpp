@@ -31,6 +31,8 @@ int become_study(const char* command, const std::vector<std::string>& arguments)
 void add_commands(CLI::App& app, std::function<int()>& action) {
   add_run(app, action);
   add_summary(app, action);
+  add_follow(app, action);
+  add_judge(app, action);
   add_report(app, action);
   add_soak(app, action);
   add_simulate(app, action);

@@ -90,16 +90,25 @@ int send_all(const std::vector<AnyProfile>& requests, double timeout_s, const ap
     // A swap in the future is acknowledged by its first sample: wait for as long as the run goes on.
     auto last_status = client.statuses();
     time::Nanoseconds deadline = app::monotonic_now() + patience;
+    const auto has_run_ended = [&] { return client.status() && has_ended(client.status()->state); };
+    bool ended = false;
     while (client.acks(id).empty() &&
            !wait_for(app::monotonic_now() + std::chrono::milliseconds(50), [&] { return !client.acks(id).empty(); })) {
       if (app::shutdown_requested()) return app::kNotApplied;
-      const bool going_on = client.statuses() != last_status && client.status() && !has_ended(client.status()->state);
-      if (going_on) deadline = app::monotonic_now() + patience;
-      last_status = client.statuses();
-      if (app::monotonic_now() > deadline) {
-        fmt::print(stderr, "inslab swap: no acknowledgement within {} s\n", timeout_s);
-        return app::kNotApplied;
+      if (has_run_ended() && !ended) {
+        ended = true;  // what was said before the end may still be on its way
+        deadline = std::min(deadline, app::monotonic_now() + std::chrono::seconds(2));
       }
+      if (client.statuses() != last_status && !has_run_ended()) deadline = app::monotonic_now() + patience;
+      last_status = client.statuses();
+      if (app::monotonic_now() <= deadline) continue;
+      if (ended) {
+        fmt::print(stderr, "inslab swap: the run has ended ({}) and nothing has acknowledged the swap\n",
+                   enum_name(client.status()->state));
+      } else {
+        fmt::print(stderr, "inslab swap: no acknowledgement within {} s\n", timeout_s);
+      }
+      return app::kNotApplied;
     }
     good = report(client.acks(id).front()) && good;
   }

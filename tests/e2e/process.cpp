@@ -28,7 +28,7 @@ Process::Process(const std::string& program, const std::vector<std::string>& arg
   output_path_ = temporary_name("inslab-output-XXXXXX");
   const int output = mkstemp(output_path_.data());
   if (output < 0) throw std::runtime_error("no temporary file");
-  const std::string ours = std::string(INSLAB_BINARY_DIR) + "/bin/" + program;
+  const std::string ours = inslab::e2e::program(program);
   const std::string path = access(ours.c_str(), X_OK) == 0 ? ours : program;
   std::vector<char*> argv{const_cast<char*>(path.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
@@ -101,6 +101,8 @@ std::vector<pid_t> children_named(pid_t parent, const std::string& program) {
 }
 
 std::string own_domain() { return std::to_string(20 + getpid() % 180); }
+
+std::string program(const std::string& name) { return std::string(INSLAB_BINARY_DIR) + "/bin/" + name; }
 
 std::string source(const std::string& path) { return std::string(INSLAB_SOURCE_DIR) + "/" + path; }
 

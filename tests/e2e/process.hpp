@@ -58,6 +58,9 @@ std::string own_domain();
 /// The processes that `parent` has started and that run a program of this name.
 std::vector<pid_t> children_named(pid_t parent, const std::string& program);
 
+/// Path of a program of the build.
+std::string program(const std::string& name);
+
 /// Path of a file in the product's sources.
 std::string source(const std::string& path);
 

@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "app/exit_code.hpp"
+#include "app/host.hpp"
+#include "app/service.hpp"
+#include "app/shutdown.hpp"
+#include "services/inslab/commands.hpp"
+#include "services/inslab/progress.hpp"
+#include "services/inslab/run_client.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+struct FollowOptions {
+  std::string scenario;
+  double timeout_s = 60.0;
+  bool release = false;
+  app::NetworkOptions network;
+};
+
+/// Goes along with a run that others started, from before its first sample to its end.
+class Follower {
+ public:
+  Follower(const FollowOptions& options, const scenario::LoadedScenario& loaded)
+      : options_(options),
+        swaps_(loaded.swaps),
+        participant_(app::participant_options(options.network, "inslab-follow")),
+        client_(participant_),
+        progress_(loaded.scenario.name, time::from_seconds(loaded.scenario.duration_s)) {}
+
+  /// Returns the exit code.
+  int run() {
+    heard_at_ = begun_at_ = app::monotonic_now();
+    while (!app::shutdown_requested()) {
+      const auto status = client_.status();
+      if (const auto why = silence(status)) return failed(*why);
+      if (status) {
+        if (const auto why = other_run(*status)) return failed(*why);
+        say_when_it_begins(*status);
+        if (has_ended(status->state)) return end(*status);
+        if (status->state != RunState::Waiting) progress_.show(time::Nanoseconds(status->sim_time_ns));
+        send_swaps();
+        release(*status);
+      }
+      std::this_thread::sleep_for(milliseconds(20));
+    }
+    return failed("stopped by a signal; the set goes on");
+  }
+
+ private:
+  int failed(const std::string& why) const {
+    progress_.say("inslab follow: " + why);
+    return app::kFailed;
+  }
+
+  int end(const SimStatus& status) const {
+    if (next_swap_ < swaps_.size()) return failed("the run ended before all swaps were sent");
+    if (status.state == RunState::Finished) return app::kOk;
+    return failed(fmt::format("the run did not finish: {}{}", enum_name(status.state),
+                              status.message.empty() ? "" : ": " + status.message));
+  }
+
+  /// Why there is nothing more to wait for; a wait of more than two seconds says what it is for.
+  std::optional<std::string> silence(const std::optional<SimStatus>& status) {
+    const time::Nanoseconds now = app::monotonic_now();
+    if (client_.statuses() != statuses_) {
+      statuses_ = client_.statuses();
+      heard_at_ = now;
+    }
+    if (!status && !told_ && now - begun_at_ > seconds(2)) {
+      told_ = true;
+      progress_.say("inslab follow: waits for a trajectory server in domain " +
+                    std::to_string(options_.network.domain));
+    }
+    if (now - heard_at_ < time::from_seconds(options_.timeout_s)) return std::nullopt;
+    return fmt::format("{} within {:g} s",
+                       status ? "no word of the trajectory server" : "no trajectory server was found",
+                       options_.timeout_s);
+  }
+
+  /// Says whose run it is when it is heard first; afterwards, why it is not that one any more.
+  std::optional<std::string> other_run(const SimStatus& status) {
+    if (!run_id_) {
+      run_id_ = status.run_id;
+      fmt::print("run {}\n", app::run_id_text(*run_id_));
+      std::fflush(stdout);
+    }
+    if (*run_id_ == status.run_id) return std::nullopt;
+    return "another run, " + app::run_id_text(status.run_id) + " of '" + status.scenario + "', is in its place";
+  }
+
+  void say_when_it_begins(const SimStatus& status) {
+    const bool begun =
+        status.state == RunState::Running || status.state == RunState::Paused || status.state == RunState::Finished;
+    if (!begun || begun_) return;
+    begun_ = true;
+    fmt::print("begins\n");
+    std::fflush(stdout);
+  }
+
+  void send_swaps() {
+    while (next_swap_ < swaps_.size() && client_.connected() && client_.send(swaps_[next_swap_])) ++next_swap_;
+  }
+
+  /// A run that was started paused goes on once each swap is in the journal, or refused: then none comes too late.
+  void release(const SimStatus& status) {
+    if (!options_.release || next_swap_ < swaps_.size() || !client_.connected()) return;
+    const bool obeyed = status.state == RunState::Running || status.sim_time_ns > 0;
+    if (obeyed) released_ = true;
+    if (released_ || app::monotonic_now() < resume_again_at_) return;
+    const auto refused = std::count_if(swaps_.begin(), swaps_.end(), [this](const AnyProfile& swap) {
+      return !client_.acks(request_of(swap).request_id).empty();
+    });
+    if (status.journal_entries + static_cast<std::size_t>(refused) < swaps_.size()) return;
+    client_.send({app::random_id(), CommandKind::Resume, 0.0});
+    resume_again_at_ = app::monotonic_now() + seconds(1);
+  }
+
+  const FollowOptions& options_;
+  const std::vector<AnyProfile>& swaps_;
+  dds::Participant participant_;
+  RunClient client_;
+  Progress progress_;
+  std::optional<RunId> run_id_;
+  std::size_t next_swap_ = 0;
+  bool begun_ = false;
+  bool released_ = false;
+  bool told_ = false;                     ///< what it waits for
+  std::uint64_t statuses_ = 0;            ///< heard so far
+  time::Nanoseconds begun_at_{0};         ///< CLOCK_MONOTONIC, as the next two
+  time::Nanoseconds heard_at_{0};         ///< when a status came last
+  time::Nanoseconds resume_again_at_{0};  ///< a command may be lost with its server's barrier still open
+};
+
+}  // namespace
+
+void add_follow(CLI::App& app, std::function<int()>& action) {
+  auto options = std::make_shared<FollowOptions>();
+  CLI::App* command = app.add_subcommand(
+      "follow",
+      "Go along with a set that was started service by service: send the scenario's swaps, show how far it is, "
+      "end with it");
+  command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
+  command->add_flag("--release", options->release,
+                    "let the run, started with --paused, begin as soon as all the swaps are in its journal");
+  command->add_option("--timeout", options->timeout_s, "seconds to wait after the last word of the set")
+      ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str();
+  options->network.add_to(*command);
+  command->callback([options, &action] {
+    action = [options] {
+      const scenario::LoadedScenario loaded =
+          scenario::load(options->scenario, options->network.unit, scenario::TrajectoryRows::LeaveOut);
+      return Follower(*options, loaded).run();
+    };
+  });
+}
+
+}  // namespace inslab::cli
