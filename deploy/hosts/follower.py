@@ -16,7 +16,8 @@ class FollowerHere:
         host, command = self.lab.follower.host, shlex.join(self.lab.command(self.lab.follower))
         self.process = subprocess.Popen(host.words(f"cd {shlex.quote(host.folder)} && exec {command}"), text=True,
                                         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE)
-        threading.Thread(target=self.keep_lines, daemon=True).start()
+        self.reader = threading.Thread(target=self.keep_lines, daemon=True)
+        self.reader.start()
 
     def keep_lines(self):
         for line in self.process.stdout:
@@ -29,7 +30,8 @@ class FollowerHere:
         return lines
 
     def code(self):
-        return self.process.poll()
+        """Its exit code once it has ended and all it said is here; None before."""
+        return None if self.reader.is_alive() else self.process.poll()
 
     def end(self):
         if self.process and self.process.poll() is None:

@@ -45,8 +45,8 @@ class Installation:
             for here, there in files:
                 archive.add(here, there.lstrip("/"), filter=readable)
         folder = shlex.quote(folder)
-        # What is there goes first: a program that runs cannot be written into.
-        unpack = f"umask 022; mkdir -p {folder} && tar -C {folder} --no-same-owner --unlink-first -xz"
+        # tar puts a new file in the old one's place: a program that runs is not written into.
+        unpack = f"umask 022; mkdir -p {folder} && tar -C {folder} --no-same-owner -xz"
         done = subprocess.run(host.words(unpack), input=packed.getvalue(), check=False, capture_output=True)
         if done.returncode != 0:
             raise LabError(f"{host.name}: the copy to {folder} failed: {done.stderr.decode(errors='replace').strip()}")

@@ -60,7 +60,7 @@ class Lab:
         self.follower = Service(self.server.host, "follow", "0", inventory)
         self.started = []
         self.run_id = None
-        self.begun = False
+        self.begun = self.ended = False
         self.failure = None
         self.scenario = inventory.scenario  # its place below every host's folder
         self.files = None
@@ -178,7 +178,7 @@ class Lab:
         self.start_one(self.server)
 
     def states(self):
-        """How the started ones are; one whose host does not answer now is taken to run: a link may be down."""
+        """How the started ones are, in one question to each host."""
         states = {}
         for host in self.hosts:
             mine = [service for service in self.started if service.host is host]
@@ -186,7 +186,7 @@ class Lab:
             answers = host.states(plain) if plain else {}
             for service in mine:
                 state = service.state() if service.is_unit else answers and answers[service.tag]
-                states[service] = state or State(True)
+                states[service] = state or State(True, answers=False)
         return states
 
     def stop_started(self):
@@ -200,7 +200,8 @@ class Lab:
                 eventually(lambda one=service: not (one.state() or State(False)).running, patience_s[service.name])
         left = []
         eventually(lambda: not left_running(self.states(), left), 10.0)
-        return [f"{service.host.name}: {service.words} goes on" for service in left]
+        return [f"{service.host.name}: {service.words} was stopped and is still {self.states()[service].words()}"
+                for service in left]
 
     def stop(self):
         self.started = [*self.discovery, *self.services, self.follower]
@@ -230,6 +231,13 @@ class Lab:
             if line.startswith("run "):
                 self.run_id = line.split()[1]
             self.begun = self.begun or line == "begins"
+            self.ended = self.ended or line == "ends"
+
+    def listen_to(self, follower):
+        over = follower.code() is not None  # asked first: its last words come before its end
+        self.hear(follower.lines())
+        if over and not self.begun:
+            raise LabError("nobody follows the run, which would wait for ever")
 
     def wait_for_begin(self, listen):
         """A service that ends before the run begins ends the attempt: the barrier will not open without it."""
@@ -255,7 +263,7 @@ class Lab:
         follower = FollowerHere(self)
         try:
             self.start_set(follower.start)
-            self.wait_for_begin(lambda: self.hear(follower.lines()))
+            self.wait_for_begin(lambda: self.listen_to(follower))
         except BaseException:
             self.give_up()
             follower.end()
@@ -263,37 +271,42 @@ class Lab:
         try:
             self.wait_for_end(follower)
         except (Stopped, KeyboardInterrupt):
-            self.failure = "stopped by a signal"
+            self.fail("stopped by a signal")
         finally:
             problems = self.stop_started()
             follower.end()
-        self.failure = self.failure or next(iter(problems), None)
+        for problem in problems:
+            self.fail(problem)
         for service in self.services:
             print(f"---- {service.host.name}: {service.words}\n{service.said()}", flush=True)
         return self.judge(self.fetch())
 
     def wait_for_end(self, follower):
         """Until the logger has ended: it ends last, with the log closed."""
+        left = {}  # who has ended in order while the run went on, and since when
         alone_since = None
         while True:
             states = self.states()
-            code = follower.code()
-            over = code is not None or not states[self.server].running
+            self.hear(follower.lines())
+            now = time.monotonic()
+            over = self.ended or follower.code() is not None or not states[self.server].running
             for service, state in states.items():
-                # Once the run is over everybody goes.
-                if not self.failure and not state.running and (state.code or not over):
-                    when = "" if over else " in mid-run"
-                    self.failure = f"{service.host.name}: {service.words} {state.words()}{when}"
+                # At the end everybody goes, some before the end is heard here.
+                if not state.running and (state.code or (not over and now - left.setdefault(service, now) > 3.0)):
+                    self.fail(f"{service.host.name}: {service.words} {state.words()}{'' if over else ' in mid-run'}")
             if not states[self.logger].running:
                 break
-            if over:
-                alone_since = alone_since or time.monotonic()
-                if time.monotonic() - alone_since > 30.0:
-                    print("lab: the run has ended and the logger goes on: it is told to stop", file=sys.stderr)
-                    break
+            alone_since = alone_since or (now if over else None)
+            if over and now - alone_since > 30.0:
+                print("lab: the run has ended and the logger goes on: it is told to stop", file=sys.stderr)
+                break
             time.sleep(0.3)
-        if not self.failure and eventually(lambda: follower.code() is not None, 5.0) and follower.code() != 0:
-            self.failure = "the run was not followed to its end"
+        if eventually(lambda: follower.code() is not None, 5.0) and follower.code() != 0:
+            self.fail("the run was not followed to its end")
+
+    def fail(self, why):
+        """What went wrong first is the reason of the rest."""
+        self.failure = self.failure or why
 
     def fetch(self):
         pathlib.Path("runs").mkdir(exist_ok=True)

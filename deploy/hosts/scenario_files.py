@@ -12,8 +12,8 @@ OUTSIDE = "outside"  # below a host's folder: what does not lie below the projec
 
 
 class ScenarioFiles:
-    """`place` is the scenario's path below a host's folder; `files` has (path here, path there) of it and of all it names.
-    A path there is absolute where the scenario names an absolute one, else below the host's folder."""
+    """`place` is the scenario's path below a host's folder; `files` has (path here, path there) of it and of all it
+    names. A path there is absolute where the scenario names an absolute one, else below the host's folder."""
 
     def __init__(self, scenario):
         here = pathlib.Path(os.path.normpath(ROOT / scenario))  # an absolute path stays as it is

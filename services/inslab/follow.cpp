@@ -47,8 +47,11 @@ class Follower {
       if (status) {
         if (const auto why = other_run(*status)) return failed(*why);
         say_when_it_begins(*status);
-        if (has_ended(status->state)) return end(*status);
         if (status->state != RunState::Waiting) progress_.show(time::Nanoseconds(status->sim_time_ns));
+        if (has_ended(status->state)) {
+          say("ends");
+          return end(*status);
+        }
         send_swaps();
         release(*status);
       }
@@ -58,6 +61,12 @@ class Follower {
   }
 
  private:
+  /// For whoever waits for it: at once, though it may go into a pipe.
+  static void say(const std::string& line) {
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  }
+
   int failed(const std::string& why) const {
     progress_.say("inslab follow: " + why);
     return app::kFailed;
@@ -92,8 +101,7 @@ class Follower {
   std::optional<std::string> other_run(const SimStatus& status) {
     if (!run_id_) {
       run_id_ = status.run_id;
-      fmt::print("run {}\n", app::run_id_text(*run_id_));
-      std::fflush(stdout);
+      say("run " + app::run_id_text(*run_id_));
     }
     if (*run_id_ == status.run_id) return std::nullopt;
     return "another run, " + app::run_id_text(status.run_id) + " of '" + status.scenario + "', is in its place";
@@ -104,8 +112,7 @@ class Follower {
         status.state == RunState::Running || status.state == RunState::Paused || status.state == RunState::Finished;
     if (!begun || begun_) return;
     begun_ = true;
-    fmt::print("begins\n");
-    std::fflush(stdout);
+    say("begins");
   }
 
   void send_swaps() {

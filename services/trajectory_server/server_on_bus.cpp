@@ -113,7 +113,9 @@ void ServerOnBus::obey(const SimCommand& command) {
     clock_.set_rate(monotonic_now(), *verdict.rate);
     status_.rate = *verdict.rate;
   }
-  if (verdict.pace_changed && status_.state != RunState::Waiting) {
+  if (verdict.pace_changed && status_.state != RunState::Waiting && !control_.paused() && source_->taken() == 0) {
+    begin();  // held at its start it begins only now, and may be asked to do so on a whole second
+  } else if (verdict.pace_changed && status_.state != RunState::Waiting) {
     control_.paused() ? clock_.pause(monotonic_now()) : clock_.resume(monotonic_now());
     status_.state = control_.paused() ? RunState::Paused : RunState::Running;
     truth_.flush_block();
