@@ -83,7 +83,7 @@ TEST_F(LabOnOneHost, ASetThatDoesNotStartIsAnErrorAndNoLogOfBefore) {
   EXPECT_THAT(said, HasSubstr("--rate"));
   EXPECT_THAT(said, HasSubstr("lab: here: trajectory-server ended with exit code 2 before the run began"));
   EXPECT_THAT(said, Not(HasSubstr("checks held")));
-  EXPECT_THAT(says(0, "status", inventory("tests/data/lab.json")), Not(HasSubstr(" running")));
+  EXPECT_THAT(says(0, "status", inventory("tests/data/lab.json")), Not(HasSubstr("  running")));
 }
 
 TEST_F(LabOnOneHost, AScenarioFromElsewhereIsBroughtWithAllThatItNamesAndItsAcceptanceIsTheExitCode) {
@@ -122,7 +122,7 @@ TEST_F(LabOnOneHost, StopEndsNoStrangerWhoHasTheNumberOfAProcessThatIsGone) {
   for (const std::string& stale : {pid + "\n", pid + " 1 " + boot}) {
     write(place, stale);
     says(0, "stop", file);
-    EXPECT_THAT(says(0, "status", file), Not(HasSubstr(" running")));
+    EXPECT_THAT(says(0, "status", file), Not(HasSubstr("  running")));
     EXPECT_EQ(kill(stranger.pid(), 0), 0);
     EXPECT_THAT(read("/proc/" + pid + "/stat"), HasSubstr(") S ")) << "it has been ended";
   }
@@ -131,9 +131,9 @@ TEST_F(LabOnOneHost, StopEndsNoStrangerWhoHasTheNumberOfAProcessThatIsGone) {
 TEST_F(LabOnOneHost, StartedItGoesOnWithoutTheLabUntilItIsStopped) {
   const std::string file = inventory("tests/data/lab_link_down.json");
   EXPECT_THAT(says(0, "start", file), HasSubstr(" goes on\n"));
-  EXPECT_THAT(says(0, "status", file), HasSubstr(" running"));
+  EXPECT_THAT(says(0, "status", file), HasSubstr("  running"));
   says(0, "stop", file);
-  EXPECT_THAT(says(0, "status", file), Not(HasSubstr(" running")));
+  EXPECT_THAT(says(0, "status", file), Not(HasSubstr("  running")));
 }
 
 }  // namespace
