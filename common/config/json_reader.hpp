@@ -5,6 +5,7 @@
 #include "config/error.hpp"
 #include "config/json_file.hpp"
 #include "samples/limits.hpp"
+#include "samples/plain_text.hpp"
 
 namespace inslab::config {
 
@@ -158,6 +159,9 @@ class JsonReader {
       if (value.size() > field.max_size) {
         fail(Rule::BoundedSize, path,
              "has " + std::to_string(value.size()) + " characters; expected at most " + std::to_string(field.max_size));
+      }
+      if (!is_plain_text(value)) {
+        fail(Rule::PlainText, path, "is '" + plain_text(value) + "'; expected one line without control characters");
       }
     } else if constexpr (is_list<T>) {
       if (!json.is_array()) wrong_type(path, json, "a list");

@@ -48,18 +48,16 @@ bool stamp_of(const std::uint8_t* data, std::size_t size, SampleStamp& stamp) {
 }
 
 template <class... Types>
-std::vector<LogType> table() {
-  return {LogType{wire::WireType<Types>::name, columns_of<Types>(), &row_of<Types>, &stamp_of<Types>}...};
-}
+struct Table {
+  std::vector<LogType> rows{
+      LogType{wire::WireType<Types>::name, columns_of<Types>(), &row_of<Types>, &stamp_of<Types>}...};
+};
 
 }  // namespace
 
 const std::vector<LogType>& log_types() {
-  static const std::vector<LogType> types =
-      table<TruthState, ImuSample, ImuTruth, GnssFix, NavSolution, ImuErrorProfile, VibrationProfile,
-            InstallationProfile, GnssErrorProfile, FaultProfile, ProfileAck, Installation, SimCommand, SimStatus,
-            TimeMark, ServiceStatus, VehicleState, UsedVehicleState, VehicleLink>();
-  return types;
+  static const wire::EveryWireType<Table> table;
+  return table.rows;
 }
 
 const LogType* find_log_type(std::string_view schema_name) {

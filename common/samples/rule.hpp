@@ -19,6 +19,7 @@ enum class Rule : std::uint32_t {
   ValueType,    ///< a number where a number belongs, a list where a list does
   ValueRange,   ///< finite, and inside the declared limits
   BoundedSize,  ///< lists and texts are no longer than declared
+  PlainText,    ///< texts are one line, without control characters
   KnownName,    ///< words out of a fixed set
   // Several fields of a scenario.
   RunName,               ///< a run's name makes a file's name
@@ -88,7 +89,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 67> values{"readable",
+  static constexpr std::array<std::string_view, 68> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -97,6 +98,7 @@ struct EnumNames<Rule> {
                                                            "value_type",
                                                            "value_range",
                                                            "bounded_size",
+                                                           "plain_text",
                                                            "known_name",
                                                            "run_name",
                                                            "run_length",

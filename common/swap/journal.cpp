@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "samples/limits.hpp"
+#include "samples/plain_text.hpp"
 #include "samples/profile_rules.hpp"
 
 namespace inslab::swap {
@@ -17,8 +18,8 @@ ProfileAck rejected(const AnyProfile& request, const std::string& field, const s
   ack.outcome = AckOutcome::Rejected;
   ack.requested_time_ns = request_of(request).apply_at_ns;
   // Bounds of the wire: a path or reason that does not fit would make the ack itself unsendable.
-  ack.field = field.substr(0, 128);
-  ack.reason = reason.substr(0, 256);
+  ack.field = plain_text(field, 128);
+  ack.reason = plain_text(reason, 256);
   return ack;
 }
 

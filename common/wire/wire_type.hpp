@@ -81,6 +81,13 @@ INSLAB_BLOCK_TYPE(NavSolution, "NavBlock");
 #undef INSLAB_BLOCK_TYPE
 #undef INSLAB_WIRE_MODULE
 
+/// Every type that travels as a topic by itself: `Of` is given them all, as testing::Types is in tests. Beside them
+/// travel blocks of the streams' samples.
+template <template <class...> class Of>
+using EveryWireType = Of<TruthState, ImuSample, ImuTruth, GnssFix, NavSolution, ImuErrorProfile, VibrationProfile,
+                         InstallationProfile, GnssErrorProfile, FaultProfile, ProfileAck, Installation, SimCommand,
+                         SimStatus, TimeMark, ServiceStatus, VehicleState, UsedVehicleState, VehicleLink, Credit>;
+
 /// The product's own text of one file of idl/, with the files it includes put before it and no preprocessor line left:
 /// what a reader needs to decode the types in it. Throws std::out_of_range for a name that is not in idl/.
 std::string self_contained_idl(std::string_view idl_file);

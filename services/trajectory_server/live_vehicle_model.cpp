@@ -7,6 +7,7 @@
 
 #include "nav/attitude.hpp"
 #include "samples/limits.hpp"
+#include "samples/plain_text.hpp"
 
 namespace inslab::trajectory {
 
@@ -114,7 +115,7 @@ bool LiveVehicleModel::receive(const VehicleState& state) {
   ++link_.received;
   if (const auto reason = reason_to_refuse(state)) {
     ++link_.refused;
-    link_.last_refusal = reason->substr(0, 160);
+    link_.last_refusal = plain_text(*reason, 160);
     return false;
   }
   const VehicleKnot knot = knot_of(state);

@@ -24,18 +24,20 @@ void decode_twice(const std::uint8_t* data, std::size_t size) {
 }
 
 template <class... Types>
-void choose(std::size_t index, const std::uint8_t* data, std::size_t size) {
-  using Decode = void (*)(const std::uint8_t*, std::size_t);
-  constexpr Decode decoders[] = {&decode_twice<Types>...};
-  decoders[index % sizeof...(Types)](data, size);
-}
+struct Decoders {
+  static void choose(std::size_t index, const std::uint8_t* data, std::size_t size) {
+    using Decode = void (*)(const std::uint8_t*, std::size_t);
+    constexpr Decode decoders[] = {&decode_twice<Types>...,         &decode_twice<Block<TruthState>>,
+                                   &decode_twice<Block<ImuSample>>, &decode_twice<Block<ImuTruth>>,
+                                   &decode_twice<Block<GnssFix>>,   &decode_twice<Block<NavSolution>>};
+    decoders[index % (sizeof(decoders) / sizeof(decoders[0]))](data, size);
+  }
+};
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  choose<TruthState, ImuSample, ImuTruth, GnssFix, NavSolution, ImuErrorProfile, VibrationProfile, InstallationProfile,
-         GnssErrorProfile, FaultProfile, ProfileAck, Installation, SimCommand, SimStatus, TimeMark, ServiceStatus,
-         Credit, Block<TruthState>, Block<ImuSample>, Block<ImuTruth>, Block<GnssFix>>(data[0], data + 1, size - 1);
+  wire::EveryWireType<Decoders>::choose(data[0], data + 1, size - 1);
   return 0;
 }

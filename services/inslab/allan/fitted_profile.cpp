@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "samples/limits.hpp"
+#include "samples/plain_text.hpp"
 #include "samples/profile_rules.hpp"
 #include "samples/units.hpp"
 
@@ -92,10 +93,10 @@ ProfileUnit profile_unit(allan::Parameter parameter, bool is_gyro) {
 ImuErrorProfile fitted_profile(const ImuAnalysis& analysis) {
   ImuErrorProfile profile;
   const std::string file = std::filesystem::path(analysis.path).filename().string();
-  profile.name = ("fit of " + file).substr(0, 64);
-  profile.source = fmt::format("Fitted by inslab allan to {} samples at {:g} Hz of {}", analysis.recording.samples,
-                               1.0 / analysis.recording.dt_s, file)
-                       .substr(0, 256);
+  profile.name = plain_text("fit of " + file, 64);
+  profile.source = plain_text(fmt::format("Fitted by inslab allan to {} samples at {:g} Hz of {}",
+                                          analysis.recording.samples, 1.0 / analysis.recording.dt_s, file),
+                              256);
   for (const AxisAnalysis& axis : analysis.axes) {
     if (axis.is_gyro()) {
       take(axis, analysis.is_error, profile.gyro);

@@ -7,6 +7,7 @@
 #include "io/error.hpp"
 #include "io/input_file.hpp"
 #include "io/text_lines.hpp"
+#include "samples/plain_text.hpp"
 #include "samples/units.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
 
@@ -51,7 +52,7 @@ class Gazebo {
     const Element* imu = sensor.FirstChildElement("imu");
     if (imu == nullptr) fail(sensor, "has no <imu>; expected one with noise in it");
     rate_hz_ = update_rate(sensor);
-    imported_.profile.source = "Imported from a Gazebo model (SDF), IMU " + name_of(sensor).substr(0, 100);
+    imported_.profile.source = "Imported from a Gazebo model (SDF), IMU " + plain_text(name_of(sensor), 100);
     imported_.lines.push_back(
         fmt::format("sensor '{}' at {:g} Hz; axes turned from forward-left-up: constants along y "
                     "and z change their sign",

@@ -5,6 +5,7 @@
 #include "samples/limits.hpp"
 #include "tests/unit/io/random_sample.hpp"
 #include "tests/unit/samples/field_bits.hpp"
+#include "tests/unit/samples/spoiled_fields.hpp"
 #include "wire/wire_type.hpp"
 
 namespace inslab::wire {
@@ -66,10 +67,7 @@ class BigEndianWriter {
 template <class T>
 class Cdr : public testing::Test {};
 
-using AllTypes =
-    testing::Types<TruthState, ImuSample, ImuTruth, GnssFix, NavSolution, ImuErrorProfile, VibrationProfile,
-                   InstallationProfile, GnssErrorProfile, FaultProfile, ProfileAck, Installation, SimCommand, SimStatus,
-                   TimeMark, ServiceStatus, VehicleState, UsedVehicleState, VehicleLink>;
+using AllTypes = EveryWireType<testing::Types>;
 TYPED_TEST_SUITE(Cdr, AllTypes, );
 
 TYPED_TEST(Cdr, GivesBackEveryBitOfRandomValuesInEitherByteOrder) {
@@ -129,6 +127,14 @@ TYPED_TEST(Cdr, SurvivesASampleWithBytesChanged) {
     }
     TypeParam value;
     if (decode(bytes.data(), bytes.size(), value)) (void)limit_violation(value);
+  }
+}
+
+TYPED_TEST(Cdr, RefusesTextsEnumeratorsAndLengthsThatNobodyShouldSend) {
+  for (const auto& spoiled : test::SpoiledFields<TypeParam>::refused()) {
+    const Bytes bytes = encoded(spoiled.value);
+    TypeParam back;
+    EXPECT_FALSE(decode(bytes.data(), bytes.size(), back)) << spoiled.field;
   }
 }
 
