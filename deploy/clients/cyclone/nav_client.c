@@ -5,9 +5,9 @@
  *
  *   cyclone_nav_client [--domain N] [--unit NAME] [--seconds S] [--values FILE]
  *
- * Ends after S seconds (default 60), or when the run that it has heard of has ended. Prints what came; --values writes
- * every sample's sequence number and first values as hexadecimal floating point, for comparison with the log.
- * Exit code 1 when a sequence number was missing or nothing came.
+ * Ends with the run, whose end its status tells or the trajectory server's going; with --seconds after S seconds at
+ * the latest. Prints what came; --values writes every sample's sequence number and first values as hexadecimal floating
+ * point, for comparison with the log. Exit code 1 when a sequence number was missing or nothing came.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -87,34 +87,103 @@ static void solve(const inslab_v1_GnssFix* fix, const inslab_v1_ImuSample* imu, 
   for (int axis = 0; axis < 3; axis++) nav->attitude_sigma_rad[axis] = 3.2; /* GNSS alone knows no attitude */
 }
 
-int main(int argc, char** argv) {
-  uint32_t domain = 0;
-  const char* unit = NULL;
-  const char* values_path = NULL;
-  double seconds = 60.0;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (strcmp(argv[i], "--domain") == 0) {
-      domain = (uint32_t)atoi(argv[i + 1]);
-    } else if (strcmp(argv[i], "--unit") == 0) {
-      unit = argv[i + 1];
-    } else if (strcmp(argv[i], "--seconds") == 0) {
-      seconds = atof(argv[i + 1]);
-    } else if (strcmp(argv[i], "--values") == 0) {
-      values_path = argv[i + 1];
+static const char kHelp[] =
+    "A navigation app on Eclipse Cyclone DDS that navigates by GNSS alone; ends with the run.\n"
+    "Usage: cyclone_nav_client [OPTIONS]\n\n"
+    "  --domain N      DDS domain (default 0)\n"
+    "  --unit NAME     the unit: the DDS partition (default none)\n"
+    "  --seconds S     end after S seconds, should the run go on longer (default: with the run)\n"
+    "  --values FILE   write what comes, for comparison with the log\n"
+    "  -h, --help      print this\n";
+
+struct options {
+  uint32_t domain;
+  const char* unit;
+  const char* values;
+  double seconds; /* 0: with the run */
+};
+
+static struct options parse(int argc, char** argv) {
+  struct options options = {0, NULL, NULL, 0.0};
+  for (int i = 1; i < argc; i += 2) {
+    const char* name = argv[i];
+    const char* value = i + 1 < argc ? argv[i + 1] : NULL;
+    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
+      fputs(kHelp, stdout);
+      exit(0);
+    } else if (value != NULL && strcmp(name, "--domain") == 0) {
+      options.domain = (uint32_t)atoi(value);
+    } else if (value != NULL && strcmp(name, "--unit") == 0) {
+      options.unit = value;
+    } else if (value != NULL && strcmp(name, "--seconds") == 0) {
+      options.seconds = atof(value);
+    } else if (value != NULL && strcmp(name, "--values") == 0) {
+      options.values = value;
     } else {
-      fprintf(stderr, "unknown option %s\n", argv[i]);
-      return 2;
+      fprintf(stderr, "cyclone_nav_client: unknown option, or no value after it: %s; --help lists them\n", name);
+      exit(2);
     }
   }
+  return options;
+}
+
+/* When to end: with the run. */
+struct run_follower {
+  struct options options;
+  dds_entity_t status;
+  dds_time_t begun;
+  dds_time_t ended; /* 0: not yet */
+  uint64_t truth_sent;
+  bool running;
+  bool told;
+};
+
+static void end_with(struct run_follower* run, uint64_t truth_samples) {
+  run->truth_sent = truth_samples;
+  run->ended = dds_time();
+}
+
+/* Takes what has come of the run's status. `next_truth` follows the newest truth sample that has come. */
+static bool is_over(struct run_follower* run, uint64_t next_truth) {
+  void* samples[1] = {NULL};
+  dds_sample_info_t info;
+  while (dds_take(run->status, samples, &info, 1, 1) > 0) {
+    const inslab_v1_SimStatus* status = samples[0];
+    if (info.valid_data) {
+      const bool ended = status->state >= inslab_v1_RUN_FINISHED;
+      run->running = run->running || !ended;
+      /* The end of a run that was over before this app came is not the end that it waits for. */
+      if (ended && run->running && run->ended == 0) end_with(run, status->truth_samples);
+    }
+    dds_return_loan(run->status, samples, 1);
+    samples[0] = NULL;
+  }
+  dds_subscription_matched_status_t matched = {0};
+  dds_get_subscription_matched_status(run->status, &matched);
+  if (run->running && run->ended == 0 && matched.current_count == 0) end_with(run, 0); /* the server was killed */
+  const dds_time_t now = dds_time();
+  if (!run->running && !run->told && now - run->begun > DDS_SECS(2)) {
+    run->told = true;
+    fprintf(stderr, "waits for a run on domain %u%s%s\n", (unsigned)run->options.domain,
+            run->options.unit == NULL ? "" : ", unit ", run->options.unit == NULL ? "" : run->options.unit);
+  }
+  if (run->options.seconds > 0.0 && (double)(now - run->begun) * 1e-9 > run->options.seconds) return true;
+  /* What is still on its way has this long to come, and more when it is known that it must. */
+  return run->ended != 0 && now - run->ended > (next_truth >= run->truth_sent ? DDS_MSECS(500) : DDS_SECS(3));
+}
+
+int main(int argc, char** argv) {
+  const struct options options = parse(argc, argv);
+  const char* values_path = options.values;
   FILE* values = values_path == NULL ? NULL : fopen(values_path, "w");
   if (values_path != NULL && values == NULL) {
     perror(values_path);
     return 2;
   }
 
-  const dds_entity_t participant = checked(dds_create_participant(domain, NULL, NULL), "participant");
+  const dds_entity_t participant = checked(dds_create_participant(options.domain, NULL, NULL), "participant");
   dds_qos_t* group = dds_create_qos();
-  if (unit != NULL) dds_qset_partition1(group, unit);
+  if (options.unit != NULL) dds_qset_partition1(group, options.unit);
   const dds_entity_t subscriber = checked(dds_create_subscriber(participant, group, NULL), "subscriber");
   const dds_entity_t publisher = checked(dds_create_publisher(participant, group, NULL), "publisher");
   dds_qos_t* qos = stream_qos(1000);
@@ -144,16 +213,8 @@ int main(int argc, char** argv) {
   inslab_v1_GnssFix fix = {0};
   bool have_fix = false;
   uint64_t published = 0;
-  uint64_t truth_sent = 0;
-  bool ended = false;
-  dds_time_t deadline = dds_time() + (dds_duration_t)(seconds * 1e9);
-  bool closing = false;
-  while (dds_time() < deadline) {
-    if (ended && truth.next >= truth_sent && !closing) {
-      closing = true; /* what is still on its way on the other topics has this long to come */
-      const dds_time_t soon = dds_time() + DDS_MSECS(500);
-      deadline = soon < deadline ? soon : deadline;
-    }
+  struct run_follower run = {options, status, dds_time(), 0, 0, false, false};
+  while (!is_over(&run, truth.next)) {
     dds_waitset_wait(waitset, NULL, 0, DDS_MSECS(100));
     memset(samples, 0, sizeof(samples));
     int32_t n = dds_take(gnss.reader, samples, infos, kBatch, kBatch);
@@ -203,16 +264,6 @@ int main(int argc, char** argv) {
       }
     }
     if (n > 0) dds_return_loan(truth.reader, samples, n);
-
-    memset(samples, 0, sizeof(samples));
-    n = dds_take(status, samples, infos, kBatch, kBatch);
-    for (int32_t i = 0; i < n; i++) {
-      const inslab_v1_SimStatus* sample = samples[i];
-      if (!infos[i].valid_data || sample->state < inslab_v1_RUN_FINISHED) continue;
-      ended = true;
-      truth_sent = sample->truth_samples;
-    }
-    if (n > 0) dds_return_loan(status, samples, n);
   }
   dds_wait_for_acks(nav_writer, DDS_SECS(2));
   if (values) fclose(values);

@@ -61,6 +61,16 @@ static bool wait_for_ack(dds_entity_t reader, uint64_t id, inslab_v1_ProfileAck*
   return false;
 }
 
+static const char kHelp[] =
+    "Swaps the lever arm of a receiver's antenna in a running set, and waits for the acknowledgement.\n"
+    "Usage: cyclone_swap_client X Y Z [OPTIONS]\n\n"
+    "  X Y Z           the antenna in the vehicle, m forward, right, down\n"
+    "  --domain N      DDS domain (default 0)\n"
+    "  --unit NAME     the unit: the DDS partition (default none)\n"
+    "  --receiver N    the receiver's number (default 0)\n"
+    "  --at SECONDS    sim time of the swap (default: as soon as possible)\n"
+    "  -h, --help      print this\n";
+
 int main(int argc, char** argv) {
   uint32_t domain = 0;
   const char* unit = NULL;
@@ -71,8 +81,13 @@ int main(int argc, char** argv) {
   request.request.apply_at_ns = -1; /* as soon as possible */
   request.request.requested_at_ns = -1;
   strcpy(request.name, "from another vendor");
+  for (int i = 1; i < argc; i++) {
+    if (strcmp(argv[i], "--help") != 0 && strcmp(argv[i], "-h") != 0) continue;
+    fputs(kHelp, stdout);
+    return 0;
+  }
   if (argc < 4) {
-    fprintf(stderr, "expected X Y Z\n");
+    fprintf(stderr, "cyclone_swap_client: expected X Y Z; --help says more\n");
     return 2;
   }
   for (int i = 0; i < 3; i++) request.lever_arm_v_m[i] = atof(argv[i + 1]);
@@ -86,7 +101,7 @@ int main(int argc, char** argv) {
     } else if (strcmp(argv[i], "--at") == 0) {
       request.request.apply_at_ns = (int64_t)(atof(argv[i + 1]) * 1e9);
     } else {
-      fprintf(stderr, "unknown option %s\n", argv[i]);
+      fprintf(stderr, "cyclone_swap_client: unknown option %s; --help lists them\n", argv[i]);
       return 2;
     }
   }

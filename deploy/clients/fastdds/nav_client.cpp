@@ -7,9 +7,9 @@
 // With --blocks 1 it takes part in lockstep at full speed: it reads the block topics, leaves the truth alone, and
 // publishes one solution a block, whose imu_sequence is its credit.
 //
-// Ends after S seconds (default 60), or when the run that it has heard of has ended. Prints what came; --values writes
-// every sample's sequence number and first values as hexadecimal floating point, for comparison with the log. Exit code
-// 1 when a sequence number was missing or nothing came.
+// Ends with the run, whose end its status tells or the trajectory server's going; with --seconds after S seconds at the
+// latest. Prints what came; --values writes every sample's sequence number and first values as hexadecimal floating
+// point, for comparison with the log. Exit code 1 when a sequence number was missing or nothing came.
 #include <algorithm>
 #include <chrono>
 #include <cinttypes>
@@ -25,6 +25,7 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -53,30 +54,47 @@ namespace types = inslab::v1;  // the wire types' version, in one place
 
 namespace {
 
+constexpr const char* kHelp =
+    "A navigation app on Fast DDS that navigates by GNSS alone; ends with the run.\n"
+    "Usage: fastdds_nav_client [OPTIONS]\n\n"
+    "  --domain N      DDS domain (default 0)\n"
+    "  --unit NAME     the unit: the DDS partition (default none)\n"
+    "  --seconds S     end after S seconds, should the run go on longer (default: with the run)\n"
+    "  --values FILE   write what comes, for comparison with the log\n"
+    "  --blocks 1      take part in lockstep at full speed: read blocks of samples\n"
+    "  -h, --help      print this\n";
+
 struct Options {
   DomainId_t domain = 0;
   std::string unit;
-  double seconds = 60.0;
+  std::optional<double> seconds;
   std::string values;
   bool blocks = false;
 };
 
 Options parse(int argc, char** argv) {
   Options options;
-  for (int i = 1; i + 1 < argc; i += 2) {
+  for (int i = 1; i < argc; i += 2) {
     const std::string name = argv[i];
+    if (name == "--help" || name == "-h") {
+      std::fputs(kHelp, stdout);
+      std::exit(0);
+    }
+    const bool known =
+        name == "--domain" || name == "--unit" || name == "--seconds" || name == "--values" || name == "--blocks";
+    if (!known) throw std::runtime_error("unknown option " + name + "; --help lists them");
+    if (i + 1 == argc) throw std::runtime_error(name + " needs a value; --help says which");
+    const std::string value = argv[i + 1];
     if (name == "--domain") {
-      options.domain = static_cast<DomainId_t>(std::atoi(argv[i + 1]));
+      options.domain = static_cast<DomainId_t>(std::stoul(value));
     } else if (name == "--unit") {
-      options.unit = argv[i + 1];
+      options.unit = value;
     } else if (name == "--seconds") {
-      options.seconds = std::atof(argv[i + 1]);
+      options.seconds = std::stod(value);
     } else if (name == "--values") {
-      options.values = argv[i + 1];
-    } else if (name == "--blocks") {
-      options.blocks = std::atoi(argv[i + 1]) != 0;
+      options.values = value;
     } else {
-      throw std::runtime_error("unknown option " + name);
+      options.blocks = value != "0";
     }
   }
   return options;
@@ -163,6 +181,51 @@ struct Count {
   }
 };
 
+// When to end: with the run. Says after two seconds that it waits for one.
+class RunFollower {
+ public:
+  RunFollower(const Options& options, DataReader& status_reader)
+      : options_(options), status_reader_(status_reader), begun_(Clock::now()) {}
+
+  // Takes what has come of the run's status. `next_truth` follows the newest truth sample that has come.
+  bool is_over(std::uint64_t next_truth) {
+    take_all<types::SimStatus>(status_reader_, [this](const types::SimStatus& status) {
+      const bool ended = status.state() >= types::RunState::RUN_FINISHED;
+      running_ = running_ || !ended;
+      // The end of a run that was over before this app came is not the end that it waits for.
+      if (ended && running_ && !truth_sent_) end_with(status.truth_samples());
+    });
+    SubscriptionMatchedStatus matched;
+    status_reader_.get_subscription_matched_status(matched);
+    if (running_ && !truth_sent_ && matched.current_count == 0) end_with(0);  // the server was killed
+    const Clock::time_point now = Clock::now();
+    if (!running_ && !told_ && now - begun_ > std::chrono::seconds(2)) {
+      told_ = true;
+      std::fprintf(stderr, "waits for a run on domain %u%s%s\n", static_cast<unsigned>(options_.domain),
+                   options_.unit.empty() ? "" : ", unit ", options_.unit.c_str());
+    }
+    if (options_.seconds && std::chrono::duration<double>(now - begun_).count() > *options_.seconds) return true;
+    if (!truth_sent_) return false;
+    // What is still on its way has this long to come, and more when it is known that it must.
+    return now - ended_ > std::chrono::milliseconds(next_truth >= *truth_sent_ ? 500 : 3000);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void end_with(std::uint64_t truth_samples) {
+    truth_sent_ = truth_samples;
+    ended_ = Clock::now();
+  }
+
+  const Options& options_;
+  DataReader& status_reader_;
+  Clock::time_point begun_;
+  Clock::time_point ended_;
+  std::optional<std::uint64_t> truth_sent_;  // in the whole run, when it has ended
+  bool running_ = false;
+  bool told_ = false;
+};
+
 // The newest fix, carried on to the time of the IMU sample; initializing until there is one.
 types::NavSolution solve(const std::optional<types::GnssFix>& fix, const types::ImuSample& imu) {
   types::NavSolution nav;
@@ -197,10 +260,8 @@ int navigate_in_blocks(const Options& options) {
   DataWriter* nav_writer = bus.writer<types::NavSolutionPubSubType>("inslab/nav");
   Count imu, gnss;
   std::optional<types::GnssFix> fix;
-  bool ended = false;
-  using Clock = std::chrono::steady_clock;
-  auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.seconds));
-  while (Clock::now() < end) {
+  RunFollower run(options, *status_reader);
+  while (!run.is_over(std::numeric_limits<std::uint64_t>::max())) {
     imu_reader->wait_for_unread_message({0, 50'000'000});
     take_all<types::GnssBlock>(*gnss_reader, [&](const types::GnssBlock& block) {
       for (const types::GnssFix& sample : block.samples()) {
@@ -213,11 +274,6 @@ int navigate_in_blocks(const Options& options) {
       if (block.samples().empty()) return;
       types::NavSolution nav = solve(fix, block.samples().back());
       nav_writer->write(&nav);
-    });
-    take_all<types::SimStatus>(*status_reader, [&](const types::SimStatus& status) {
-      if (status.state() < types::RunState::RUN_FINISHED || ended) return;
-      ended = true;
-      end = std::min(end, Clock::now() + std::chrono::milliseconds(500));
     });
   }
   const bool whole_imu = imu.print("inslab/block/imu/0");
@@ -241,15 +297,8 @@ int navigate(const Options& options) {
   Count truth, imu, gnss;
   std::optional<types::GnssFix> fix;
   std::uint64_t published = 0;
-  std::optional<std::uint64_t> truth_sent;  // when the run has ended
-  using Clock = std::chrono::steady_clock;
-  auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.seconds));
-  bool closing = false;
-  while (Clock::now() < end) {
-    if (truth_sent && truth.next >= *truth_sent && !closing) {
-      closing = true;  // what is still on its way on the other topics has this long to come
-      end = std::min(end, Clock::now() + std::chrono::milliseconds(500));
-    }
+  RunFollower run(options, *status_reader);
+  while (!run.is_over(truth.next)) {
     imu_reader->wait_for_unread_message({0, 50'000'000});
     take_all<types::GnssFix>(*gnss_reader, [&](const types::GnssFix& sample) {
       gnss.add(sample.header().sequence_number());
@@ -265,9 +314,6 @@ int navigate(const Options& options) {
     take_all<types::TruthState>(*truth_reader, [&](const types::TruthState& sample) {
       truth.add(sample.header().sequence_number());
       note("truth", sample.header().sequence_number(), sample.latitude_rad(), sample.dv_v_m_per_s()[2]);
-    });
-    take_all<types::SimStatus>(*status_reader, [&](const types::SimStatus& status) {
-      if (status.state() >= types::RunState::RUN_FINISHED) truth_sent = status.truth_samples();
     });
   }
   nav_writer->wait_for_acknowledgments({2, 0});

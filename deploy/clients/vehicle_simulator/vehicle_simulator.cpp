@@ -241,15 +241,18 @@ Topic* topic(DomainParticipant* participant, const char* name) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  constexpr const char* kUsage =
+      "usage: vehicle_simulator [--domain N] [--rate HZ, 10 to 1000] [--jitter MS] [--loss SHARE] "
+      "[--silence FROM_S LENGTH_S] [--seed N]; it ends with the run\n";
+  if (argc == 2 && (std::string(argv[1]) == "--help" || std::string(argv[1]) == "-h")) {
+    std::cout << kUsage;
+    return 0;
+  }
   Options options;
   if (!parse(argc, argv, options)) {
-    std::cerr << "usage: vehicle_simulator [--domain N] [--rate HZ, 10 to 1000] [--jitter MS] [--loss SHARE] "
-                 "[--silence FROM_S LENGTH_S] [--seed N]\n";
+    std::cerr << kUsage;
     return 2;
   }
-  // 3.x looks for XML profiles under a new name; the simulator's manual says the old one.
-  const char* profiles = std::getenv("FASTRTPS_DEFAULT_PROFILES_FILE");
-  if (profiles != nullptr) setenv("FASTDDS_DEFAULT_PROFILES_FILE", profiles, 0);
   auto* factory = DomainParticipantFactory::get_instance();
   // PARTICIPANT_QOS_DEFAULT is what FASTRTPS_DEFAULT_PROFILES_FILE says, if it is set.
   auto* participant = factory->create_participant(static_cast<DomainId_t>(options.domain), PARTICIPANT_QOS_DEFAULT);
