@@ -13,10 +13,11 @@ namespace inslab::app {
 /// not be (app/writers.hpp) is said at once, and makes a fault of the end.
 class StatusBoard {
  public:
-  /// `fill` adds the counters just before each report.
+  /// `fill` adds the counters just before each report, and may put a message where the state has none.
   StatusBoard(Context& context, std::uint32_t sensor_number, std::function<void(ServiceStatus&)> fill);
 
-  /// Reports when a second has passed since the last report. Cheap otherwise.
+  /// Reports when a second has passed since the last report, and says in the log what a start waits for that takes
+  /// long. Cheap otherwise.
   void tick();
 
   /// Changes the state and reports it, unless it is that state already.
@@ -35,10 +36,12 @@ class StatusBoard {
   Context& context_;
   ServiceStatus status_;
   ServiceState state_ = ServiceState::Starting;
-  std::string message_;
-  std::string fault_;  ///< as it was said last
+  std::string message_;  ///< of the state; `fill` may say more in the report
+  std::string fault_;    ///< as it was said last
   std::function<void(ServiceStatus&)> fill_;
   time::Nanoseconds last_report_{0};
+  time::Nanoseconds entered_{0};
+  bool told_ = true;
   dds::Writer<ServiceStatus> writer_;
 };
 

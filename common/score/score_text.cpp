@@ -93,6 +93,19 @@ bool is_shown(const PhaseKey& key, const Scorer& scorer, const std::vector<Verdi
   return true;
 }
 
+std::string score_so_far(const Scorer& scorer) {
+  const SolutionCounts& counts = scorer.counts();
+  if (counts.received == 0) return "";
+  std::string words = fmt::format("app: {} solutions", counts.received);
+  if (counts.scored == 0) return words + ", none scored yet";
+  const auto of = [&scorer](Metric metric) { return shown(figure(scorer, metric, {})); };
+  return words + fmt::format(
+                     "; errors of the first {}: horizontal RMS {} m, largest {} m; vertical RMS {} m; "
+                     "attitude RMS {} deg tilt, {} deg heading",
+                     counts.scored, of(Metric::HorizontalRms), of(Metric::HorizontalMax), of(Metric::VerticalRms),
+                     of(Metric::TiltRms), of(Metric::HeadingRms));
+}
+
 std::string score_text(const Scorer& scorer, const std::vector<Verdict>& verdicts) {
   std::string text = counts_text(scorer);
   if (scorer.counts().scored > 0) text += phases_text(scorer, verdicts) + outages_text(scorer);

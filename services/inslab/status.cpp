@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -14,6 +15,8 @@
 #include "app/shutdown.hpp"
 #include "dds/reader.hpp"
 #include "services/inslab/commands.hpp"
+#include "services/inslab/run_client.hpp"
+#include "services/inslab/status_table.hpp"
 
 namespace inslab::cli {
 
@@ -79,65 +82,25 @@ class Listener {
   dds::Reader<VehicleLink> vehicle_reader_;
 };
 
-void print_run(const Listener& listener) {
-  if (const auto run = listener.run()) {
-    fmt::print("run: {} {} at {:.3f} s, {} truth samples, {} journal entries, {} overruns, largest lag {:.3f} ms {}\n",
-               run->scenario, enum_name(run->state), static_cast<double>(run->sim_time_ns) * 1e-9, run->truth_samples,
-               run->journal_entries, run->overruns, run->lag_max_s * 1e3, run->message);
-  } else {
-    fmt::print("run: no trajectory server was heard\n");
+/// Those heard after `since`. One that was not heard for as long as two heartbeats take is missing, whatever DDS thinks
+/// of its lease.
+std::vector<Heartbeats> living(const Listener& listener, time::Nanoseconds since) {
+  std::vector<Heartbeats> services;
+  for (const auto& [key, heard] : listener.services()) {
+    if (heard.at >= since) services.push_back({heard.status, heard.previous});
   }
-  if (const auto link = listener.vehicle()) {
-    fmt::print("vehicle: {} states received, {} used; {} missing, {} late, {} refused; {} truth samples extrapolated\n",
-               link->received, link->used, link->missing, link->late, link->refused, link->truth_samples_extrapolated);
-  }
+  return services;
 }
 
-/// The services heard after `since`, and who is missing; true when nobody is. One that was not heard for as long as two
-/// heartbeats take is missing, whatever DDS thinks of its lease.
-bool print_services(const std::map<ServiceKey, Listener::Heard>& heard, const std::vector<ServiceKey>& expected,
-                    time::Nanoseconds since) {
-  fmt::print("{:<28}{:>7}  {:<10}{:>10}{:>9}{:>8}  {}\n", "service", "sensor", "state", "sim s", "pid", "RSS MB",
-             "message");
-  const auto lives = [&](const ServiceKey& key) { return heard.count(key) > 0 && heard.at(key).at >= since; };
-  for (const auto& [key, entry] : heard) {
-    if (!lives(key)) continue;
-    const ServiceStatus& status = entry.status;
-    fmt::print("{:<28}{:>7}  {:<10}{:>10.3f}{:>9}{:>8.1f}  {}\n", status.service, status.sensor_number,
-               enum_name(status.state), static_cast<double>(status.sim_time_ns) * 1e-9, status.pid,
-               static_cast<double>(status.rss_bytes) * 1e-6, status.message);
-  }
-  bool complete = true;
+std::vector<ServiceKey> missing_of(const std::vector<ServiceKey>& expected, const std::vector<Heartbeats>& services) {
+  std::vector<ServiceKey> missing;
   for (const ServiceKey& key : expected) {
-    if (lives(key)) continue;
-    complete = false;
-    fmt::print("{:<28}{:>7}  MISSING\n", key.first, key.second);
+    const bool lives = std::any_of(services.begin(), services.end(), [&key](const Heartbeats& service) {
+      return ServiceKey{service.last.service, service.last.sensor_number} == key;
+    });
+    if (!lives) missing.push_back(key);
   }
-  return complete;
-}
-
-/// What each service counts on its streams; the rate is that between its last two heartbeats.
-void print_streams(const std::map<ServiceKey, Listener::Heard>& heard, time::Nanoseconds since) {
-  fmt::print("\n{:<28}{:>7}  {:<26}{:<4}{:>12}{:>10}{:>7}{:>10}{:>10}\n", "service", "sensor", "stream", "", "samples",
-             "rate Hz", "lost", "p50 ms", "p99 ms");
-  for (const auto& [key, entry] : heard) {
-    if (entry.at < since) continue;
-    const double passed_s = static_cast<double>(entry.status.realtime_ns - entry.previous.realtime_ns) * 1e-9;
-    for (const StreamStatus& stream : entry.status.streams) {
-      std::string rate = "-";
-      for (const StreamStatus& before : entry.previous.streams) {
-        if (before.topic != stream.topic || before.direction != stream.direction || passed_s <= 0.0) continue;
-        rate = fmt::format("{:.1f}", static_cast<double>(stream.samples - before.samples) / passed_s);
-      }
-      const bool out = stream.direction == StreamDirection::Out;
-      const auto ms = [out](double latency_s) {
-        return out || latency_s < 0.0 ? std::string("-") : fmt::format("{:.3f}", latency_s * 1e3);
-      };
-      fmt::print("{:<28}{:>7}  {:<26}{:<4}{:>12}{:>10}{:>7}{:>10}{:>10}\n", key.first, key.second, stream.topic,
-                 out ? "out" : "in", stream.samples, rate, stream.lost, ms(stream.latency_p50_s),
-                 ms(stream.latency_p99_s));
-    }
-  }
+  return missing;
 }
 
 std::vector<ServiceKey> expected_services(const std::string& scenario) {
@@ -151,13 +114,17 @@ std::vector<ServiceKey> expected_services(const std::string& scenario) {
 }
 
 int show_once(const StatusOptions& options, const std::vector<ServiceKey>& expected) {
+  if (options.wait_s > 2.0) fmt::print(stderr, "listens for {:g} s on {}\n", options.wait_s, options.network.words());
   const Listener listener(options.network);
   const time::Nanoseconds begun = app::monotonic_now();
-  std::this_thread::sleep_for(time::from_seconds(options.wait_s));
+  listen_for(options.wait_s);
   // What came in the first moments may be the latched word of a service that has died since.
   const time::Nanoseconds since = begun + time::from_seconds(options.wait_s - 1.5);
-  print_run(listener);
-  return print_services(listener.services(), expected, since) ? app::kOk : app::kFailed;
+  const std::vector<Heartbeats> services = living(listener, since);
+  const std::vector<ServiceKey> missing = missing_of(expected, services);
+  fmt::print("{}{}", run_table(listener.run(), listener.vehicle(), options.network.words()),
+             service_table(services, missing));
+  return missing.empty() ? app::kOk : app::kFailed;
 }
 
 /// The table in place, twice a second, until the run has ended or Ctrl-C.
@@ -168,11 +135,11 @@ int show_live(const StatusOptions& options, const std::vector<ServiceKey>& expec
   while (!app::shutdown_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     const time::Nanoseconds since = app::monotonic_now() - time::from_seconds(options.wait_s);
-    const auto heard = listener.services();
-    fmt::print("\033[H\033[J");
-    print_run(listener);
-    complete = print_services(heard, expected, since);
-    print_streams(heard, since);
+    const std::vector<Heartbeats> services = living(listener, since);
+    const std::vector<ServiceKey> missing = missing_of(expected, services);
+    complete = missing.empty();
+    fmt::print("\033[H\033[J{}{}{}", run_table(listener.run(), listener.vehicle(), options.network.words()),
+               service_table(services, missing), stream_table(services));
     std::fflush(stdout);
     const auto run = listener.run();
     if (run && has_ended(run->state)) break;

@@ -6,6 +6,7 @@
 #include "app/shutdown.hpp"
 #include "io/error.hpp"
 #include "score/score_json.hpp"
+#include "score/score_text.hpp"
 
 namespace inslab::logger {
 
@@ -41,6 +42,7 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
              [this](ServiceStatus& status) {
                for (const auto& [topic, monitor] : streams_) status.streams.push_back(monitor.status());
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
+               if (status.state == ServiceState::Running) status.message = score::score_so_far(scorer_);
              }),
       credits_(context.participant(), dds::topics::credit()) {
   // Callbacks hold indices into the list, and the worker looks them up: it must not move once readers exist.
@@ -293,11 +295,12 @@ void LoggerOnBus::take(const Message& message) {
   }
 }
 
-bool LoggerOnBus::matched() const {
+/// What this service waits for before it is ready; empty when nothing.
+std::string LoggerOnBus::missing() const {
   for (const Channel& channel : channels_) {
-    if (!channel.matched()) return false;
+    if (!channel.matched()) return "waits for a writer of " + channel.topic;
   }
-  return true;
+  return "";
 }
 
 /// Names the services that have not said that they ended; empty when all have.
@@ -344,7 +347,10 @@ int LoggerOnBus::run() {
   while (!grace_.must_stop(run_began_) && !finished()) {
     if (const auto message = mailbox_.take(milliseconds(50))) handle(*message);
     repeat_credits();
-    if (board_.state() == ServiceState::Starting && matched()) board_.enter(ServiceState::Ready);
+    if (board_.state() == ServiceState::Starting) {
+      const std::string waits_for = missing();
+      board_.enter(waits_for.empty() ? ServiceState::Ready : ServiceState::Starting, waits_for);
+    }
     board_.tick();
     if (app::monotonic_now() < next_flush || !failure_.empty()) continue;
     next_flush = app::monotonic_now() + milliseconds(500);

@@ -90,7 +90,7 @@ class LoggerOnBus {
   void handle(const Message& message);
   void take(const Message& message);
   void note_failure(const std::string& what);
-  bool matched() const;
+  std::string missing() const;
   std::string unfinished_services() const;
   bool all_services_ended() const;
   bool all_samples_here() const;
