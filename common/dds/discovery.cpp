@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <limits>
 #include <sstream>
 
 #include "dds/fast_dds_network.hpp"
+#include "samples/plain_text.hpp"
 
 namespace inslab::dds {
 
@@ -19,53 +21,45 @@ std::string text_of(const Text& value) {
   return text.str();
 }
 
+double seconds_of(const efd::Duration_t& duration) {
+  constexpr std::int32_t kForEver = 0x7fffffff;
+  return duration.seconds == kForEver ? std::numeric_limits<double>::infinity()
+                                      : static_cast<double>(duration.seconds) + 1e-9 * duration.nanosec;
+}
+
+/// Ours has the order of DDS, as theirs does. What a stranger announces beyond the last counts as the last.
+template <class Kind, class Theirs>
+Kind kind_of(Theirs theirs, Kind last) {
+  return static_cast<Kind>(std::min(static_cast<int>(theirs), static_cast<int>(last)));
+}
+
 /// What the announcements of a writer and of a reader have in common.
 template <class Data>
 Endpoint endpoint_of(const Data& data, bool is_writer) {
   Endpoint endpoint;
   endpoint.is_writer = is_writer;
-  endpoint.topic = data.topic_name.to_string();
-  endpoint.type = data.type_name.to_string();
+  endpoint.topic = plain_text(data.topic_name.to_string());
+  endpoint.type = plain_text(data.type_name.to_string());
   endpoint.guid_prefix = text_of(data.guid.guidPrefix);
-  endpoint.reliable = data.reliability.kind == efd::RELIABLE_RELIABILITY_QOS;
-  endpoint.transient_local = data.durability.kind >= efd::TRANSIENT_LOCAL_DURABILITY_QOS;
-  for (const std::string& name : data.partition.getNames()) endpoint.partitions.push_back(name);
+  const bool reliable = data.reliability.kind == efd::RELIABLE_RELIABILITY_QOS;
+  endpoint.reliability = reliable ? ReliabilityKind::Reliable : ReliabilityKind::BestEffort;
+  endpoint.durability = kind_of<DurabilityKind>(data.durability.kind, DurabilityKind::Persistent);
+  endpoint.deadline_s = seconds_of(data.deadline.period);
+  endpoint.latency_budget_s = seconds_of(data.latency_budget.duration);
+  endpoint.ownership = kind_of<OwnershipKind>(data.ownership.kind, OwnershipKind::Exclusive);
+  endpoint.liveliness = kind_of<LivelinessKind>(data.liveliness.kind, LivelinessKind::ManualByTopic);
+  endpoint.liveliness_lease_s = seconds_of(data.liveliness.lease_duration);
+  endpoint.destination_order =
+      kind_of<DestinationOrderKind>(data.destination_order.kind, DestinationOrderKind::BySourceTimestamp);
+  endpoint.presentation = kind_of<PresentationScope>(data.presentation.access_scope, PresentationScope::Group);
+  endpoint.coherent_access = data.presentation.coherent_access;
+  endpoint.ordered_access = data.presentation.ordered_access;
+  for (const std::string& name : data.partition.getNames()) endpoint.partitions.push_back(plain_text(name));
   for (const auto id : data.representation.m_value) endpoint.representations.push_back(id);
   return endpoint;
 }
 
-bool share_a_partition(const Endpoint& a, const Endpoint& b) {
-  if (a.partitions.empty() && b.partitions.empty()) return true;
-  return std::any_of(a.partitions.begin(), a.partitions.end(), [&b](const std::string& name) {
-    return std::find(b.partitions.begin(), b.partitions.end(), name) != b.partitions.end();
-  });
-}
-
 }  // namespace
-
-bool Endpoint::speaks_xcdr1() const {
-  return representations.empty() || std::find(representations.begin(), representations.end(),
-                                              static_cast<int>(efd::XCDR_DATA_REPRESENTATION)) != representations.end();
-}
-
-std::string mismatch(const Endpoint& writer, const Endpoint& reader) {
-  if (writer.type != reader.type) return "type: the writer has " + writer.type + ", the reader " + reader.type;
-  if (!share_a_partition(writer, reader)) return "partition: they have none in common (--unit)";
-  if (reader.reliable && !writer.reliable)
-    return "reliability: the reader asks for RELIABLE, the writer is BEST_EFFORT";
-  if (reader.transient_local && !writer.transient_local) {
-    return "durability: the reader asks for TRANSIENT_LOCAL, the writer is VOLATILE";
-  }
-  // A writer uses the first of its representations; without a list that is XCDR1.
-  const int offered =
-      writer.representations.empty() ? static_cast<int>(efd::XCDR_DATA_REPRESENTATION) : writer.representations.front();
-  const bool accepted = reader.representations.empty()
-                            ? offered == static_cast<int>(efd::XCDR_DATA_REPRESENTATION)
-                            : std::find(reader.representations.begin(), reader.representations.end(), offered) !=
-                                  reader.representations.end();
-  if (!accepted) return "data representation: the reader does not accept what the writer sends";
-  return "";
-}
 
 struct Discovery::Listener : fast_dds::DomainParticipantListener {
   void on_participant_discovery(efd::DomainParticipant*, fast_dds::ParticipantStatus status,
@@ -77,7 +71,7 @@ struct Discovery::Listener : fast_dds::DomainParticipantListener {
     if (gone) {
       participants.erase(prefix);
     } else {
-      participants[prefix] = data.participant_name.to_string();
+      participants[prefix] = plain_text(data.participant_name.to_string());
     }
   }
   void on_data_writer_discovery(efd::DomainParticipant*, fast_dds::WriterStatus status,

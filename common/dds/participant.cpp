@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 #include <sys/statvfs.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -19,6 +21,8 @@
 #include "dds/packet_guard.hpp"
 #include "dds/participant_listener.hpp"
 #include "dds/security.hpp"
+#include "samples/plain_text.hpp"
+#include "samples/unit_name.hpp"
 
 namespace inslab::dds {
 
@@ -48,7 +52,7 @@ class LogForwarder : public efd::LogConsumer {
     if (++said_ > kSaid) {
       spdlog::warn("Fast DDS: more errors, not shown");
     } else {
-      spdlog::warn("Fast DDS: {}", entry.message);
+      spdlog::warn("Fast DDS: {}", plain_text(entry.message));
     }
   }
 
@@ -189,6 +193,9 @@ Participant::Participant(const ParticipantOptions& options)
   if (options.domain > 232) {
     throw std::runtime_error("DDS domain " + std::to_string(options.domain) + "; expected 0 to 232");
   }
+  if (!options.unit.empty() && !is_unit_name(options.unit)) {
+    throw std::runtime_error("unit '" + plain_text(options.unit) + "'; expected " + kUnitNameRule);
+  }
   participant_ =
       factory.create_participant(options.domain, participant_qos(options), listener_.get(), efd::StatusMask::none());
   if (participant_ == nullptr) {
@@ -216,6 +223,12 @@ const Peers& Participant::peers() const { return listener_->peers; }
 std::vector<OtherVersion> Participant::take_other_versions() {
   const std::lock_guard<std::mutex> lock(listener_->mutex);
   return std::exchange(listener_->other_versions, {});
+}
+
+bool Participant::ignores(const std::array<std::uint8_t, 16>& writer) const {
+  if (listener_->ignored_count == 0) return false;
+  const std::lock_guard<std::mutex> lock(listener_->mutex);
+  return listener_->ignored.count(writer) > 0;
 }
 
 efd::Topic& Participant::topic_of_type(const std::string& name, const std::string& type_name) {

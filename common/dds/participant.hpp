@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
@@ -91,6 +92,8 @@ class Participant {
   const Peers& peers() const;
   /// Who was heard since the last call of having another version of our types, in this unit.
   std::vector<OtherVersion> take_other_versions();
+  /// Whether what a writer (its GUID) sends is not for us: its partition is a pattern, so that it speaks to every unit.
+  bool ignores(const std::array<std::uint8_t, 16>& writer) const;
 
   /// Received samples of any topic whose bytes were not what their type says.
   std::uint32_t refused_messages() const { return refused_->load(); }

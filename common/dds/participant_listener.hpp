@@ -1,17 +1,25 @@
 #pragma once
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <mutex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "dds/fast_dds_network.hpp"
 #include "dds/participant.hpp"
+#include "samples/plain_text.hpp"
+#include "samples/unit_name.hpp"
 
 namespace inslab::dds {
 
-/// Hears of other participants, and of writers and readers whose type is of another version.
+/// Hears of other participants, of writers and readers whose type is of another version, and finds those who speak to
+/// every unit at once: partitions match by pattern, and no unit is called by one.
 struct Participant::Listener : fast_dds::DomainParticipantListener {
   explicit Listener(std::string unit_name) : unit(std::move(unit_name)) {}
 
@@ -23,12 +31,13 @@ struct Participant::Listener : fast_dds::DomainParticipantListener {
       peers.forget(key);
     } else {
       peers.note(
-          {key, data.participant_name.to_string(), address_of(data.metatraffic_locators), data.user_data.data_vec()});
+          {key, plain_text(data.participant_name.to_string()), address_of(data.metatraffic_locators), data.user_data.data_vec()});
     }
   }
-  void on_data_writer_discovery(eprosima::fastdds::dds::DomainParticipant*, fast_dds::WriterStatus,
-                                const fast_dds::PublicationData& data, bool&) override {
+  void on_data_writer_discovery(eprosima::fastdds::dds::DomainParticipant*, fast_dds::WriterStatus status,
+                                const fast_dds::PublicationData& data, bool& should_be_ignored) override {
     look_at_the_type(data, true);
+    look_at_the_partition(data, status == fast_dds::WriterStatus::REMOVED_WRITER, should_be_ignored);
   }
   void on_data_reader_discovery(eprosima::fastdds::dds::DomainParticipant*, fast_dds::ReaderStatus,
                                 const fast_dds::SubscriptionData& data, bool&) override {
@@ -62,10 +71,32 @@ struct Participant::Listener : fast_dds::DomainParticipantListener {
     if (in_this_unit && other_versions.size() < kMost) other_versions.push_back(other);
   }
 
+  void look_at_the_partition(const fast_dds::PublicationData& data, bool is_gone, bool& should_be_ignored) {
+    WriterKey writer{};
+    std::copy_n(data.guid.guidPrefix.value, 12, writer.begin());
+    std::copy_n(data.guid.entityId.value, 4, writer.begin() + 12);
+    const std::vector<std::string> names = data.partition.getNames();
+    const auto pattern = std::find_if(names.begin(), names.end(),
+                                      [](const std::string& name) { return !name.empty() && !is_unit_name(name); });
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (is_gone || pattern == names.end()) {
+      ignored.erase(writer);
+    } else if (ignored.insert(writer).second) {
+      should_be_ignored = true;
+      spdlog::warn("a writer of {} in the partition '{}', which is no unit's name, is ignored",
+                   plain_text(data.topic_name.to_string()), plain_text(*pattern));
+    }
+    ignored_count = ignored.size();
+  }
+
+  using WriterKey = std::array<std::uint8_t, 16>;  ///< its GUID
+
   const std::string unit;
   Peers peers;
   std::mutex mutex;
   std::vector<OtherVersion> other_versions;
+  std::set<WriterKey> ignored;
+  std::atomic<std::size_t> ignored_count{0};
 };
 
 }  // namespace inslab::dds

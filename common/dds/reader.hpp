@@ -11,10 +11,11 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <functional>
 #include <mutex>
-#include <set>
 
+#include "dds/endpoint.hpp"
 #include "dds/participant.hpp"
 #include "dds/qos.hpp"
+#include "dds/seen_numbers.hpp"
 #include "dds/type_adapter.hpp"
 
 namespace inslab::dds {
@@ -23,10 +24,6 @@ namespace inslab::dds {
 struct SampleOrigin {
   std::array<std::uint8_t, 16> writer{};
   std::uint64_t number = 0;
-
-  friend bool operator<(const SampleOrigin& a, const SampleOrigin& b) {
-    return a.number != b.number ? a.number < b.number : a.writer < b.writer;
-  }
 };
 
 inline ParticipantKey participant_of(const SampleOrigin& origin) {
@@ -47,7 +44,7 @@ class Reader {
   /// Throws std::runtime_error when Fast DDS refuses the topic or its settings.
   Reader(Participant& participant, const Topic<T>& topic, Callback callback,
          Reliability reliability = Reliability::Reliable)
-      : subscriber_(participant.subscriber()), listener_(topic.name, std::move(callback)) {
+      : subscriber_(participant.subscriber()), listener_(participant, topic.name, std::move(callback)) {
     auto& dds_topic = participant.topic<T>(topic.name);
     auto qos = reader_qos(topic.delivery, topic.nominal_rate_hz);
     if (reliability == Reliability::BestEffort) {
@@ -70,8 +67,8 @@ class Reader {
 
  private:
   struct Listener : eprosima::fastdds::dds::DataReaderListener {
-    Listener(std::string topic_name, Callback on_sample)
-        : topic(std::move(topic_name)), callback(std::move(on_sample)) {}
+    Listener(Participant& of, std::string topic_name, Callback on_sample)
+        : participant(of), topic(std::move(topic_name)), callback(std::move(on_sample)) {}
 
     void on_data_available(eprosima::fastdds::dds::DataReader* reader) override {
       eprosima::fastdds::dds::SampleInfo info;
@@ -82,7 +79,7 @@ class Reader {
         std::copy(writer.guidPrefix.value, writer.guidPrefix.value + 12, origin.writer.begin());
         std::copy(writer.entityId.value, writer.entityId.value + 4, origin.writer.begin() + 12);
         origin.number = info.sample_identity.sequence_number().to64long();
-        callback(sample, origin);
+        if (!participant.ignores(origin.writer)) callback(sample, origin);
       }
     }
     void on_subscription_matched(eprosima::fastdds::dds::DataReader*,
@@ -91,14 +88,15 @@ class Reader {
     }
     void on_requested_incompatible_qos(eprosima::fastdds::dds::DataReader*,
                                        const eprosima::fastdds::dds::RequestedIncompatibleQosStatus& status) override {
-      spdlog::warn("a writer of {} cannot match our reader: QoS policy {} at fault", topic,
-                   static_cast<int>(status.last_policy_id));
+      spdlog::warn("a writer of {} cannot match our reader: {} at fault; 'inslab doctor' says more", topic,
+                   policy_name(static_cast<int>(status.last_policy_id)));
     }
     void on_sample_lost(eprosima::fastdds::dds::DataReader*,
                         const eprosima::fastdds::dds::SampleLostStatus& status) override {
       lost.store(static_cast<std::uint64_t>(status.total_count));
     }
 
+    Participant& participant;
     std::string topic;
     Callback callback;
     Received<T> sample;
@@ -129,18 +127,16 @@ class OpenReader {
 
  private:
   void hand_on(const Received<T>& sample, const SampleOrigin& origin) {
-    constexpr std::size_t kRemembered = 4096;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      if (!seen_.insert(origin).second) return;
-      if (seen_.size() > kRemembered) seen_.erase(seen_.begin());
+      if (!seen_.insert(origin.writer, origin.number)) return;
     }
     callback_(sample, origin);
   }
 
   Callback callback_;
   std::mutex mutex_;
-  std::set<SampleOrigin> seen_;
+  SeenSamples seen_;
   Reader<T> reliable_;
   Reader<T> best_effort_;
 };

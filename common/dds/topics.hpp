@@ -59,6 +59,39 @@ template <class Profile>
 Topic<Profile> journal() { return {names::journal(Profile::kind), Delivery::Journal, 100.0}; }
 // clang-format on
 
+/// Calls `visit` with every topic of the table; those of a sensor with that number.
+template <class Visit>
+void for_each(std::uint32_t number, const Visit& visit) {
+  const auto with_blocks = [&visit](const auto& stream) {
+    visit(stream);
+    visit(block(stream));
+  };
+  const auto of_kind = [&visit](const auto& requests, const auto& entries) {
+    visit(requests);
+    visit(entries);
+  };
+  with_blocks(truth());
+  with_blocks(imu(number));
+  with_blocks(imu_truth(number));
+  with_blocks(gnss(number));
+  with_blocks(nav());
+  visit(vehicle_state());
+  visit(vehicle_state_used());
+  visit(vehicle_link());
+  visit(installation());
+  visit(sim_status());
+  visit(sim_command());
+  visit(service_status());
+  visit(time_mark());
+  visit(profile_ack());
+  visit(credit());
+  of_kind(request<ImuErrorProfile>(), journal<ImuErrorProfile>());
+  of_kind(request<VibrationProfile>(), journal<VibrationProfile>());
+  of_kind(request<InstallationProfile>(), journal<InstallationProfile>());
+  of_kind(request<GnssErrorProfile>(), journal<GnssErrorProfile>());
+  of_kind(request<FaultProfile>(), journal<FaultProfile>());
+}
+
 }  // namespace topics
 
 }  // namespace inslab::dds

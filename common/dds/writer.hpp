@@ -8,6 +8,7 @@
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 
+#include "dds/endpoint.hpp"
 #include "dds/participant.hpp"
 #include "dds/qos.hpp"
 #include "dds/type_adapter.hpp"
@@ -59,8 +60,8 @@ class Writer {
     }
     void on_offered_incompatible_qos(eprosima::fastdds::dds::DataWriter*,
                                      const eprosima::fastdds::dds::OfferedIncompatibleQosStatus& status) override {
-      spdlog::warn("a reader of {} cannot match our writer: QoS policy {} at fault", topic,
-                   static_cast<int>(status.last_policy_id));
+      spdlog::warn("a reader of {} cannot match our writer: {} at fault; 'inslab doctor' says more", topic,
+                   policy_name(static_cast<int>(status.last_policy_id)));
     }
     std::string topic;
     std::atomic<int> matched{0};

@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <set>
-#include <thread>
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service.hpp"
 #include "dds/discovery.hpp"
+#include "dds/wire_findings.hpp"
 #include "services/inslab/commands.hpp"
+#include "services/inslab/run_client.hpp"
 #include "services/inslab/shm_segments.hpp"
 
 namespace inslab::cli {
@@ -60,9 +60,8 @@ void look_at_environment(Findings& findings) {
       findings.bad(std::string(name) + "=" + file + ": there is no such file", "correct or unset it");
     }
   }
-  for (const std::string name : {"DEFAULT_FASTRTPS_PROFILES.xml", "DEFAULT_FASTDDS_PROFILES.xml"}) {  // of 2.9, of 3.x
-    if (!std::filesystem::exists(name)) continue;
-    findings.note(name + " in this folder is read by the Fast DDS processes started here");
+  if (std::filesystem::exists("DEFAULT_FASTRTPS_PROFILES.xml")) {
+    findings.note("DEFAULT_FASTRTPS_PROFILES.xml in this folder is read by every Fast DDS process started here");
   }
   if (findings.count() == 0) findings.good("no variable leads Fast DDS astray");
 }
@@ -121,11 +120,12 @@ void look_at_clock(Findings& findings) {
   }
 }
 
-std::string cure_of(const std::string& mismatch) {
-  if (mismatch.rfind("type: ", 0) == 0) {
-    return "generate the app's types anew from idl/ and build it again (docs/running.md, \"Versions of the types\")";
+std::string words_of_units(const std::vector<std::string>& units) {
+  std::string words;
+  for (const std::string& unit : units) {
+    words += (words.empty() ? "" : ", ") + (unit.empty() ? "one without a name" : "'" + unit + "'");
   }
-  return "change the app's settings to those in the README's QoS table";
+  return words;
 }
 
 /// Every pair of a writer and a reader of one topic that will not match, once for each reason.
@@ -133,25 +133,19 @@ void look_at_the_wire(Findings& findings, const DoctorOptions& options) {
   fmt::print("on the wire, domain {}, transport {}, interface {}\n", options.network.domain, options.network.transport,
              options.network.interface_address);
   const dds::Discovery discovery(app::participant_options(options.network, "inslab-doctor"));
-  std::this_thread::sleep_for(time::from_seconds(options.seconds));
+  listen_for(options.seconds);
   const std::vector<dds::Endpoint> endpoints = discovery.endpoints();
   const auto participants = discovery.participants();
   if (participants.empty()) {
     findings.note("nobody was heard: is the set running, with the same --domain, --interface and --transport?");
     return;
   }
-  std::set<std::string> said;
-  for (const dds::Endpoint& writer : endpoints) {
-    for (const dds::Endpoint& reader : endpoints) {
-      if (!writer.is_writer || reader.is_writer || writer.topic != reader.topic) continue;
-      const std::string why = dds::mismatch(writer, reader);
-      if (why.empty()) continue;
-      const std::string what = fmt::format("{}: writer in '{}' and reader in '{}' do not match: {}", writer.topic,
-                                           writer.participant, reader.participant, why);
-      if (said.insert(what).second) findings.bad(what, cure_of(why));
-    }
+  if (const auto units = dds::units_among(endpoints); units.size() > 1) {
+    findings.note(fmt::format("{} units, which do not hear each other: {}", units.size(), words_of_units(units)));
   }
-  if (said.empty()) {
+  const std::vector<dds::WireFinding> mismatches = dds::wire_findings(endpoints);
+  for (const dds::WireFinding& finding : mismatches) findings.bad(finding.what, finding.cure);
+  if (mismatches.empty()) {
     findings.good(fmt::format("{} participants with {} endpoints, no mismatch", participants.size(), endpoints.size()));
   }
 }

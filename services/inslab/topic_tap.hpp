@@ -22,10 +22,15 @@ class TopicTap {
  public:
   /// The callback runs in a thread of Fast DDS. Throws std::invalid_argument, naming the topics there are, when the
   /// product has none of that name.
-  TopicTap(dds::Participant& participant, const std::string& topic, std::function<void(const TappedMessage&)> callback);
+  TopicTap(dds::Participant& participant, const std::string& topic,
+           const std::function<void(const TappedMessage&)>& callback);
+
+  /// How many writers of the topic are heard.
+  int matched_writers() const { return matched_writers_(); }
 
  private:
   std::shared_ptr<void> reader_;
+  std::function<int()> matched_writers_;
 };
 
 }  // namespace inslab::cli

@@ -171,6 +171,33 @@ TEST_P(Chain, OpenReaderHandsEverySampleOnOnce) {
   EXPECT_EQ(received.samples().size(), 50u);
 }
 
+TEST_P(Chain, OpenReaderHandsEverySampleOnOnceWhateverCameBefore) {
+  Collector<SimCommand> received;
+  OpenReader<SimCommand> reader(to_, topics::sim_command(),
+                                [&](const SimCommand& c, const SampleOrigin&) { received.add(c); });
+  constexpr std::uint64_t kMany = 4300;
+  constexpr std::uint64_t kFew = 200;
+  const auto send = [&](Participant& from, int writers, std::uint64_t first, std::uint64_t count) {
+    Writer<SimCommand> writer(from, topics::sim_command());
+    ASSERT_TRUE(eventually([&] { return writer.matched_readers() == 2 && reader.matched_writers() == writers; }));
+    for (std::uint64_t i = 0; i < count; ++i) {
+      ASSERT_TRUE(writer.write({first + i, CommandKind::Step, 1.0}));
+      if (i % 100 == 99) ASSERT_TRUE(writer.wait_for_acknowledgments(seconds(10)));
+    }
+    ASSERT_TRUE(writer.wait_for_acknowledgments(seconds(10)));
+  };
+  send(from_, 1, 0, kMany);
+  ASSERT_TRUE(received.wait_for(kMany));
+  ASSERT_TRUE(eventually([&] { return reader.matched_writers() == 0; }));
+  // Another client, whose numbers begin anew and are smaller than all that came before.
+  send(from_, 1, kMany, kFew);
+  ASSERT_TRUE(received.wait_for(kMany + kFew));
+  std::map<std::uint64_t, int> times;
+  for (const SimCommand& command : received.samples()) ++times[command.request_id];
+  EXPECT_EQ(times.size(), kMany + kFew);
+  for (const auto& [id, count] : times) EXPECT_EQ(count, 1) << "request " << id;
+}
+
 TEST_P(Chain, UnitsDoNotHearEachOther) {
   auto in_unit = [&](const std::string& unit) {
     ParticipantOptions unit_options = options("unit");

@@ -15,6 +15,7 @@
 #include "dds/discovery.hpp"
 #include "dds/reader.hpp"
 #include "dds/writer.hpp"
+#include "tests/dds/keys.hpp"
 
 namespace inslab::dds {
 namespace {
@@ -22,27 +23,6 @@ namespace {
 using std::chrono::seconds;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-/// Keys made by deploy/security/make-keys into a folder that goes with the object.
-class Keys {
- public:
-  Keys() {
-    char pattern[] = "/tmp/inslab-keys-XXXXXX";
-    folder_ = mkdtemp(pattern);
-    made_ = std::system(
-                (INSLAB_SOURCE_DIR "/deploy/security/make-keys " + folder_ + "/keys 2 >/dev/null 2>&1").c_str()) == 0;
-  }
-  ~Keys() { std::filesystem::remove_all(folder_); }
-  Keys(const Keys&) = delete;
-  Keys& operator=(const Keys&) = delete;
-
-  bool made() const { return made_; }
-  std::string path() const { return folder_ + "/keys"; }
-
- private:
-  std::string folder_;
-  bool made_ = false;
-};
 
 ParticipantOptions options(const std::string& role, const std::string& keys) {
   ParticipantOptions options;
