@@ -18,6 +18,9 @@ inline constexpr const char* kReferenceNav = "inslab-reference-nav";
 /// The app under test, in credits: it is not ours and need not know of them.
 inline constexpr const char* kNavApp = "navigation app";
 
+/// How the message of a service begins that is ready but for the app: the service is not what is missing.
+inline constexpr const char* kWaitsForApp = "waits for an app: ";
+
 /// The services that read the truth of a scenario, with their sensor numbers.
 inline std::vector<ServiceKey> truth_consumers(const scenario::LoadedScenario& scenario) {
   std::vector<ServiceKey> services;

@@ -4,17 +4,45 @@
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
+#include "app/network_interfaces.hpp"
+#include "samples/plain_text.hpp"
 #include "samples/run_control.hpp"
+#include "samples/unit_name.hpp"
 
 namespace inslab::app {
 
+namespace {
+
+/// Makes an address of the name of an interface; refuses what this host lacks.
+std::string to_address(std::string& wanted) {
+  if (wanted == "any") return "";
+  const std::vector<NetworkInterface> here = network_interfaces();
+  const auto address = address_on(here, wanted);
+  if (!address) return "this host has no interface '" + plain_text(wanted) + "'; it has " + words_of(here) + ", or any";
+  wanted = *address;
+  return "";
+}
+
+std::string judge_unit(const std::string& name) {
+  if (name.empty() || is_unit_name(name)) return "";
+  return "'" + plain_text(name) + "' names no unit; expected " + kUnitNameRule;
+}
+
+}  // namespace
+
+void add_unit_option(CLI::App& app, std::string& unit, const std::string& meaning) {
+  app.add_option("--unit", unit, meaning)->check(CLI::Validator(&judge_unit, "NAME"));
+}
+
 void NetworkOptions::add_to(CLI::App& app) {
   app.add_option("--domain", domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
-  app.add_option("--unit", unit, "the vehicle's name on the network; becomes the DDS partition");
+  add_unit_option(app, unit, "the vehicle's name on the network; becomes the DDS partition");
   app.add_option("--transport", transport, "udp, shm, or default (what Fast DDS or its XML profile says)")
       ->check(CLI::IsMember({"udp", "shm", "default"}))
       ->capture_default_str();
-  app.add_option("--interface", interface_address, "IPv4 address to bind to; 'any' for every interface")
+  app.add_option("--interface", interface_address,
+                 "network interface to bind to: its name or IPv4 address; 'any' for every interface")
+      ->transform(CLI::Validator(&to_address, "NAME|ADDRESS"))
       ->capture_default_str();
   app.add_option("--security", security, "folder of keys made by deploy/security/make-keys; absent: no security")
       ->check(CLI::ExistingDirectory);
@@ -32,6 +60,11 @@ std::vector<std::string> NetworkOptions::as_arguments() const {
   if (!discovery_server.empty()) arguments.insert(arguments.end(), {"--discovery-server", discovery_server});
   if (!security.empty()) arguments.insert(arguments.end(), {"--security", security});
   return arguments;
+}
+
+std::string NetworkOptions::words() const {
+  return "domain " + std::to_string(domain) + (unit.empty() ? ", no unit" : ", unit '" + unit + "'") + ", interface " +
+         interface_address;
 }
 
 void ClockOptions::add_to(CLI::App& app) {

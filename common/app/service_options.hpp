@@ -13,6 +13,9 @@ class App;
 
 namespace inslab::app {
 
+/// Adds --unit, which takes what samples/unit_name.hpp calls a unit's name, or nothing.
+void add_unit_option(CLI::App& app, std::string& unit, const std::string& meaning);
+
 /// Where on the network: the same options on every program.
 struct NetworkOptions {
   std::uint32_t domain = 0;
@@ -27,6 +30,8 @@ struct NetworkOptions {
   void add_to(CLI::App& app);
   /// The same as arguments for another program.
   std::vector<std::string> as_arguments() const;
+  /// "domain 7, unit 'truck', interface 127.0.0.1": where somebody was looked for, for messages.
+  std::string words() const;
 };
 
 /// What sets the pace of a run, where it is to be another one than the scenario says.

@@ -123,8 +123,9 @@ class StreamOutput {
     if (samples_.matched_readers() < own_readers_ || blocks_.matched_readers() < own_readers_) {
       return "waits for a reader of " + topic_;
     }
-    return foreign_missing() == 0 ? ""
-                                  : "waits for " + std::to_string(foreign_missing()) + " more subscribers of " + topic_;
+    const int missing = foreign_missing();
+    if (missing == 0) return "";
+    return kWaitsForApp + (missing == 1 ? "a reader of " : std::to_string(missing) + " readers of ") + topic_;
   }
   StreamStatus status() const { return sent_.status(); }
   /// Waits until every reader has everything, at the latest until `deadline` (CLOCK_MONOTONIC): one that is stuck must

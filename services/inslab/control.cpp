@@ -26,13 +26,15 @@ int control(CommandKind kind, const ControlOptions& options) {
   dds::Participant participant(app::participant_options(options.network, "inslab-control"));
   RunClient client(participant);
   const time::Nanoseconds deadline = app::monotonic_now() + time::from_seconds(options.timeout_s);
-  if (!wait_for(deadline, [&] { return client.connected() && client.status(); })) {
-    fmt::print(stderr, "inslab {}: no trajectory server was found\n", enum_name(kind));
+  const std::string server = "a trajectory server on " + options.network.words();
+  if (!wait_for(
+          deadline, [&] { return client.connected() && client.status(); }, server)) {
+    fmt::print(stderr, "inslab {}: {} was not found within {:g} s\n", enum_name(kind), server, options.timeout_s);
     return app::kNotApplied;
   }
   const auto judged = [&] { return client.status()->last_command_id == command.request_id; };
-  if (!client.send(command) || !wait_for(deadline, judged)) {
-    fmt::print(stderr, "inslab {}: no answer within {} s\n", enum_name(kind), options.timeout_s);
+  if (!client.send(command) || !wait_for(deadline, judged, "the answer of the trajectory server")) {
+    fmt::print(stderr, "inslab {}: no answer within {:g} s\n", enum_name(kind), options.timeout_s);
     return app::kNotApplied;
   }
   const SimStatus status = *client.status();
@@ -52,7 +54,9 @@ void add_control(CLI::App& app, std::function<int()>& action) {
     auto options = std::make_shared<ControlOptions>();
     CLI::App* command = app.add_subcommand(std::string(enum_name(kind)), purpose);
     if (value != nullptr) command->add_option(value, options->value, meaning)->required();
-    command->add_option("--timeout", options->timeout_s, "seconds to wait for the answer")->capture_default_str();
+    command->add_option("--timeout", options->timeout_s, "seconds to wait for the answer, at most")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
     options->network.add_to(*command);
     command->callback([&action, kind, options] { action = [kind, options] { return control(kind, *options); }; });
   };

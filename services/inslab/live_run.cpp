@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <thread>
 
 #include "app/host.hpp"
@@ -51,6 +52,7 @@ LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& load
 }
 
 void LiveRun::start_services() {
+  if (!options_.network.security.empty()) std::fprintf(stderr, "starts the services of a secured set one by one\n");
   std::vector<std::string> common{"--scenario",  options_.scenario,
                                   "--log-level", options_.verbose ? "info" : "warn",
                                   "--run",       app::run_id_text(identity_.run_id)};
@@ -92,6 +94,11 @@ void LiveRun::follow(const std::function<void()>& meanwhile) {
     const auto status = client_.status();
     if (status) {
       progress.show(time::Nanoseconds(status->sim_time_ns));
+      if (has_ended(status->state)) {
+        if (!run_ended_) run_ended_ = app::monotonic_now();
+      } else {
+        tell_wait(progress, status->message);
+      }
       send_due_swaps(*status);
     }
     if (app::shutdown_requested() && !told_to_stop) {
@@ -109,6 +116,7 @@ void LiveRun::follow(const std::function<void()>& meanwhile) {
       // Without the clock nobody ends by itself.
       if (children_.failure() && !told_to_stop) children_.terminate();
     }
+    if (run_ended_ && app::monotonic_now() - *run_ended_ > seconds(2)) tell_wait(progress, words_of_rest());
     if (stop_deadline_ && app::monotonic_now() > *stop_deadline_) return;
     std::this_thread::sleep_for(milliseconds(20));
   }
@@ -136,6 +144,20 @@ void LiveRun::note_fault(const ServiceStatus& status) {
   if (status.state != ServiceState::Fault) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (first_fault_.empty()) first_fault_ = status.message;
+}
+
+/// Who has not ended though the run has.
+std::string LiveRun::words_of_rest() const {
+  std::string names;
+  for (const auto& [program, pid] : children_.running()) names += (names.empty() ? "" : ", ") + program;
+  return names.empty() ? "" : "waits for the end of " + names;
+}
+
+/// What the trajectory server says it waits for, when it is news.
+void LiveRun::tell_wait(const Progress& progress, const std::string& message) {
+  if (message.empty() || message == told_wait_) return;
+  told_wait_ = message;
+  progress.say(message);
 }
 
 /// A service that ends by itself, or by a signal that it obeys, while the run goes on leaves the run without it.

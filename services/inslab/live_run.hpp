@@ -42,6 +42,8 @@ class LiveRun {
   const ChildProcesses& services() const { return children_; }
 
  private:
+  std::string words_of_rest() const;
+  void tell_wait(const Progress& progress, const std::string& message);
   void note_early_ends(const Progress& progress);
   void note_fault(const ServiceStatus& status);
   std::string reason() const;
@@ -57,12 +59,14 @@ class LiveRun {
   std::string first_fault_;  ///< of a service
   dds::Reader<ServiceStatus> faults_;
   std::vector<std::string> early_ends_;  ///< which service left the run, and when
+  std::string told_wait_;
   ChildProcesses children_;
   bool lockstep_;
   bool holds_the_start_;  ///< until every scheduled swap is in the journal
   bool released_ = false;
   std::size_t next_swap_ = 0;
   std::optional<time::Nanoseconds> stop_deadline_;
+  std::optional<time::Nanoseconds> run_ended_;
 };
 
 }  // namespace inslab::cli

@@ -1,5 +1,6 @@
 #include "services/inslab/run_client.hpp"
 
+#include <cstdio>
 #include <thread>
 
 #include "app/host.hpp"
@@ -60,9 +61,27 @@ std::vector<ProfileAck> RunClient::acks(std::uint64_t request_id) const {
   return found == acks_.end() ? std::vector<ProfileAck>{} : found->second;
 }
 
-bool wait_for(time::Nanoseconds deadline, const std::function<bool()>& condition) {
+void listen_for(double seconds) {
+  const time::Nanoseconds end = app::monotonic_now() + time::from_seconds(seconds);
+  while (app::monotonic_now() < end && !app::shutdown_requested()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+LongWait::LongWait() : begun_(app::monotonic_now()) {}
+
+void LongWait::tell(const std::string& what) {
+  constexpr time::Nanoseconds kLong = std::chrono::seconds(2);
+  if (told_ || app::monotonic_now() - begun_ < kLong) return;
+  told_ = true;
+  std::fprintf(stderr, "waits for %s\n", what.c_str());
+}
+
+bool wait_for(time::Nanoseconds deadline, const std::function<bool()>& condition, const std::string& what) {
+  LongWait wait;
   while (!condition()) {
     if (app::monotonic_now() > deadline || app::shutdown_requested()) return false;
+    wait.tell(what);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return true;

@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "dds/reader.hpp"
@@ -48,7 +49,23 @@ class RunClient {
   dds::Reader<ProfileAck> ack_reader_;
 };
 
-/// Waits until `condition` holds; false at the deadline (CLOCK_MONOTONIC) or at a signal.
-bool wait_for(time::Nanoseconds deadline, const std::function<bool()>& condition);
+/// Waits until `condition` holds; false at the deadline (CLOCK_MONOTONIC) or at a signal. A wait that grows long says
+/// on the error output what it waits for.
+bool wait_for(time::Nanoseconds deadline, const std::function<bool()>& condition, const std::string& what);
+
+/// Sleeps for so long, or until a signal.
+void listen_for(double seconds);
+
+/// Says after two seconds, once, what is waited for.
+class LongWait {
+ public:
+  LongWait();
+  /// Call now and then while the wait goes on.
+  void tell(const std::string& what);
+
+ private:
+  time::Nanoseconds begun_;
+  bool told_ = false;
+};
 
 }  // namespace inslab::cli

@@ -7,6 +7,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
+#include "app/service_options.hpp"
 #include "app/shutdown.hpp"
 #include "io/error.hpp"
 #include "services/inslab/commands.hpp"
@@ -95,7 +96,7 @@ void add_simulate(CLI::App& app, std::function<int()>& action) {
   CLI::App* command =
       app.add_subcommand("simulate", "Run a scenario in one process, without DDS, as fast as it goes; same samples");
   command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
-  command->add_option("--unit", options->unit, "the vehicle's name: it chooses the random streams, as in a live run");
+  app::add_unit_option(*command, options->unit, "the vehicle's name: it chooses the random streams, as in a live run");
   command->add_option("-o,--output", options->directory, "directory for the log NAME.mcap")->capture_default_str();
   command->add_option("--vehicle", options->vehicle_log, "log of a live run whose vehicle states are used again");
   command->add_flag("--no-log", options->without_log, "write no log");

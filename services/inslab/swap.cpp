@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <random>
 #include <thread>
 
@@ -25,7 +26,7 @@ struct SwapOptions {
   double at_s = -1.0;
   std::string continuity = "keep";
   double fade_s = 0.0;
-  double timeout_s = 10.0;
+  std::optional<double> timeout_s;  ///< absent: as long as the run goes on
   app::NetworkOptions network;
 };
 
@@ -69,13 +70,69 @@ bool report(const ProfileAck& ack) {
   return ack.outcome != AckOutcome::Superseded;
 }
 
-/// Sends the requests and waits for what becomes of each. `timeout_s` counts from the last word of the set.
-int send_all(const std::vector<AnyProfile>& requests, double timeout_s, const app::NetworkOptions& network) {
-  dds::Participant participant(app::participant_options(network, "inslab-swap"));
+/// How long to wait for acknowledgements: so many seconds in all when they are given, else as long as the run goes on
+/// and a while beyond its last word, since a swap in the future is acknowledged by its first sample.
+class Patience {
+ public:
+  explicit Patience(std::optional<double> timeout_s)
+      : limited_(timeout_s.has_value()),
+        end_(app::monotonic_now() + time::from_seconds(timeout_s.value_or(kBeyond_s))) {}
+
+  time::Nanoseconds end() const { return end_; }
+  bool is_over() const { return app::monotonic_now() > end_; }
+  /// The run is going on: `statuses` have come of it.
+  void hear(const RunClient& client) {
+    const std::uint64_t statuses = client.statuses();
+    const bool ended = client.status() && has_ended(client.status()->state);
+    const bool going_on = statuses != statuses_ && client.status() && !ended;
+    if (going_on && !limited_) end_ = app::monotonic_now() + time::from_seconds(kBeyond_s);
+    // What was said before the end may still be on its way.
+    if (ended && !ended_) end_ = std::min(end_, app::monotonic_now() + std::chrono::seconds(2));
+    ended_ = ended_ || ended;
+    statuses_ = statuses;
+  }
+
+ private:
+  static constexpr double kBeyond_s = 10.0;
+  bool limited_;
+  bool ended_ = false;
+  time::Nanoseconds end_;
+  std::uint64_t statuses_ = 0;
+};
+
+std::string words_of_wait(const AnyProfile& request, const RunClient& client) {
+  const std::int64_t at_ns = request_of(request).apply_at_ns;
+  std::string words = "the first sample of " + sensor_name(target_of(request)) + " under the swap";
+  if (at_ns >= 0) words += fmt::format(" at {:g} s", static_cast<double>(at_ns) * 1e-9);
+  if (const auto status = client.status()) {
+    words += fmt::format("; the run is {} at {:.1f} s", enum_name(status->state),
+                         static_cast<double>(status->sim_time_ns) * 1e-9);
+  }
+  return words;
+}
+
+/// Waits for what becomes of a request; nothing when patience ends or at a signal.
+std::optional<ProfileAck> await_ack(const AnyProfile& request, const RunClient& client, Patience& patience) {
+  const std::uint64_t id = request_of(request).request_id;
+  LongWait wait;
+  for (auto acks = client.acks(id);; acks = client.acks(id)) {
+    if (!acks.empty()) return acks.front();
+    if (app::shutdown_requested() || patience.is_over()) return std::nullopt;
+    patience.hear(client);
+    wait.tell(words_of_wait(request, client));
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+/// Sends the requests and waits for what becomes of each.
+int send_all(const std::vector<AnyProfile>& requests, const SwapOptions& options) {
+  dds::Participant participant(app::participant_options(options.network, "inslab-swap"));
   RunClient client(participant);
-  const time::Nanoseconds patience = time::from_seconds(timeout_s);
-  if (!wait_for(app::monotonic_now() + patience, [&] { return client.connected(); })) {
-    fmt::print(stderr, "inslab swap: no trajectory server was found\n");
+  Patience patience(options.timeout_s);
+  const std::string server = "a trajectory server on " + options.network.words();
+  if (!wait_for(
+          patience.end(), [&] { return client.connected(); }, server)) {
+    fmt::print(stderr, "inslab swap: {} was not found\n", server);
     return app::kNotApplied;
   }
   for (const AnyProfile& request : requests) {
@@ -86,33 +143,21 @@ int send_all(const std::vector<AnyProfile>& requests, double timeout_s, const ap
   }
   bool good = true;
   for (const AnyProfile& request : requests) {
-    const std::uint64_t id = request_of(request).request_id;
-    // A swap in the future is acknowledged by its first sample: wait for as long as the run goes on.
-    auto last_status = client.statuses();
-    time::Nanoseconds deadline = app::monotonic_now() + patience;
-    const auto has_run_ended = [&] { return client.status() && has_ended(client.status()->state); };
-    bool ended = false;
-    while (client.acks(id).empty() &&
-           !wait_for(app::monotonic_now() + std::chrono::milliseconds(50), [&] { return !client.acks(id).empty(); })) {
-      if (app::shutdown_requested()) return app::kNotApplied;
-      if (has_run_ended() && !ended) {
-        ended = true;  // what was said before the end may still be on its way
-        deadline = std::min(deadline, app::monotonic_now() + std::chrono::seconds(2));
-      }
-      if (client.statuses() != last_status && !has_run_ended()) deadline = app::monotonic_now() + patience;
-      last_status = client.statuses();
-      if (app::monotonic_now() <= deadline) continue;
-      if (ended) {
-        fmt::print(stderr, "inslab swap: the run has ended ({}) and nothing has acknowledged the swap\n",
-                   enum_name(client.status()->state));
-      } else {
-        fmt::print(stderr, "inslab swap: no acknowledgement within {} s\n", timeout_s);
-      }
+    const auto ack = await_ack(request, client, patience);
+    if (!ack) {
+      fmt::print(stderr, "inslab swap: not acknowledged: {} did not come\n", words_of_wait(request, client));
       return app::kNotApplied;
     }
-    good = report(client.acks(id).front()) && good;
+    good = report(*ack) && good;
   }
   return good ? app::kOk : app::kNotApplied;
+}
+
+void add_timeout(CLI::App& command, SwapOptions& options) {
+  command
+      .add_option("--timeout", options.timeout_s,
+                  "seconds to wait in all; absent: as long as the run goes on, and 10 s beyond its last word")
+      ->check(CLI::Range(0.0, 1e6));
 }
 
 }  // namespace
@@ -124,7 +169,7 @@ void add_swap(CLI::App& app, std::function<int()>& action) {
       ->required()
       ->check(CLI::IsMember(kKinds));
   command->add_option("profile", options->profile, "profile file (JSON)")->required();
-  command->add_option("--sensor-kind", options->sensor_kind, "imu or gnss; for installation and fault")
+  command->add_option("--sensor-kind", options->sensor_kind, "imu or gnss; installation and fault want it")
       ->check(CLI::IsMember(names_of<SensorKind>()));
   command->add_option("--sensor", options->sensor_number, "number of the sensor")->capture_default_str();
   command->add_option("--at", options->at_s, "sim time in seconds; absent: as soon as possible");
@@ -132,11 +177,15 @@ void add_swap(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::IsMember(names_of<Continuity>()))
       ->capture_default_str();
   command->add_option("--fade", options->fade_s, "vibration: seconds of smooth fade")->capture_default_str();
-  command->add_option("--timeout", options->timeout_s, "seconds to wait for the acknowledgement")
-      ->capture_default_str();
+  add_timeout(*command, *options);
   options->network.add_to(*command);
   command->callback([options, &action] {
-    action = [options] { return send_all({request_for(*options)}, options->timeout_s, options->network); };
+    const bool is_of_either = options->kind == "installation" || options->kind == "fault";
+    if (is_of_either && options->sensor_kind.empty()) {
+      throw CLI::ValidationError("--sensor-kind",
+                                 options->kind + " profiles go to IMUs and receivers: say imu or gnss");
+    }
+    action = [options] { return send_all({request_for(*options)}, *options); };
   });
 }
 
@@ -146,15 +195,14 @@ void add_schedule(CLI::App& app, std::function<int()>& action) {
       app.add_subcommand("schedule", "Play a list of swaps on a running set; waits for every acknowledgement");
   command->add_option("file", options->profile, "schedule (JSON): {\"swaps\": [...]} as in a scenario")->required();
   command->add_flag("--scenario", options->is_scenario, "the file is a scenario: play its swaps");
-  command->add_option("--timeout", options->timeout_s, "seconds to wait after the last word of the set")
-      ->capture_default_str();
+  add_timeout(*command, *options);
   options->network.add_to(*command);
   command->callback([options, &action] {
     action = [options] {
       const std::vector<AnyProfile> swaps = options->is_scenario
                                                 ? scenario::load(options->profile).swaps
                                                 : scenario::load_schedule(options->profile, app::random_id());
-      return send_all(swaps, options->timeout_s, options->network);
+      return send_all(swaps, *options);
     };
   });
 }

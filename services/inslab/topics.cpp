@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <thread>
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
@@ -16,6 +15,7 @@
 #include "dds/discovery.hpp"
 #include "io/csv_writer.hpp"
 #include "services/inslab/commands.hpp"
+#include "services/inslab/run_client.hpp"
 #include "services/inslab/topic_tap.hpp"
 
 namespace inslab::cli {
@@ -36,8 +36,9 @@ struct Counted {
 };
 
 int list(const TopicsOptions& options) {
+  if (options.seconds > 2.0) fmt::print(stderr, "listens for {:g} s on {}\n", options.seconds, options.network.words());
   const dds::Discovery discovery(app::participant_options(options.network, "inslab-topics"));
-  std::this_thread::sleep_for(time::from_seconds(options.seconds));
+  listen_for(options.seconds);
   std::map<std::string, Counted> topics;
   for (const dds::Endpoint& endpoint : discovery.endpoints()) {
     Counted& counted = topics[endpoint.topic];
@@ -48,8 +49,12 @@ int list(const TopicsOptions& options) {
   for (const auto& [name, counted] : topics) {
     fmt::print("{:<36}{:<30}{:>8}{:>8}\n", name, counted.type, counted.writers, counted.readers);
   }
-  if (topics.empty()) fmt::print(stderr, "nobody was heard on domain {}\n", options.network.domain);
-  return topics.empty() ? app::kFailed : app::kOk;
+  if (topics.empty()) {
+    fmt::print(stderr, "nobody was heard in {:g} s on {}: is the set running there?\n", options.seconds,
+               options.network.words());
+    return app::kFailed;
+  }
+  return app::kOk;
 }
 
 /// What a tapped topic brought, decoded in the worker.
@@ -59,6 +64,12 @@ struct Message {
   std::int64_t received_realtime_ns;
 };
 
+std::string why_nothing(const TopicTap& tap, const TopicsOptions& options) {
+  return tap.matched_writers() == 0
+             ? "it has no writer on " + options.network.words() + ": is the set running there?"
+             : "its writer is there and sends none (in lockstep the samples of a stream travel in blocks)";
+}
+
 /// Hands every message of the topic to `each` until the time is over, `count` have come, or a signal; the number of
 /// messages.
 std::uint64_t listen(const TopicsOptions& options, const std::function<void(const Message&)>& each) {
@@ -67,15 +78,21 @@ std::uint64_t listen(const TopicsOptions& options, const std::function<void(cons
   const TopicTap tap(participant, options.topic, [&mailbox](const TappedMessage& message) {
     mailbox.put({&message.type, message.cdr, message.received_realtime_ns});
   });
-  const time::Nanoseconds end = app::monotonic_now() + time::from_seconds(options.seconds);
+  const time::Nanoseconds begun = app::monotonic_now();
+  const time::Nanoseconds end = begun + time::from_seconds(options.seconds);
+  LongWait wait;
   std::uint64_t messages = 0;
   while (app::monotonic_now() < end && !app::shutdown_requested() && (options.count == 0 || messages < options.count)) {
     const auto message = mailbox.take(std::chrono::milliseconds(50));
+    if (!message && messages == 0) wait.tell("a message of " + options.topic + "; " + why_nothing(tap, options));
     if (!message) continue;
     ++messages;
     each(*message);
   }
-  if (messages == 0) fmt::print(stderr, "nothing came on {} in {:g} s\n", options.topic, options.seconds);
+  if (messages == 0) {
+    fmt::print(stderr, "nothing came on {} in {:.1f} s; {}\n", options.topic,
+               time::to_seconds(app::monotonic_now() - begun), why_nothing(tap, options));
+  }
   return messages;
 }
 

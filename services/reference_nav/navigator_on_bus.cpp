@@ -141,7 +141,7 @@ std::string NavigatorOnBus::missing() const {
   if (sim_status_.matched_writers() == 0) return "waits for the trajectory server";
   if (!imu_.matched()) return "waits for a writer of " + imu_.topic();
   if (!gnss_.matched()) return "waits for a writer of " + gnss_.topic();
-  return solutions_.matched_readers() > 0 && blocks_.matched_readers() > 0 ? "" : "waits for a reader of inslab/nav";
+  return solutions_.matched_readers() > 0 && blocks_.matched_readers() > 0 ? "" : "waits for the logger";
 }
 
 bool NavigatorOnBus::finished() const {

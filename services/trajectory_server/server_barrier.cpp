@@ -1,6 +1,7 @@
 // What ServerOnBus does before the first sample: it waits for everybody, and finds out whether it may run at all.
 
 #include <algorithm>
+#include <cstring>
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
@@ -15,25 +16,50 @@ using app::monotonic_now;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-std::vector<std::string> ServerOnBus::missing_services() const {
-  std::vector<std::string> missing;
+namespace {
+
+/// What services need to start and to find each other is no wait worth telling.
+constexpr time::Nanoseconds kTimeToStart = milliseconds(800);
+
+bool waits_for_app(const std::string& message) { return message.rfind(app::kWaitsForApp, 0) == 0; }
+
+void append(std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; }
+
+}  // namespace
+
+/// The services that are not ready by themselves; one that waits for the app alone is not among them.
+std::string ServerOnBus::missing_services() const {
+  std::string missing;
   for (const auto& [service, number] : app::required_services(scenario_)) {
     const auto found = services_.find({service, number});
-    if (found != services_.end() && found->second.state == ServiceState::Ready) continue;
-    const std::string why =
-        found == services_.end() || found->second.message.empty() ? "" : ": " + found->second.message;
-    missing.push_back(service + " (sensor " + std::to_string(number) + why + ")");
+    const std::string message = found == services_.end() ? "" : found->second.message;
+    const bool ready = found != services_.end() && found->second.state == ServiceState::Ready;
+    if (ready || waits_for_app(message)) continue;
+    append(missing, service + " (sensor " + std::to_string(number) + (message.empty() ? "" : ": " + message) + ")");
   }
   return missing;
 }
 
-/// Names who else is not there yet; empty when everybody is.
+/// What the scenario demands of others: readers of streams, solutions, states of a vehicle.
+std::string ServerOnBus::missing_apps() const {
+  const std::size_t prefix = std::strlen(app::kWaitsForApp);
+  std::string missing;
+  for (const auto& [key, heard] : services_) {
+    const bool ended = heard.state == ServiceState::Finished || heard.state == ServiceState::Fault;
+    if (!ended && waits_for_app(heard.message)) append(missing, heard.message.substr(prefix));
+  }
+  if (const std::string readers = truth_.missing_readers(); waits_for_app(readers)) {
+    append(missing, readers.substr(prefix));
+  }
+  if (vehicle_ && !vehicle_->connected()) append(missing, "a writer of inslab/vehicle_state");
+  return missing.empty() ? "" : "an app: " + missing + " on " + context_.options().network.words();
+}
+
+/// Names who is not there yet; empty when everybody is.
 std::string ServerOnBus::missing_peers() const {
-  std::string names;
-  for (const std::string& name : missing_services()) names += (names.empty() ? "" : ", ") + name;
-  if (!names.empty()) return names;
-  if (const std::string readers = truth_.missing_readers(); !readers.empty()) return readers;
-  return vehicle_ && !vehicle_->connected() ? "a writer of inslab/vehicle_state" : "";
+  if (const std::string services = missing_services(); !services.empty()) return services;
+  if (const std::string apps = missing_apps(); !apps.empty()) return apps;
+  return truth_.missing_readers().empty() ? "" : "the services' readers of " + truth_.topic();
 }
 
 /// A service of this scenario that was given something else; empty when there is none.
@@ -89,10 +115,18 @@ int ServerOnBus::end_run_of(const ServiceStatus& orphan) {
   return app::kFailed;
 }
 
+/// Into the status and, when it is news, into the log.
+void ServerOnBus::tell_wait(const std::string& names) {
+  const std::string before = status_.message;
+  say("waits for " + names);
+  if (status_.message != before) spdlog::info("{}", status_.message);
+}
+
 /// The barrier before the first sample. False when it timed out or a signal came.
 bool ServerOnBus::wait_until_ready() {
   const double timeout_s = scenario_.scenario.clock.ready_timeout_s;
-  const auto deadline = monotonic_now() + time::from_seconds(timeout_s);
+  const auto begun = monotonic_now();
+  const auto deadline = begun + time::from_seconds(timeout_s);
   board_.enter(ServiceState::Ready);
   for (std::string names = missing_peers(); !names.empty(); names = missing_peers()) {
     if (app::shutdown_requested() || control_.stop_requested()) return false;
@@ -103,14 +137,16 @@ bool ServerOnBus::wait_until_ready() {
       return false;
     }
     if (monotonic_now() > deadline) {
-      spdlog::error("not ready after {} s: {}", timeout_s, names);
-      status_.message = ("not ready: " + names).substr(0, 256);
+      spdlog::error("not ready after {:g} s: waits for {}", timeout_s, names);
+      say("not ready: " + names);
       return false;
     }
     handle_messages(milliseconds(2));
+    if (monotonic_now() - begun > kTimeToStart) tell_wait(names);
     report_status();
     board_.tick();
   }
+  say("");
   return true;
 }
 

@@ -244,7 +244,7 @@ void ServerOnBus::watch_consumers() {
   }
   if (blocked_since_ == time::Nanoseconds(0)) blocked_since_ = now;
   if (now - blocked_since_ < kPatience) return;
-  status_.message = ("waits for " + truth_.slowest_consumer()).substr(0, 256);
+  say("waits for " + truth_.slowest_consumer());
   board_.enter(ServiceState::Running, status_.message);
 }
 
@@ -276,7 +276,7 @@ void ServerOnBus::report_status() {
 
 int ServerOnBus::end(RunState state, const std::string& message) {
   status_.state = state;
-  status_.message = message.substr(0, 256);
+  say(message);
   truth_.flush_block();
   truth_.wait_for_acknowledgments(monotonic_now() + seconds(2));
   if (vehicle_) {
@@ -328,8 +328,10 @@ int ServerOnBus::run_to_end() {
       send_at_deadline();
     }
     if (status_.lag_max_s > max_lag_s) {
-      return end(RunState::Fault, fmt::format("a sample was {:.3f} ms late; max_lag_ms is {:g}",
-                                              status_.lag_max_s * 1e3, max_lag_s * 1e3));
+      return end(RunState::Fault,
+                 fmt::format("a sample was {:.3f} ms late, more than the scenario's clock.max_lag_ms of {:g}: the "
+                             "machine is too busy or the limit too tight",
+                             status_.lag_max_s * 1e3, max_lag_s * 1e3));
     }
   }
   return source_->has_next() ? end(RunState::Stopped, "stopped before its end") : end(RunState::Finished, "");

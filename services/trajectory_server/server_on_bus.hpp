@@ -11,6 +11,7 @@
 #include "app/status_board.hpp"
 #include "app/stream_output.hpp"
 #include "dds/reader.hpp"
+#include "samples/plain_text.hpp"
 #include "services/trajectory_server/other_runs.hpp"
 #include "services/trajectory_server/run_clock.hpp"
 #include "services/trajectory_server/run_control.hpp"
@@ -46,7 +47,9 @@ class ServerOnBus {
   void handle_messages(time::Nanoseconds patience);
   void judge(const AnyProfile& request);
   void obey(const SimCommand& command);
-  std::vector<std::string> missing_services() const;
+  std::string missing_services() const;
+  std::string missing_apps() const;
+  void tell_wait(const std::string& names);
   std::string missing_peers() const;
   bool wait_until_ready();
   std::string stranger_among_services() const;
@@ -64,6 +67,8 @@ class ServerOnBus {
   void watch_consumers();
   void send_time_mark();
   void report_status();
+  /// Puts a message into the status, of which nothing is sent yet.
+  void say(const std::string& message) { status_.message = plain_text(message, 256); }
   int end(RunState state, const std::string& message);
 
   app::Context& context_;

@@ -121,7 +121,8 @@ TEST_F(BenchTools, ShowALiveTableOnATerminal) {
                               "/dev/null"});
   EXPECT_TRUE(terminal.prints("inslab/imu_truth/0", seconds(30))) << terminal.output();
   terminal.wait(seconds(30));
-  EXPECT_THAT(terminal.output(), ContainsRegex("inslab-imu-injector +0 +inslab/imu/0 +out +[0-9]+ +[0-9.]+ +0"));
+  EXPECT_THAT(terminal.output(),
+              ContainsRegex("inslab-imu-injector 0[\r\n]+.*[\r\n]* +inslab/imu/0 +out +[0-9]+ +[0-9.]+ +0"));
   EXPECT_THAT(terminal.output(), HasSubstr("\033[H\033[J"));
 }
 
@@ -140,11 +141,24 @@ TEST_F(BenchTools, FindAReaderOfOtherSettingsWithItsCure) {
   auto& topic = app.topic<ImuSample>("inslab/imu/0");
   auto* reader = app.subscriber().create_datareader(&topic, qos);
   ASSERT_NE(reader, nullptr);
+  // Another that wants a sample each 50 ms promised, one writer alone, and its sign of life on the topic.
+  qos = dds::reader_qos(dds::Delivery::Stream, 200.0);
+  qos.deadline().period = {0, 50'000'000};
+  qos.ownership().kind = eprosima::fastdds::dds::EXCLUSIVE_OWNERSHIP_QOS;
+  qos.liveliness().kind = eprosima::fastdds::dds::MANUAL_BY_TOPIC_LIVELINESS_QOS;
+  auto* demanding = app.subscriber().create_datareader(&topic, qos);
+  ASSERT_NE(demanding, nullptr);
   const Answer answer = inslab({"doctor"});
+  app.subscriber().delete_datareader(demanding);
   EXPECT_EQ(answer.code, 1);
-  EXPECT_THAT(answer.text, ContainsRegex("BAD   inslab/imu/0: writer in 'inslab-imu-injector' and reader in "
-                                         "'demanding-app' do not match: .*durability"));
-  EXPECT_THAT(answer.text, HasSubstr("cure: change the app's settings"));
+  EXPECT_THAT(answer.text, HasSubstr("DEADLINE: the writer has period infinite, the reader wants period 50 ms"));
+  EXPECT_THAT(answer.text, HasSubstr("OWNERSHIP: the writer has SHARED, the reader wants EXCLUSIVE"));
+  EXPECT_THAT(answer.text, HasSubstr("LIVELINESS: the writer has AUTOMATIC, the reader wants MANUAL_BY_TOPIC"));
+  EXPECT_THAT(answer.text,
+              ContainsRegex("BAD   inslab/imu/0: writer in 'inslab-imu-injector' and reader in "
+                            "'demanding-app' do not match: DURABILITY: the writer has VOLATILE, the reader wants "
+                            "TRANSIENT_LOCAL"));
+  EXPECT_THAT(answer.text, HasSubstr("cure: in 'demanding-app' set DURABILITY of the reader to VOLATILE"));
   app.subscriber().delete_datareader(reader);
 }
 
@@ -155,6 +169,53 @@ TEST_F(BenchTools, FindAWriterOfAnotherType) {
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.text, ContainsRegex("BAD   inslab/nav: writer in 'confused-app' and reader in "
                                          "'inslab-truth-logger' do not match: .*type"));
+}
+
+TEST_F(BenchTools, KnowTwoUnitsForWhatTheyAre) {
+  Process other("inslab-trajectory-server",
+                {"--scenario", source("tests/data/short.json"), "--unit", "other", "--domain", own_domain()});
+  const Answer answer = inslab({"doctor"});
+  EXPECT_THAT(answer.text, HasSubstr("note  2 units, which do not hear each other: one without a name, 'other'"));
+  EXPECT_THAT(answer.text, HasSubstr("no mismatch"));
+}
+
+TEST_F(BenchTools, SwapAnInstallationOfANamedKindOfSensorAlone) {
+  const Answer answer = inslab({"swap", "installation", source("config/profiles/installation/antenna_roof.json")});
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.text, HasSubstr("--sensor-kind: installation profiles go to IMUs and receivers: say imu or gnss"));
+}
+
+TEST(Commands, KeepTheirTimeoutAndSayWhereTheyLooked) {
+  const std::string where = "on domain " + own_domain() + ", unit 'nobody', interface 127.0.0.1";
+  const Answer stop = inslab({"stop", "--unit", "nobody", "--timeout", "2.5"});
+  EXPECT_EQ(stop.code, 3);
+  EXPECT_THAT(stop.text, HasSubstr("waits for a trajectory server " + where));
+  EXPECT_THAT(stop.text, HasSubstr("a trajectory server " + where + " was not found within 2.5 s"));
+  const Answer echo = inslab({"topics", "hz", "inslab/imu/0", "--unit", "nobody", "--seconds", "0.5"});
+  EXPECT_EQ(echo.code, 1);
+  EXPECT_THAT(echo.text, HasSubstr("it has no writer " + where + ": is the set running there?"));
+  const Answer list = inslab({"topics", "ls", "--seconds", "0.5"});
+  EXPECT_THAT(list.text, HasSubstr("nobody was heard in 0.5 s on domain "));
+}
+
+TEST(Commands, TakeNoPatternForAUnit) {
+  for (const char* command : {"stop", "status", "doctor"}) {
+    const Answer answer = inslab({command, "--unit", "*"});
+    EXPECT_EQ(answer.code, 2) << answer.text;
+    EXPECT_THAT(answer.text, HasSubstr("'*' names no unit; expected letters, digits"));
+  }
+  Process service("inslab-trajectory-server", {"--scenario", source("tests/data/short.json"), "--unit", "my car"});
+  EXPECT_EQ(service.wait(seconds(20)), 2) << service.output();
+}
+
+TEST(Commands, TakeAnInterfaceByNameAndSayWhichThereAre) {
+  const Answer absent = inslab({"topics", "ls", "--interface", "192.0.2.77"});
+  EXPECT_EQ(absent.code, 2);
+  EXPECT_THAT(absent.text, HasSubstr("this host has no interface '192.0.2.77'; it has "));
+  EXPECT_THAT(absent.text, HasSubstr("lo (127.0.0.1)"));
+  const Answer by_name = inslab({"topics", "ls", "--interface", "lo", "--unit", "nobody", "--seconds", "2.1"});
+  EXPECT_THAT(by_name.text,
+              HasSubstr("listens for 2.1 s on domain " + own_domain() + ", unit 'nobody', interface 127.0.0.1"));
 }
 
 TEST(Doctor, FindsVariablesThatLeadAstray) {

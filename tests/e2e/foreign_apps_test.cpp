@@ -16,6 +16,7 @@ namespace {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Sets a variable for the processes started while it lives.
 class Environment {
@@ -165,11 +166,14 @@ TEST(ForeignClient, OfAnotherVendorSwapsAProfileAndIsToldWhatBecameOfIt) {
 
 TEST(RequiredSubscribers, BarrierNamesWhatItWaitsFor) {
   const TestFolder folder;
-  Process run("inslab",
-              {"run", source("tests/data/foreign.json"), "--domain", own_domain(), "--log", folder / "log.mcap"});
+  Process run("inslab", {"run", source("tests/data/foreign.json"), "--domain", own_domain(), "--unit", "truck", "--log",
+                         folder / "log.mcap"});
+  EXPECT_TRUE(run.prints("waits for an app: ", seconds(20))) << run.output();
   EXPECT_EQ(run.wait(seconds(60)), 1);
-  EXPECT_THAT(run.output(), HasSubstr("waits for a writer of inslab/nav"));
-  EXPECT_THAT(run.output(), HasSubstr("waits for 1 more subscribers of inslab/gnss/0"));
+  EXPECT_THAT(run.output(), HasSubstr("a writer of inslab/nav"));
+  EXPECT_THAT(run.output(), HasSubstr("a reader of inslab/gnss/0"));
+  EXPECT_THAT(run.output(), HasSubstr("on domain " + own_domain() + ", unit 'truck', interface 127.0.0.1"));
+  EXPECT_THAT(run.output(), Not(HasSubstr("inslab-imu-injector")));
 }
 
 TEST(StoppedSubscriber, CostsTheOtherReadersNothing) {
