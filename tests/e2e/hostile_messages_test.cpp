@@ -52,7 +52,7 @@ class Foe {
     namespace efd = eprosima::fastdds::dds;
     const std::string type(wire::WireType<T>::name);
     if (participant_.dds().find_type(type).empty()) {
-      ASSERT_EQ(efd::TypeSupport(new dds::AnyBytes<T>()).register_type(&participant_.dds()), ReturnCode_t::RETCODE_OK);
+      ASSERT_EQ(efd::TypeSupport(new dds::AnyBytes<T>()).register_type(&participant_.dds()), efd::RETCODE_OK);
     }
     auto& dds_topic = participant_.topic<T>(topic.name);
     auto* weapon =
