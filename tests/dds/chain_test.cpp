@@ -182,7 +182,9 @@ TEST_P(Chain, OpenReaderHandsEverySampleOnOnceWhateverCameBefore) {
     ASSERT_TRUE(eventually([&] { return writer.matched_readers() == 2 && reader.matched_writers() == writers; }));
     for (std::uint64_t i = 0; i < count; ++i) {
       ASSERT_TRUE(writer.write({first + i, CommandKind::Step, 1.0}));
-      if (i % 100 == 99) ASSERT_TRUE(writer.wait_for_acknowledgments(seconds(10)));
+      if (i % 100 == 99) {
+        ASSERT_TRUE(writer.wait_for_acknowledgments(seconds(10)));
+      }
     }
     ASSERT_TRUE(writer.wait_for_acknowledgments(seconds(10)));
   };
