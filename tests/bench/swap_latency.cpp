@@ -32,7 +32,8 @@ std::vector<double> measure_swap_latency(const ChainSettings& settings, int coun
                                         revision = sample.revisions.imu_error;
                                       });
   const auto running = [&] { return client.connected() && client.status() && client.status()->sim_time_ns > 0; };
-  if (!cli::wait_for(app::monotonic_now() + seconds(30), running)) throw std::runtime_error("the set did not start");
+  if (!cli::wait_for(app::monotonic_now() + seconds(30), running, "the set"))
+    throw std::runtime_error("the set did not start");
 
   std::vector<AnyProfile> profiles;
   for (const char* name : {"mems_automotive", "stim300"}) {

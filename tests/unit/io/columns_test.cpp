@@ -114,7 +114,7 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
 }
 
 TEST(LogTypes, KnowEveryTopicTypeAndNoOther) {
-  EXPECT_EQ(log_types().size(), 19u);
+  EXPECT_EQ(log_types().size(), 20u);
   EXPECT_NE(find_log_type("inslab::v1::ServiceStatus"), nullptr);
   EXPECT_EQ(find_log_type("inslab::v1::Nothing"), nullptr);
   EXPECT_EQ(find_log_type("inslab::v0::ServiceStatus"), nullptr);
