@@ -30,8 +30,8 @@ struct Participant::Listener : fast_dds::DomainParticipantListener {
         status == fast_dds::ParticipantStatus::DROPPED_PARTICIPANT) {
       peers.forget(key);
     } else {
-      peers.note(
-          {key, plain_text(data.participant_name.to_string()), address_of(data.metatraffic_locators), data.user_data.data_vec()});
+      peers.note({key, plain_text(data.participant_name.to_string()), address_of(data.metatraffic_locators),
+                  data.user_data.data_vec()});
     }
   }
   void on_data_writer_discovery(eprosima::fastdds::dds::DomainParticipant*, fast_dds::WriterStatus status,
