@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,55 +29,70 @@ struct CheckpointHead {
   }
 };
 
-/// Where a service keeps what it needs to go on after a SIGKILL: one small file in the folder --state. Without a place
-/// for it the service runs all the same and says that it could not go on.
+/// Where a service keeps what it needs to go on after a SIGKILL: one small file for each run in the folder --state,
+/// gone when the run has ended in order. Without a place for it the service runs all the same and says that it could
+/// not go on.
 class Checkpoint {
  public:
   explicit Checkpoint(const Context& context);
 
   /// Whether a process before this one left a state: it did not end in order.
-  bool has_any() const { return file_ && file_->last() && !file_->last()->empty(); }
+  bool left_behind() const;
+  /// From now on `run` is the run; what was kept of another one is not needed.
+  void begin(const RunId& run);
   /// The run has ended in order: there is nothing to go on with.
-  void forget() {
-    if (file_) file_->keep({});
-  }
+  void forget();
 
-  /// When the last state belongs to `run` of this scenario: its head, and `load` has been called with the rest. Throws
-  /// recovery::StateError when that cannot be read.
+  /// When a process before this one left a state of this run and scenario: its head, and `load` has been called with
+  /// the rest. Nothing, and said, when the state cannot be read.
   template <class Load>
-  std::optional<CheckpointHead> resume(const RunId& run, const Load& load) {
-    if (!has_any()) return std::nullopt;
-    recovery::StateReader reader(file_->last()->data(), file_->last()->size());
-    CheckpointHead head;
-    reader(head);
-    if (head.run_id != run || head.scenario != scenario_ || head.seed != seed_) return std::nullopt;
-    load(reader);
-    reader.expect_end();
-    return head;
+  std::optional<CheckpointHead> resume(const Load& load) {
+    if (!file_ || !file_->last() || file_->last()->empty()) return std::nullopt;
+    try {
+      recovery::StateReader reader(file_->last()->data(), file_->last()->size());
+      CheckpointHead head;
+      reader(head);
+      if (head.run_id != run_ || head.scenario != scenario_ || head.seed != seed_) return std::nullopt;
+      load(reader);
+      reader.expect_end();
+      return head;
+    } catch (const recovery::StateError& error) {
+      say_that_there_is_none(error.what());
+      return std::nullopt;
+    }
   }
 
   /// The state as bytes for keep(); `save` appends to a recovery::StateWriter.
   template <class Save>
-  std::vector<std::uint8_t> state(const RunId& run, const Save& save) const {
+  std::vector<std::uint8_t> state(const Save& save) const {
     std::vector<std::uint8_t> bytes;
     recovery::StateWriter writer(bytes);
-    writer(CheckpointHead{run, scenario_, seed_, now()});
+    writer(CheckpointHead{run_, scenario_, seed_, now()});
     save(writer);
     return bytes;
   }
-  void keep(const std::vector<std::uint8_t>& state) {
-    if (file_) file_->keep(state);
-  }
+  /// False without a place. A full disk is said once; the state kept before stays, and each later one is tried again.
+  bool keep(const std::vector<std::uint8_t>& state);
 
-  /// Path of a file of this service in the folder --state.
-  static std::string path(const Context& context, const std::string& kind);
+  /// Path of a file of this service and run: "state", or a kind of its own. Throws std::runtime_error without a place.
+  std::string path(const std::string& kind) const;
 
  private:
   static std::int64_t now();
+  static void say_that_there_is_none(const std::string& why);
+  bool is_of_this_service(const std::filesystem::path& file) const;
 
   std::string scenario_;
   std::uint64_t seed_;
-  std::unique_ptr<recovery::CheckpointFile> file_;  ///< null: there is no place for it
+  std::filesystem::path folder_;  ///< empty: there is no place
+  std::string name_;              ///< what the files of this service begin with, of whatever run
+  RunId run_;
+  std::unique_ptr<recovery::CheckpointFile> file_;  ///< null: before a run, or there is no place for it
+  bool no_room_was_said_ = false;
 };
+
+/// Removes the files that services left of `run` in the folder `state_folder` (empty: the user's own): of those that
+/// were killed and not started again.
+void remove_checkpoints(const std::string& state_folder, const RunId& run);
 
 }  // namespace inslab::app

@@ -38,6 +38,12 @@ class CreditLedger {
     return lowest;
   }
 
+  /// Whether this consumer has said that it has everything before `sequence`.
+  bool has_all_before(std::uint64_t sequence, const ConsumerKey& consumer) const {
+    const auto found = next_wanted_.find(consumer);
+    return found != next_wanted_.end() && found->second >= sequence;
+  }
+
   /// Who still wants the least sample, for messages.
   std::string slowest() const {
     std::string names;

@@ -40,6 +40,10 @@ class Mailbox {
     return message;
   }
 
+  bool empty() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return messages_.empty();
+  }
   std::size_t deepest() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return deepest_;

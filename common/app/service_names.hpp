@@ -17,6 +17,8 @@ inline constexpr const char* kTruthLogger = "inslab-truth-logger";
 inline constexpr const char* kReferenceNav = "inslab-reference-nav";
 /// The app under test, in credits: it is not ours and need not know of them.
 inline constexpr const char* kNavApp = "navigation app";
+/// What the message of a service begins with that was told to stop in mid-run: its going is no fault of the run's.
+inline constexpr const char* kEndedBySignal = "ended by a signal in mid-run";
 
 /// How the message of a service begins that is ready but for the app: the service is not what is missing.
 inline constexpr const char* kWaitsForApp = "waits for an app: ";

@@ -102,6 +102,9 @@ std::optional<int> parse(const char* name, const char* purpose, const ServiceTra
   if (traits.has_log) {
     app.add_option("--log", options.log_file, "file to write; default runs/NAME-TIME.mcap");
     app.add_flag("--overwrite", options.overwrites, "write the log in place of a file that is there");
+    app.add_option("--go-on", options.go_on,
+                   "run id: a logger was killed in this run; go on with its log, even when the run is over meanwhile")
+        ->check(is_run_id);
   }
   if (!traits.makes_truth) {
     app.add_option("--state", options.state_folder,

@@ -53,6 +53,7 @@ struct ServiceOptions {
   std::uint32_t sensor = 0;
   std::string log_file;
   bool overwrites = false;   ///< the log may take the place of a file that is there
+  std::string go_on;         ///< run id: the log is that of a logger that was killed in this run; empty: find out
   std::string state_folder;  ///< empty: the user's own, see app/checkpoint.hpp
   ClockOptions clock;
   RunId run_id;  ///< the one run to take part in; zero: whichever is there

@@ -2,7 +2,7 @@
 
 namespace inslab::app {
 
-/// Lets SIGINT and SIGTERM set a flag, and SIGPIPE and SIGXFSZ come back as errors of the call that caused them.
+/// SIGINT, SIGTERM and a SIGHUP that is not ignored set a flag; SIGPIPE and SIGXFSZ become errors of their call.
 void install_signal_handlers();
 
 /// True once a signal to end has come.

@@ -32,6 +32,11 @@ class StreamOutput {
   static constexpr std::size_t kBlockSamples = 32;
   static constexpr std::uint64_t kWindowSamples = 128;
 
+  /// Samples that a logger that is killed in real time may still ask for when it is back: those of ten seconds.
+  static std::size_t ten_seconds(double rate_hz) {
+    return static_cast<std::size_t>(std::clamp(10.0 * rate_hz, 2.0 * kWindowSamples, 20'000.0));
+  }
+
   struct Settings {
     std::vector<ConsumerKey> consumers;     ///< of ours; each reads the single samples and the blocks
     bool paced_by_nav_app = false;          ///< the app under test is a consumer too, see TruthFollower
@@ -116,6 +121,8 @@ class StreamOutput {
   const std::string& topic() const { return topic_; }
   /// The least sample that a consumer may still ask for.
   std::uint64_t lowest_wanted() const { return ledger_.lowest().value_or(next_); }
+  /// Whether the logger has said that it has everything.
+  bool is_logged() const { return ledger_.has_all_before(next_, {kTruthLogger, 0u}); }
   std::string slowest_consumer() const { return ledger_.slowest(); }
   int foreign_readers() const { return samples_.matched_readers() - own_readers_; }
   /// Which readers are missing of our own and of the foreign ones that the scenario demands; empty when none.

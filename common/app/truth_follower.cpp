@@ -83,6 +83,7 @@ void TruthFollower::handle(Message message) {
     add_truth(*arrived);
   } else if (const auto* entry = std::get_if<AnyProfile>(&message)) {
     obey(*entry);
+    waiting_since_ = monotonic_now();
   } else if (auto* credit = std::get_if<Credit>(&message)) {
     if (credit->consumer == kNavApp) credit->run_id = run_id_;
     consumer_.take(*credit);
@@ -116,19 +117,25 @@ void TruthFollower::begin_run(const SimStatus& status) {
   run_id_ = status.run_id;
   clock_ = status.clock;
   board_.set_run(run_id_);
+  checkpoint_.begin(run_id_);
   consumer_.begin_run(run_id_, clock_);
-  if (!has_ended(status.state) && resume()) board_.enter(ServiceState::Running);
+  if (!resume()) {
+    checkpoint_.keep(checkpoint());
+  } else if (status.state != RunState::Waiting) {
+    board_.enter(ServiceState::Running);
+  }
   give_credit(true);
 }
 
 /// Goes on where a process before this one stopped in the same run. False when there was none.
 bool TruthFollower::resume() {
-  const auto head = checkpoint_.resume(run_id_, [this](recovery::StateReader& reader) {
+  const auto head = checkpoint_.resume([this](recovery::StateReader& reader) {
     reader(next_);
     consumer_.load(reader);
   });
   if (!head) return false;
   delivered_ = next_;
+  resumed_at_ = monotonic_now();
   truth_monitor_.go_on(run_id_, next_, next_);
   spdlog::warn("goes on with truth sample {}, {:.3f} s after the last sign of life", next_,
                static_cast<double>(realtime_now().count() - head->kept_realtime_ns) * 1e-9);
@@ -136,7 +143,7 @@ bool TruthFollower::resume() {
 }
 
 std::vector<std::uint8_t> TruthFollower::checkpoint() const {
-  return checkpoint_.state(run_id_, [this](recovery::StateWriter& writer) {
+  return checkpoint_.state([this](recovery::StateWriter& writer) {
     writer(next_);
     consumer_.save(writer);
   });
@@ -155,9 +162,27 @@ void TruthFollower::add_truth(const Arrived& arrived) {
   board_.enter(ServiceState::Running);
 }
 
-bool TruthFollower::can_process() const {
+/// What a process that was started again sends before it knows its readers never reaches them.
+bool TruthFollower::readers_are_back() {
+  constexpr time::Nanoseconds kPatience = seconds(3);
+  if (resumed_at_ == time::Nanoseconds(0)) return true;
+  if (!consumer_.missing_readers().empty() && monotonic_now() - resumed_at_ < kPatience) return false;
+  resumed_at_ = time::Nanoseconds(0);
+  return true;
+}
+
+bool TruthFollower::can_process() {
   return !pending_.empty() && pending_.begin()->first == next_ && consumer_.ready_for(pending_.begin()->second.state) &&
-         consumer_.has_room();
+         consumer_.has_room() && readers_are_back();
+}
+
+/// A writer keeps about a second of its stream for readers that lag. A process that catches up with more than that, in
+/// real time, waits now and then until they have what it sent; one that is gone must not keep it for long.
+void TruthFollower::pace_the_burst() {
+  constexpr std::uint64_t kSamples = 128;
+  constexpr time::Nanoseconds kPatience = milliseconds(50);
+  burst_ = pending_.empty() && mailbox_.empty() ? 0 : burst_ + 1;
+  if (burst_ % kSamples == kSamples - 1) consumer_.flush(monotonic_now() + kPatience);
 }
 
 void TruthFollower::process_pending() {
@@ -172,6 +197,7 @@ void TruthFollower::process_pending() {
     stalled_ = false;
     if (clock_ != ClockMode::Lockstep) {
       checkpoint_.keep(checkpoint());
+      pace_the_burst();
     } else if (ends_block) {
       consumer_.flush_blocks();
       marks_.push_back({next_, consumer_.outputs_end(), checkpoint()});
@@ -229,39 +255,59 @@ void TruthFollower::watch_the_journal() {
   if (pending_.empty() || stalled_ || monotonic_now() - waiting_since_ < seconds(2)) return;
   const TruthState& front = pending_.begin()->second.state;
   if (front.header.sequence_number != next_ || consumer_.ready_for(front)) return;
-  stalled_ = true;
+  stalled_ = true;  // until it is processed
   board_.enter(board_.state(), "waits for entries of the journal that the truth says are in effect");
   spdlog::error("waits for the journal: truth sample {} needs {} entries", front.header.sequence_number,
                 front.journal_in_effect);
 }
 
-/// Truth that was asked for again and again and does not come is no longer kept: without it there is no going on.
-bool TruthFollower::gave_up() {
+/// What was asked for again and again and does not come is no longer kept: without it there is no going on. Empty when
+/// nothing is lost.
+std::string TruthFollower::lost() const {
   constexpr time::Nanoseconds kPatience = seconds(8);
-  if (gap_since_ == time::Nanoseconds(0) || monotonic_now() - gap_since_ < kPatience) return false;
-  const std::string reason = "truth samples " + std::to_string(next_) + " to " +
-                             std::to_string(pending_.begin()->first - 1) +
-                             " cannot be had: there is no checkpoint of this run to go on from, or it is too old";
-  spdlog::error("{}", reason);
-  board_.enter(ServiceState::Fault, reason);
-  board_.flush(seconds(2));
-  return true;
+  if (gap_since_ != time::Nanoseconds(0) && monotonic_now() - gap_since_ > kPatience) {
+    return "truth samples " + std::to_string(next_) + " to " + std::to_string(pending_.begin()->first - 1) +
+           " cannot be had: there is no checkpoint of this run to go on from, or it is too old";
+  }
+  if (stalled_ && monotonic_now() - waiting_since_ > kPatience) {
+    const TruthState& front = pending_.begin()->second.state;
+    return "truth sample " + std::to_string(next_) + " needs " + std::to_string(front.journal_in_effect) +
+           " entries of the journal, and some of them cannot be had";
+  }
+  return "";
 }
 
 bool TruthFollower::finished() const {
   if (!run_ended_) return false;
-  // What has not come some seconds after the end, asked for again and again, will not come.
-  const bool complete = next_ >= truth_samples_of_run_ && (clock_ == ClockMode::RealTime || marks_.empty());
-  return complete || monotonic_now() - run_ended_at_ > seconds(5);
+  // What has not come some seconds after the end, asked for again and again, will not come. A logger that is killed at
+  // the end is back by then, and asks for what it lacks.
+  const bool delivered = clock_ == ClockMode::RealTime ? consumer_.outputs_logged() : marks_.empty();
+  return (next_ >= truth_samples_of_run_ && delivered) || monotonic_now() - run_ended_at_ > seconds(8);
 }
 
 int TruthFollower::run() {
+  try {
+    return follow();
+  } catch (const std::exception& error) {
+    return fail(error.what());
+  }
+}
+
+/// Leaves the run, and says why: others must not wait for what does not come.
+int TruthFollower::fail(const std::string& reason) {
+  spdlog::error("{}", reason);
+  board_.enter(ServiceState::Fault, reason);
+  board_.flush(seconds(2));
+  return kFailed;
+}
+
+int TruthFollower::follow() {
   while (!grace_.must_stop(run_began_) && !finished()) {
     if (auto message = mailbox_.take(milliseconds(50))) handle(std::move(*message));
     process_pending();
     watch_for_gaps();
-    if (gave_up()) return kFailed;
     watch_the_journal();
+    if (const std::string reason = lost(); !reason.empty()) return fail(reason);
     if (board_.state() == ServiceState::Starting) {
       const std::string waits_for = missing();
       board_.enter(waits_for.empty() ? ServiceState::Ready : ServiceState::Starting, waits_for);
@@ -272,7 +318,6 @@ int TruthFollower::run() {
 }
 
 int TruthFollower::end() {
-  checkpoint_.forget();
   consumer_.flush_blocks();
   if (run_ended_) consumer_.end_run(run_id_);
   consumer_.flush(monotonic_now() + seconds(2));
@@ -281,7 +326,7 @@ int TruthFollower::end() {
   if (left_no_run) {
     board_.enter(ServiceState::Finished, "ended by a signal before a run");
   } else if (shutdown_requested() && !run_ended_) {
-    const std::string reason = "ended by a signal in mid-run, after truth sample " + std::to_string(next_);
+    const std::string reason = std::string(kEndedBySignal) + ", after truth sample " + std::to_string(next_);
     board_.enter(ServiceState::Fault, reason);
     spdlog::error("{}: what follows of this run is missing", reason);
   } else if (!fault_.empty()) {
@@ -294,6 +339,7 @@ int TruthFollower::end() {
     board_.enter(ServiceState::Finished);
   }
   board_.flush(seconds(2));
+  checkpoint_.forget();
   return (complete && context_.writers().fault().empty()) || left_no_run ? kOk : kFailed;
 }
 

@@ -43,6 +43,8 @@ class TruthConsumer {
   virtual std::vector<std::uint64_t> outputs_end() const = 0;
   /// Whether every consumer has the outputs up to `ends`, so that none of them will be asked for again.
   virtual bool outputs_delivered(const std::vector<std::uint64_t>& ends) const = 0;
+  /// Whether the logger has said that it has everything that was put out.
+  virtual bool outputs_logged() const = 0;
   /// The IMU topic that the app under test navigates by, when the scenario lets it set the pace; else empty. The
   /// imu_sequence of its solutions then counts as its credit for that topic.
   virtual std::string paced_by_nav_app() const { return ""; }
@@ -61,9 +63,9 @@ class TruthConsumer {
 /// and the outputs have room, and ends when the run has ended and its last sample is processed. Truth is processed in
 /// order, each sample once: what is missing is asked for again. Callbacks enqueue; run() is the one worker.
 ///
-/// After each truth sample, in lockstep after each block that has been delivered, it keeps a checkpoint. Killed and
-/// started again in the same run it goes on from there: it asks for the truth since, and its outputs continue with the
-/// same bits.
+/// Before the first truth sample and after each, in lockstep after each block that has been delivered, it keeps a
+/// checkpoint. Killed and started again in the same run it goes on from there: it asks for the truth since, and its
+/// outputs continue with the same bits. What it cannot have it says, and ends as a fault.
 class TruthFollower {
  public:
   TruthFollower(Context& context, std::uint32_t sensor_number, TruthConsumer& consumer);
@@ -98,13 +100,17 @@ class TruthFollower {
   std::vector<std::uint8_t> checkpoint() const;
   void add_truth(const Arrived& arrived);
   void process_pending();
+  void pace_the_burst();
   void give_credit(bool resend);
   void watch_for_gaps();
   void watch_the_journal();
-  bool can_process() const;
+  bool readers_are_back();
+  bool can_process();
   std::string missing() const;
   bool finished() const;
-  bool gave_up();
+  std::string lost() const;
+  int follow();
+  int fail(const std::string& reason);
   int end();
 
   Context& context_;
@@ -121,9 +127,11 @@ class TruthFollower {
   std::vector<Mark> marks_;             ///< processed, but not yet delivered
   std::uint64_t delivered_ = 0;         ///< truth samples before this one are never needed again
   time::Nanoseconds truth_came_at_{0};  ///< CLOCK_MONOTONIC, the newest
-  time::Nanoseconds waiting_since_{0};
+  time::Nanoseconds waiting_since_{0};  ///< CLOCK_MONOTONIC: no sample was processed since, no journal entry came
+  time::Nanoseconds resumed_at_{0};     ///< CLOCK_MONOTONIC; 0: everybody reads what this process sends
   time::Nanoseconds next_credit_{0};
   bool stalled_ = false;
+  std::uint64_t burst_ = 0;  ///< samples processed since this process last had done with all that had come
   RunId run_id_;
   ClockMode clock_ = ClockMode::RealTime;
   bool run_began_ = false;

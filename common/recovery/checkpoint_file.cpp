@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstring>
+#include <filesystem>
 
 namespace inslab::recovery {
 
@@ -24,7 +25,9 @@ std::uint64_t crc_of(std::uint64_t number, const std::uint8_t* state, std::size_
 }  // namespace
 
 CheckpointFile::CheckpointFile(const std::string& path)
-    : file_(path, 2 * kFirstSlotBytes), slot_bytes_(file_.size() / 2 / alignof(Slot) * alignof(Slot)) {
+    : path_(path),
+      file_(std::make_unique<MappedFile>(path, 2 * kFirstSlotBytes)),
+      slot_bytes_(file_->size() / 2 / alignof(Slot) * alignof(Slot)) {
   for (const std::uint64_t place : {0, 1}) {
     const auto number = read(place);
     if (!number || *number <= number_) continue;
@@ -45,17 +48,33 @@ std::optional<std::uint64_t> CheckpointFile::read(std::uint64_t place) {
   return head.number;
 }
 
-void CheckpointFile::grow(std::size_t state_bytes) {
-  // Slots move when they grow: both states go to memory first.
-  const std::size_t old_bytes = slot_bytes_;
-  std::vector<std::uint8_t> second(slot(1), slot(1) + old_bytes);
-  slot_bytes_ = 2 * (state_bytes + sizeof(Slot)) / alignof(Slot) * alignof(Slot);
-  file_.grow(2 * slot_bytes_);
-  std::memcpy(slot(1), second.data(), second.size());
+/// A larger file takes the place of this one once it holds the state: a kill meanwhile leaves this one whole.
+void CheckpointFile::keep_in_larger_file(const std::vector<std::uint8_t>& state) {
+  const std::string aside = path_ + ".new";
+  std::filesystem::remove(aside);
+  const std::size_t slot_bytes = 2 * (state.size() + sizeof(Slot)) / alignof(Slot) * alignof(Slot);
+  std::unique_ptr<MappedFile> larger;
+  try {
+    larger = std::make_unique<MappedFile>(aside, 2 * slot_bytes);
+  } catch (...) {
+    std::filesystem::remove(aside);
+    throw;
+  }
+  file_ = std::move(larger);
+  slot_bytes_ = slot_bytes;
+  put(state);
+  std::filesystem::rename(aside, path_);
 }
 
 void CheckpointFile::keep(const std::vector<std::uint8_t>& state) {
-  if (state.size() > slot_bytes_ - sizeof(Slot)) grow(state.size());
+  if (state.size() > slot_bytes_ - sizeof(Slot)) {
+    keep_in_larger_file(state);
+  } else {
+    put(state);
+  }
+}
+
+void CheckpointFile::put(const std::vector<std::uint8_t>& state) {
   const std::uint64_t number = number_ + 1;
   std::uint8_t* place = slot(number);
   // The kernel sees the stores in the order the program makes them; the compiler must keep it, too.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,18 +21,21 @@ class CheckpointFile {
   /// The newest whole state; nothing when there is none.
   const std::optional<std::vector<std::uint8_t>>& last() const { return last_; }
 
-  /// Takes the place of the older of the two states kept.
+  /// Takes the place of the older of the two states kept. Throws std::runtime_error when there is no room for it; the
+  /// newest state then stays what it was.
   void keep(const std::vector<std::uint8_t>& state);
 
  private:
   struct Slot;
   static constexpr std::size_t kFirstSlotBytes = std::size_t{1} << 16;
 
-  std::uint8_t* slot(std::uint64_t number) { return file_.data() + (number % 2) * slot_bytes_; }
+  std::uint8_t* slot(std::uint64_t number) { return file_->data() + (number % 2) * slot_bytes_; }
   std::optional<std::uint64_t> read(std::uint64_t number);
-  void grow(std::size_t state_bytes);
+  void keep_in_larger_file(const std::vector<std::uint8_t>& state);
+  void put(const std::vector<std::uint8_t>& state);
 
-  MappedFile file_;
+  std::string path_;
+  std::unique_ptr<MappedFile> file_;
   std::size_t slot_bytes_;
   std::uint64_t number_ = 0;  ///< of the newest state; 0: none
   std::optional<std::vector<std::uint8_t>> last_;

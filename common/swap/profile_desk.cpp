@@ -31,19 +31,23 @@ ProfileDesk::ProfileDesk(SensorAddress sensor, std::string service, const std::v
 
 void ProfileDesk::add(const AnyProfile& entry) {
   const ProfileRequest& head = request_of(entry);
-  if (!known_.insert(head.journal_number).second) return;
-  apply_times_.insert(std::upper_bound(apply_times_.begin(), apply_times_.end(), head.apply_at_ns), head.apply_at_ns);
-  if (target_of(entry) == sensor_ && head.apply_at_ns >= taken_until_ns_)
-    waiting_.emplace(std::make_pair(head.apply_at_ns, head.journal_number), entry);
+  // Of the entries before that, each had come when they were taken.
+  if (head.apply_at_ns < taken_until_ns_) return;
+  const Place place(head.apply_at_ns, head.journal_number);
+  if (ahead_.insert(place).second && target_of(entry) == sensor_) waiting_.emplace(place, entry);
 }
 
 bool ProfileDesk::complete_for(const TruthState& truth) const {
-  if (truth.journal_in_effect == 0) return true;
-  const auto before = std::lower_bound(apply_times_.begin(), apply_times_.end(), truth.header.sim_time_ns);
-  return static_cast<std::uint64_t>(before - apply_times_.begin()) >= truth.journal_in_effect;
+  std::uint64_t in_effect = taken_;
+  for (const auto& [apply_at_ns, number] : ahead_) {
+    if (in_effect >= truth.journal_in_effect || apply_at_ns >= truth.header.sim_time_ns) break;
+    ++in_effect;
+  }
+  return in_effect >= truth.journal_in_effect;
 }
 
 void ProfileDesk::forget_taken() {
+  ahead_.erase(ahead_.begin(), ahead_.lower_bound({taken_until_ns_, 0}));
   while (!waiting_.empty() && waiting_.begin()->first.first < taken_until_ns_) waiting_.erase(waiting_.begin());
 }
 
@@ -64,6 +68,10 @@ ProfileAck ProfileDesk::ack_of(const AnyProfile& entry, AckOutcome outcome) cons
 
 std::vector<AnyProfile> ProfileDesk::take_due(std::int64_t sim_time_ns) {
   taken_until_ns_ = sim_time_ns;
+  while (!ahead_.empty() && ahead_.begin()->first < sim_time_ns) {
+    ahead_.erase(ahead_.begin());
+    ++taken_;
+  }
   std::map<ProfileKind, AnyProfile> latest;
   while (!waiting_.empty() && waiting_.begin()->first.first < sim_time_ns) {
     const AnyProfile entry = waiting_.begin()->second;

@@ -39,10 +39,11 @@ class ProfileDesk {
   /// The run is over: what becomes of the entries of this sensor under which no sample came out. They are rejected.
   std::vector<ProfileAck> close(const RunId& run);
 
-  /// What it needs to go on from here; the entries themselves come again with the journal (recovery/state_stream.hpp).
+  /// What it needs to go on from here (recovery/state_stream.hpp): entries that have been taken are not needed again;
+  /// those that lie ahead come again with the journal.
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
-    visit(self.taken_until_ns_, self.parameters_in_use_, self.to_acknowledge_);
+    visit(self.taken_until_ns_, self.taken_, self.parameters_in_use_, self.to_acknowledge_);
     if constexpr (!std::is_const_v<Self>) self.forget_taken();
   }
 
@@ -52,10 +53,11 @@ class ProfileDesk {
 
   SensorAddress sensor_;
   std::string service_;
-  std::set<std::uint32_t> known_;
-  std::vector<std::int64_t> apply_times_;                                   // of all sensors' entries, sorted
-  std::map<std::pair<std::int64_t, std::uint32_t>, AnyProfile> waiting_;    // by apply time and number
+  using Place = std::pair<std::int64_t, std::uint32_t>;                     // apply time and number
   std::int64_t taken_until_ns_ = std::numeric_limits<std::int64_t>::min();  // entries before it have been taken
+  std::uint64_t taken_ = 0;                                                 // how many that are, of all sensors
+  std::set<Place> ahead_;                                                   // the others that are known, of all sensors
+  std::map<Place, AnyProfile> waiting_;                                     // those of this sensor
   std::array<std::vector<std::uint8_t>, 5> parameters_in_use_;              // by kind, CDR without the request
   std::vector<ProfileAck> to_acknowledge_;
 };

@@ -13,7 +13,8 @@ class EmulatorOnBus : public app::TruthConsumer {
   EmulatorOnBus(app::Context& context, const scenario::LoadedGnss& gnss)
       : emulator_(context.scenario(), gnss),
         fixes_(context, dds::topics::gnss(gnss.number, gnss.rate.hz()),
-               {app::stream_consumers(context.scenario().scenario, SensorKind::Gnss, gnss.number)}),
+               {app::stream_consumers(context.scenario().scenario, SensorKind::Gnss, gnss.number), false,
+                app::StreamOutput<GnssFix>::kWindowSamples, app::StreamOutput<GnssFix>::ten_seconds(gnss.rate.hz())}),
         acks_(context.participant(), dds::topics::profile_ack()) {}
 
   void begin_run(const RunId& run, ClockMode clock) override { fixes_.begin_run(run, clock); }
@@ -36,6 +37,7 @@ class EmulatorOnBus : public app::TruthConsumer {
   bool outputs_delivered(const std::vector<std::uint64_t>& ends) const override {
     return fixes_.lowest_wanted() >= ends[0];
   }
+  bool outputs_logged() const override { return fixes_.is_logged(); }
 
   std::string missing_readers() const override {
     if (const std::string missing = fixes_.missing_readers(); !missing.empty()) return missing;

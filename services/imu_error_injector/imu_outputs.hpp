@@ -10,9 +10,15 @@ namespace inslab::imu {
 class ImuOutputs {
  public:
   ImuOutputs(app::Context& context, const scenario::LoadedImu& imu, bool paced_by_nav_app)
-      : samples_(context, dds::topics::imu(imu.number, imu.rate.hz()),
-                 {app::stream_consumers(context.scenario().scenario, SensorKind::Imu, imu.number), paced_by_nav_app}),
-        truths_(context, dds::topics::imu_truth(imu.number, imu.rate.hz()), {{{app::kTruthLogger, 0u}}}) {}
+      : samples_(
+            context, dds::topics::imu(imu.number, imu.rate.hz()),
+            {app::stream_consumers(context.scenario().scenario, SensorKind::Imu, imu.number), paced_by_nav_app,
+             app::StreamOutput<ImuSample>::kWindowSamples, app::StreamOutput<ImuSample>::ten_seconds(imu.rate.hz())}),
+        truths_(context, dds::topics::imu_truth(imu.number, imu.rate.hz()),
+                {{{app::kTruthLogger, 0u}},
+                 false,
+                 app::StreamOutput<ImuTruth>::kWindowSamples,
+                 app::StreamOutput<ImuTruth>::ten_seconds(imu.rate.hz())}) {}
 
   void begin_run(const RunId& run, ClockMode clock) {
     samples_.begin_run(run, clock);
@@ -36,6 +42,7 @@ class ImuOutputs {
   bool delivered(const std::vector<std::uint64_t>& ends) const {
     return samples_.lowest_wanted() >= ends[0] && truths_.lowest_wanted() >= ends[1];
   }
+  bool are_logged() const { return samples_.is_logged() && truths_.is_logged(); }
   /// Whose readers are missing; empty when none.
   std::string missing_readers() const {
     const std::string missing = samples_.missing_readers();

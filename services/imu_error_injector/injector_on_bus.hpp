@@ -35,6 +35,7 @@ class InjectorOnBus : public app::TruthConsumer {
   void take(const Credit& credit) override { outputs_.take(credit); }
   std::vector<std::uint64_t> outputs_end() const override { return outputs_.ends(); }
   bool outputs_delivered(const std::vector<std::uint64_t>& ends) const override { return outputs_.delivered(ends); }
+  bool outputs_logged() const override { return outputs_.are_logged(); }
 
   std::string missing_readers() const override {
     if (const std::string missing = outputs_.missing_readers(); !missing.empty()) return missing;

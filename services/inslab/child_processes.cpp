@@ -1,10 +1,12 @@
 #include "services/inslab/child_processes.hpp"
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +14,15 @@
 #include <thread>
 
 namespace inslab::cli {
+
+namespace {
+
+constexpr std::chrono::seconds kShortLife(3);
+/// In a row, of a process that ends itself; and of one that somebody else kills (SIGKILL), as a soak does.
+constexpr int kShortLives = 5;
+constexpr int kShortLivesOfAKilled = 25;
+
+}  // namespace
 
 ChildProcesses::~ChildProcesses() {
   poll();
@@ -23,19 +34,46 @@ ChildProcesses::~ChildProcesses() {
 }
 
 void ChildProcesses::start(const std::string& program, const std::vector<std::string>& arguments) {
-  children_.push_back({program, arguments, spawn(program, arguments), false, false, 0});
+  Child child;
+  child.program = program;
+  child.arguments = arguments;
+  child.pid = spawn(program, arguments);
+  child.started_at = std::chrono::steady_clock::now();
+  children_.push_back(std::move(child));
 }
 
-std::vector<std::string> ChildProcesses::restart_killed_except(const std::string& program) {
+std::vector<std::string> ChildProcesses::restart_killed(const std::function<bool(Ended&)>& again) {
   std::vector<std::string> lines;
   for (Child& child : children_) {
-    if (!child.ended || child.exit_code <= 128 || child.program == program) continue;
-    lines.push_back(words_of_end(child) + " and started again");
+    if (!child.ended || child.judged || child.exit_code <= 128) continue;
+    child.judged = true;
+    const auto now = std::chrono::steady_clock::now();
+    child.short_lives = now - child.started_at < kShortLife ? child.short_lives + 1 : 0;
+    Ended ended{child.program, sensor_of(child).value_or(0), child.arguments, words_of_end(child),
+                child.short_lives >= (child.exit_code == 128 + SIGKILL ? kShortLivesOfAKilled : kShortLives)};
+    if (!again(ended)) continue;
+    lines.push_back(ended.words + " and started again");
     child.pid = spawn(child.program, child.arguments);
-    child.ended = child.told = false;
+    child.started_at = now;
+    child.ended = child.judged = child.told = false;
     child.exit_code = 0;
   }
   return lines;
+}
+
+void ChildProcesses::forgive(const std::string& program, std::uint32_t sensor) {
+  for (Child& child : children_) {
+    if (child.ended && child.program == program && sensor_of(child).value_or(0) == sensor) child.exit_code = 0;
+  }
+}
+
+std::optional<std::uint32_t> ChildProcesses::sensor_of(const Child& child) {
+  const auto option = std::find(child.arguments.begin(), child.arguments.end(), "--sensor");
+  if (option == child.arguments.end() || std::next(option) == child.arguments.end()) return std::nullopt;
+  const std::string& number = *std::next(option);
+  std::uint32_t sensor = 0;
+  std::from_chars(number.data(), number.data() + number.size(), sensor);
+  return sensor;
 }
 
 std::vector<std::pair<std::string, pid_t>> ChildProcesses::running() const {
@@ -52,10 +90,14 @@ pid_t ChildProcesses::spawn(const std::string& program, const std::vector<std::s
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
+  const pid_t parent = getpid();
   const pid_t pid = fork();
   if (pid < 0) throw std::runtime_error("cannot start " + program + ": " + std::strerror(errno));
   if (pid == 0) {
     setpgid(0, 0);
+    // Of the thread that forked: callers do so from the main one. It may be gone already.
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != parent) _exit(127);
     // The sockets of this process's DDS participant are not for the child.
     close_range(STDERR_FILENO + 1, ~0U, 0);
     execv(path.c_str(), argv.data());
@@ -91,8 +133,7 @@ std::optional<std::string> ChildProcesses::failure() const {
 /// "inslab-imu-injector --sensor 0 was ended by signal 9 (Killed)"
 std::string ChildProcesses::words_of_end(const Child& child) {
   std::string words = child.program;
-  const auto sensor = std::find(child.arguments.begin(), child.arguments.end(), "--sensor");
-  if (sensor != child.arguments.end() && std::next(sensor) != child.arguments.end()) words += " " + *std::next(sensor);
+  if (const auto sensor = sensor_of(child)) words += " " + std::to_string(*sensor);
   if (child.exit_code <= 128) return words + " ended with exit code " + std::to_string(child.exit_code);
   const int signal = child.exit_code - 128;
   return words + " was ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";

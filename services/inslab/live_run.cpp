@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "app/checkpoint.hpp"
 #include "app/host.hpp"
 #include "app/service_names.hpp"
 #include "app/set_members.hpp"
@@ -38,8 +39,8 @@ LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& load
       identity_(identity_for(options, loaded)),
       participant_(app::participant_options(options.network, identity_)),
       client_(participant_),
-      faults_(participant_, dds::topics::service_status(),
-              [this](const ServiceStatus& status, const dds::SampleOrigin&) { note_fault(status); }),
+      service_status_(participant_, dds::topics::service_status(),
+                      [this](const ServiceStatus& status, const dds::SampleOrigin&) { note(status); }),
       lockstep_(options.clock.mode.empty() ? loaded.scenario.clock.mode == ClockMode::Lockstep
                                            : options.clock.mode == "lockstep"),
       holds_the_start_(lockstep_ && !loaded.swaps.empty()) {
@@ -83,15 +84,12 @@ void LiveRun::start_services() {
 
 void LiveRun::follow(const std::function<void()>& meanwhile) {
   Progress progress(loaded_.scenario.name, time::from_seconds(loaded_.scenario.duration_s));
-  bool told_to_stop = false;
   while (!children_.all_ended()) {
     children_.poll();
     meanwhile();
-    if (!told_to_stop && client_.status() && in_progress(*client_.status())) {
-      restart_killed(progress);
-      note_early_ends(progress);
-    }
+    if (!told_to_stop_) restart_killed(progress);
     const auto status = client_.status();
+    if (!told_to_stop_ && status && in_progress(*status)) note_early_ends(progress);
     if (status) {
       progress.show(time::Nanoseconds(status->sim_time_ns));
       if (has_ended(status->state)) {
@@ -101,30 +99,41 @@ void LiveRun::follow(const std::function<void()>& meanwhile) {
       }
       send_due_swaps(*status);
     }
-    if (app::shutdown_requested() && !told_to_stop) {
-      told_to_stop = true;
-      stop_deadline_ = app::monotonic_now() + seconds(10);
-      if (!client_.connected() || !client_.send({1, CommandKind::Stop, 0.0})) children_.terminate();
-    }
-    if (!told_to_stop && children_.failure() && (!status || status->state == RunState::Waiting)) {
-      told_to_stop = true;  // the barrier will not open without it
+    if (app::shutdown_requested() && !told_to_stop_) stop(seconds(10));
+    // In lockstep nobody gives credit for one who left; the trajectory server ends the run where that one said why.
+    const bool stands = lockstep_ && left_at_ && app::monotonic_now() - *left_at_ > seconds(5);
+    if (stands && !told_to_stop_ && status && in_progress(*status)) stop(seconds(15));
+    if (!told_to_stop_ && children_.failure() && (!status || status->state == RunState::Waiting)) {
+      told_to_stop_ = true;  // the barrier will not open without it
       stop_deadline_ = app::monotonic_now() + seconds(10);
       children_.terminate();
     }
     if (children_.has_ended(app::kTrajectoryServer) && !stop_deadline_) {
       stop_deadline_ = app::monotonic_now() + seconds(15);
       // Without the clock nobody ends by itself.
-      if (children_.failure() && !told_to_stop) children_.terminate();
+      if (children_.failure() && !told_to_stop_) children_.terminate();
     }
     if (run_ended_ && app::monotonic_now() - *run_ended_ > seconds(2)) tell_wait(progress, words_of_rest());
     if (stop_deadline_ && app::monotonic_now() > *stop_deadline_) return;
     std::this_thread::sleep_for(milliseconds(20));
   }
+  if (const auto status = client_.status()) app::remove_checkpoints(options_.state_folder, status->run_id);
+}
+
+void LiveRun::stop(seconds patience) {
+  told_to_stop_ = true;
+  stop_deadline_ = app::monotonic_now() + patience;
+  if (!client_.connected() || !client_.send({1, CommandKind::Stop, 0.0})) children_.terminate();
 }
 
 std::optional<std::string> LiveRun::failure() const {
   if (app::shutdown_requested()) return "stopped by a signal";
+  if (given_up_) return given_up_;
   if (!children_.all_ended()) return "a service did not end";
+  const auto status = client_.status();
+  if (status && status->state == RunState::Fault && !status->message.empty()) {
+    return "the run ended as a fault: " + status->message;
+  }
   if (!early_ends_.empty()) return early_ends_.front();
   if (next_swap_ < loaded_.swaps.size()) return "the run ended before all swaps were sent";
   auto failure = children_.failure();
@@ -140,10 +149,10 @@ std::string LiveRun::reason() const {
   return first_fault_.empty() ? "" : ": " + first_fault_;
 }
 
-void LiveRun::note_fault(const ServiceStatus& status) {
-  if (status.state != ServiceState::Fault) return;
+void LiveRun::note(const ServiceStatus& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (first_fault_.empty()) first_fault_ = status.message;
+  said_[{status.service, status.sensor_number}] = status.state;
+  if (status.state == ServiceState::Fault && first_fault_.empty()) first_fault_ = status.message;
 }
 
 /// Who has not ended though the run has.
@@ -164,16 +173,57 @@ void LiveRun::tell_wait(const Progress& progress, const std::string& message) {
 void LiveRun::note_early_ends(const Progress& progress) {
   if (children_.has_ended(app::kTrajectoryServer)) return;  // the run is at its end: everybody goes
   for (const std::string& words : children_.newly_ended()) {
-    early_ends_.push_back(
-        fmt::format("{} in mid-run, at about {:.3f} s of sim time: what it would have sent is missing", words,
-                    static_cast<double>(client_.status()->sim_time_ns) * 1e-9));
+    early_ends_.push_back(words + " in mid-run" + when() + ": what it would have sent is missing");
+    if (!left_at_) left_at_ = app::monotonic_now();
     progress.say(early_ends_.back());
   }
 }
 
-/// A service that was killed goes on from its checkpoint, but not the one that is the clock.
+std::string LiveRun::when() const {
+  const auto status = client_.status();
+  if (!status || status->state == RunState::Waiting) return ", before the run began";
+  return fmt::format(", at about {:.3f} s of sim time", static_cast<double>(status->sim_time_ns) * 1e-9);
+}
+
+/// Whether a service has said that its work is done: then it was on its way out.
+bool LiveRun::has_done(const ChildProcesses::Ended& ended) const {
+  if (ended.program == app::kTruthLogger) return false;  // it says so before its log is closed
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = said_.find({ended.program, ended.sensor});
+  return found != said_.end() && found->second == ServiceState::Finished;
+}
+
+bool LiveRun::starts_again(ChildProcesses::Ended& ended) {
+  const auto status = client_.status();
+  if (has_done(ended)) {
+    children_.forgive(ended.program, ended.sensor);
+    return false;
+  }
+  if (ended.too_often) {
+    given_up_ = ended.words + when() + ", and again and again within seconds of its start: it was not started again";
+    return false;
+  }
+  if (!status || status->state == RunState::Waiting) return true;
+  if (ended.program == app::kTrajectoryServer) {
+    given_up_ = ended.words + when() + ": it is the run's clock, and what follows is missing";
+    return false;
+  }
+  if (ended.program == app::kTruthLogger) {
+    auto& words = ended.arguments;
+    if (std::find(words.begin(), words.end(), "--go-on") == words.end()) {
+      words.insert(words.end(), {"--go-on", app::run_id_text(status->run_id)});
+    }
+    return true;
+  }
+  return !children_.has_ended(app::kTrajectoryServer);
+}
+
 void LiveRun::restart_killed(const Progress& progress) {
-  for (const std::string& line : children_.restart_killed_except(app::kTrajectoryServer)) progress.say(line);
+  for (const std::string& line :
+       children_.restart_killed([this](ChildProcesses::Ended& ended) { return starts_again(ended); })) {
+    restarts_.push_back(line + when());
+    progress.say(restarts_.back());
+  }
 }
 
 /// A request goes out a second before it takes effect: ample for the journal, and still while the run goes on. In

@@ -1,11 +1,16 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/service.hpp"
+#include "app/service_names.hpp"
+#include "dds/reader.hpp"
+#include "samples/service_status.hpp"
 #include "services/inslab/child_processes.hpp"
 #include "services/inslab/progress.hpp"
 #include "services/inslab/run_client.hpp"
@@ -21,8 +26,9 @@ struct RunOptions {
   bool verbose = false;
 };
 
-/// A scenario run live by one process for each service, from start to end. A service that a signal ends in the middle
-/// of the run is started again and goes on from its checkpoint; not so the trajectory server, whose end is the run's.
+/// A scenario run live by one process for each service, from start to end. A service that a signal ends is started
+/// again, before the run as one that is new, in the middle of it from its checkpoint; not so then the trajectory
+/// server, whose end is the run's, and not one that dies again and again within seconds of its start.
 class LiveRun {
  public:
   /// Takes the place for a set in the unit. Throws app::PlaceTaken when there is one. Both are used until the end.
@@ -35,6 +41,9 @@ class LiveRun {
   /// `meanwhile` is called every few milliseconds.
   void follow(const std::function<void()>& meanwhile = [] {});
 
+  /// Which service was started again, and when, one line for each time.
+  const std::vector<std::string>& restarts() const { return restarts_; }
+
   /// What went wrong; nothing when nothing did.
   std::optional<std::string> failure() const;
 
@@ -45,9 +54,13 @@ class LiveRun {
   std::string words_of_rest() const;
   void tell_wait(const Progress& progress, const std::string& message);
   void note_early_ends(const Progress& progress);
-  void note_fault(const ServiceStatus& status);
+  void note(const ServiceStatus& status);
   std::string reason() const;
   void restart_killed(const Progress& progress);
+  bool starts_again(ChildProcesses::Ended& ended);
+  bool has_done(const ChildProcesses::Ended& ended) const;
+  std::string when() const;
+  void stop(std::chrono::seconds patience);
   void send_due_swaps(const SimStatus& status);
 
   const RunOptions& options_;
@@ -56,14 +69,19 @@ class LiveRun {
   dds::Participant participant_;
   RunClient client_;
   mutable std::mutex mutex_;
-  std::string first_fault_;  ///< of a service
-  dds::Reader<ServiceStatus> faults_;
-  std::vector<std::string> early_ends_;  ///< which service left the run, and when
+  std::string first_fault_;                       ///< of a service; guarded by mutex_
+  std::map<app::ServiceKey, ServiceState> said_;  ///< what each service said last; guarded by mutex_
+  dds::Reader<ServiceStatus> service_status_;
+  std::vector<std::string> restarts_;
+  std::optional<std::string> given_up_;       ///< which service is not started again, and why
+  std::vector<std::string> early_ends_;       ///< which service left the run, and when
+  std::optional<time::Nanoseconds> left_at_;  ///< CLOCK_MONOTONIC, the first of them
   std::string told_wait_;
   ChildProcesses children_;
   bool lockstep_;
   bool holds_the_start_;  ///< until every scheduled swap is in the journal
   bool released_ = false;
+  bool told_to_stop_ = false;
   std::size_t next_swap_ = 0;
   std::optional<time::Nanoseconds> stop_deadline_;
   std::optional<time::Nanoseconds> run_ended_;

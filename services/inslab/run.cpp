@@ -6,6 +6,8 @@
 #include "app/clock_override.hpp"
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
+#include "app/service_names.hpp"
+#include "dds/participant.hpp"
 #include "io/output_file.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/judge.hpp"
@@ -17,10 +19,22 @@ namespace inslab::cli {
 
 namespace {
 
+/// What runs short of shared memory later is ended by the kernel, without a word.
+std::string shared_memory_shortage(const app::NetworkOptions& network, const scenario::LoadedScenario& loaded) {
+  if (network.transport != "shm") return "";
+  constexpr int kThisOneAndTheTrajectoryServer = 2;
+  const auto services = static_cast<int>(app::required_services(loaded).size());
+  return dds::shared_memory_shortage(services + kThisOneAndTheTrajectoryServer);
+}
+
 int run(RunOptions options, const JudgeOutputs& outputs) {
   scenario::LoadedScenario loaded = scenario::load(options.scenario);
   app::override_clock(options.clock, loaded);
   if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
+  if (const std::string shortage = shared_memory_shortage(options.network, loaded); !shortage.empty()) {
+    std::fprintf(stderr, "inslab run: --transport shm: %s\n", shortage.c_str());
+    return app::kBadInput;
+  }
   // Before anything is written: it throws when the unit has a set.
   auto live = std::make_unique<LiveRun>(options, loaded);
   if (options.log_file.empty()) {
@@ -33,6 +47,7 @@ int run(RunOptions options, const JudgeOutputs& outputs) {
   live->start_services();
   live->follow();
   const std::optional<std::string> failure = live->failure();
+  for (const std::string& line : live->restarts()) std::printf("%s\n", line.c_str());
   live.reset();
   if (!std::filesystem::exists(options.log_file) || std::filesystem::is_empty(options.log_file)) {
     std::fprintf(stderr, "inslab run: %s; there is no log\n", failure ? failure->c_str() : "the logger wrote nothing");

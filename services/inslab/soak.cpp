@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <thread>
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
@@ -25,6 +27,8 @@ struct SoakOptions {
   RunOptions run;
   double hours = 24.0;
   std::uint64_t seed = 1;
+  double often = 1.0;
+  int load = 0;
   std::string profiles = "config/profiles";
   bool keep_log = false;
 };
@@ -46,18 +50,41 @@ struct Growth {
   Peak last;
 };
 
+/// Threads that do nothing and take all the time they are given, beside the set.
+class Load {
+ public:
+  explicit Load(int threads) {
+    for (int i = 0; i < threads; ++i) {
+      threads_.emplace_back([this] {
+        while (!ends_.load(std::memory_order_relaxed)) continue;
+      });
+    }
+  }
+  ~Load() {
+    ends_ = true;
+    for (std::thread& thread : threads_) thread.join();
+  }
+  Load(const Load&) = delete;
+  Load& operator=(const Load&) = delete;
+
+ private:
+  std::atomic<bool> ends_{false};
+  std::vector<std::thread> threads_;
+};
+
 class Soak {
  public:
   Soak(const SoakOptions& options, const scenario::LoadedScenario& scenario)
       : options_(options),
         end_s_(options.hours * 3600.0),
-        events_(scenario, options.profiles, options.seed),
+        events_(scenario, options.profiles, options.seed, options.often),
         run_(options.run, scenario) {}
 
   /// True when everything held.
   bool go() {
     const auto segments_before = find_shm_segments("/dev/shm").size();
     const auto began = app::monotonic_now();
+    const Load load(options_.load);
     run_.start_services();
     run_.follow([this] { tick(); });
     const double took_s = time::to_seconds(app::monotonic_now() - began);
@@ -87,11 +114,14 @@ class Soak {
     const auto status = run_.client().status();
     if (!status || has_ended(status->state) || status->state == RunState::Waiting) return;
     sim_time_s_ = static_cast<double>(status->sim_time_ns) * 1e-9;
+    if (!began_) kill(1);
+    began_ = true;
     if (resume_at_ && app::monotonic_now() > *resume_at_) {
       run_.client().send({next_command_++, CommandKind::Resume, 0.0});
       resume_at_.reset();
     }
     if (sim_time_s_ >= end_s_) {
+      if (!stopped_) kill(1);
       if (!stopped_) run_.client().send({next_command_++, CommandKind::Stop, 0.0});
       stopped_ = true;
       return;
@@ -102,27 +132,44 @@ class Soak {
 
   void cause(const SoakEvents::Event& event) {
     switch (event.kind) {
-      case SoakEvents::Kind::Swap: {
-        const AnyProfile swap = events_.next_swap();
-        if (run_.client().send(swap)) swaps_.push_back(request_of(swap).request_id);
+      case SoakEvents::Kind::Swap:
+        swap();
         break;
-      }
-      case SoakEvents::Kind::Kill: {
-        std::vector<pid_t> victims;
-        for (const auto& [program, pid] : run_.services().running()) {
-          if (program != app::kTrajectoryServer) victims.push_back(pid);
-        }
-        if (victims.empty()) return;
-        ::kill(victims[events_.pick(victims.size())], SIGKILL);
-        ++kills_;
+      case SoakEvents::Kind::Kill:
+        kill(1);
         break;
-      }
+      case SoakEvents::Kind::KillTwo:
+        kill(2);
+        break;
+      case SoakEvents::Kind::KillInSwap:
+        swap();
+        kill(1);
+        break;
       case SoakEvents::Kind::Pause:
         if (resume_at_) return;
         run_.client().send({next_command_++, CommandKind::Pause, 0.0});
         resume_at_ = app::monotonic_now() + std::chrono::milliseconds(300);
         ++pauses_;
         break;
+    }
+  }
+
+  void swap() {
+    const AnyProfile swap = events_.next_swap();
+    if (run_.client().send(swap)) swaps_.push_back(request_of(swap).request_id);
+  }
+
+  /// So many services at once, any but the one that is the clock.
+  void kill(int count) {
+    std::vector<pid_t> victims;
+    for (const auto& [program, pid] : run_.services().running()) {
+      if (program != app::kTrajectoryServer) victims.push_back(pid);
+    }
+    for (; count > 0 && !victims.empty(); --count) {
+      const auto victim = victims.begin() + static_cast<std::ptrdiff_t>(events_.pick(victims.size()));
+      ::kill(*victim, SIGKILL);
+      victims.erase(victim);
+      ++kills_;
     }
   }
 
@@ -181,6 +228,7 @@ class Soak {
   std::vector<std::uint64_t> swaps_;
   int kills_ = 0;
   int pauses_ = 0;
+  bool began_ = false;
   bool stopped_ = false;
   std::uint64_t next_command_ = 1;
   std::optional<time::Nanoseconds> resume_at_;
@@ -224,6 +272,12 @@ void add_soak(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::Range(0.001, 1000.0))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "of what happens when")->capture_default_str();
+  command->add_option("--often", options->often, "so many times as many kills and pauses")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str();
+  command->add_option("--load", options->load, "busy threads beside the set")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
   command->add_option("--profiles", options->profiles, "folder of the profiles to swap to")->capture_default_str();
   command->add_option("--log", options->run.log_file, "file to write; default runs/soak-NAME-TIME.mcap");
   command->add_flag("--keep-log", options->keep_log, "keep the log even when everything held");

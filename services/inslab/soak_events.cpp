@@ -7,7 +7,7 @@
 namespace inslab::cli {
 
 SoakEvents::SoakEvents(const scenario::LoadedScenario& scenario, const std::filesystem::path& profiles,
-                       std::uint64_t seed)
+                       std::uint64_t seed, double often)
     : random_(seed) {
   for (const auto& imu : scenario.imus) {
     const SensorAddress sensor{SensorKind::Imu, imu.number};
@@ -20,7 +20,10 @@ SoakEvents::SoakEvents(const scenario::LoadedScenario& scenario, const std::file
     add_profiles(profiles / "gnss", ProfileKind::GnssError, sensor);
     add_profiles(profiles / "installation", ProfileKind::Installation, sensor, "antenna_");
   }
-  for (Source& source : sources_) source.next_s = wait_s(source.mean_s);
+  for (Source& source : sources_) {
+    if (source.kind != Kind::Swap) source.mean_s /= often;
+    source.next_s = wait_s(source.mean_s);
+  }
 }
 
 void SoakEvents::add_profiles(const std::filesystem::path& folder, ProfileKind kind, const SensorAddress& sensor,

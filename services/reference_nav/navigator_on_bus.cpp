@@ -177,7 +177,7 @@ int NavigatorOnBus::end() {
   if (!fault_.empty()) {
     failure = "the run ended as a fault: " + fault_;
   } else if (by_signal && run_began_) {
-    failure = "ended by a signal in mid-run";
+    failure = app::kEndedBySignal;
   } else if (!by_signal && (!imu_sent_ || next_imu_ < *imu_sent_)) {
     failure = "IMU samples are missing";
   }

@@ -139,7 +139,9 @@ void ServerOnBus::handle_messages(time::Nanoseconds patience) {
     } else {
       const auto& status = std::get<ServiceStatus>(*message);
       others_.hear(status, monotonic_now());
-      services_[{status.service, status.sensor_number}] = {status.state, status.message};
+      const bool is_fault = status.state == ServiceState::Fault && status.run_id == run_id_;
+      fault_heard_ = fault_heard_ || is_fault;
+      services_[{status.service, status.sensor_number}] = {status.state, status.message, is_fault};
     }
   }
 }
@@ -223,6 +225,7 @@ void ServerOnBus::send_in_lockstep() {
     handle_messages(milliseconds(20));
     watch_consumers();
   } else {
+    if (blocked_since_ != time::Nanoseconds(0)) status_.message.clear();
     blocked_since_ = time::Nanoseconds(0);
     handle_messages(time::Nanoseconds(0));
     if (control_.paused()) return;
@@ -232,20 +235,6 @@ void ServerOnBus::send_in_lockstep() {
   }
   report_status();
   board_.tick();
-}
-
-/// Says who holds the clock when no credit has come for a while.
-void ServerOnBus::watch_consumers() {
-  constexpr time::Nanoseconds kPatience = seconds(2);
-  const time::Nanoseconds now = monotonic_now();
-  if (truth_.has_room()) {
-    board_.enter(ServiceState::Running);
-    return;
-  }
-  if (blocked_since_ == time::Nanoseconds(0)) blocked_since_ = now;
-  if (now - blocked_since_ < kPatience) return;
-  say("waits for " + truth_.slowest_consumer());
-  board_.enter(ServiceState::Running, status_.message);
 }
 
 void ServerOnBus::send_time_mark() {
@@ -278,14 +267,13 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   status_.state = state;
   say(message);
   truth_.flush_block();
-  truth_.wait_for_acknowledgments(monotonic_now() + seconds(2));
-  if (vehicle_) {
-    vehicle_->report(*source_, run_id_, status_.sim_time_ns);
-    vehicle_->flush(seconds(5));
-  }
+  if (vehicle_) vehicle_->report(*source_, run_id_, status_.sim_time_ns);
   sim_status_.write(status_);
-  sim_status_.wait_for_acknowledgments(seconds(2));
   serve_stragglers();
+  const time::Nanoseconds deadline = monotonic_now() + seconds(2);
+  truth_.wait_for_acknowledgments(deadline);
+  sim_status_.wait_for_acknowledgments(app::time_left(deadline));
+  if (vehicle_) vehicle_->flush(seconds(5));
   const bool good = state != RunState::Fault && context_.writers().fault().empty();
   board_.enter(good ? ServiceState::Finished : ServiceState::Fault, message);
   board_.flush(seconds(2));
@@ -327,6 +315,7 @@ int ServerOnBus::run_to_end() {
     } else {
       send_at_deadline();
     }
+    if (const std::string fault = fault_of_a_service(); !fault.empty()) return end(RunState::Fault, fault);
     if (status_.lag_max_s > max_lag_s) {
       return end(RunState::Fault,
                  fmt::format("a sample was {:.3f} ms late, more than the scenario's clock.max_lag_ms of {:g}: the "
@@ -335,27 +324,6 @@ int ServerOnBus::run_to_end() {
     }
   }
   return source_->has_next() ? end(RunState::Stopped, "stopped before its end") : end(RunState::Finished, "");
-}
-
-/// Goes on sending again what is asked for until every consumer has everything, or a while has passed.
-void ServerOnBus::serve_stragglers() {
-  constexpr time::Nanoseconds kPatience = seconds(5);
-  const time::Nanoseconds deadline = monotonic_now() + kPatience;
-  const auto all_ended = [this] {
-    if (status_.clock == ClockMode::Lockstep && truth_.lowest_wanted() < source_->taken()) return false;
-    for (const auto& [service, number] : app::required_services(scenario_)) {
-      if (service == app::kTruthLogger) continue;  // it ends after this service
-      const auto found = services_.find({service, number});
-      const bool ended = found != services_.end() &&
-                         (found->second.state == ServiceState::Finished || found->second.state == ServiceState::Fault);
-      if (!ended) return false;
-    }
-    return true;
-  };
-  while (!all_ended() && monotonic_now() < deadline && !app::shutdown_requested()) {
-    handle_messages(milliseconds(20));
-    board_.tick();
-  }
 }
 
 }  // namespace inslab::trajectory

@@ -40,6 +40,7 @@ class ServerOnBus {
   struct Heard {
     ServiceState state;
     std::string message;
+    bool is_fault_of_this_run;
   };
 
   template <class Profile>
@@ -65,6 +66,8 @@ class ServerOnBus {
   void send(TruthState& sample);
   bool ends_block(const TruthState& sample) const;
   void watch_consumers();
+  bool clock_stands() const;
+  std::string fault_of_a_service() const;
   void send_time_mark();
   void report_status();
   /// Puts a message into the status, of which nothing is sent yet.
@@ -85,6 +88,7 @@ class ServerOnBus {
   std::uint64_t time_marks_ = 0;
   std::set<dds::ParticipantKey> told_of_version_;
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
+  bool fault_heard_ = false;  ///< of a service, in this run
   app::Mailbox<Message> mailbox_;
   std::unique_ptr<VehicleOnBus> vehicle_;  ///< null when the scenario has no live vehicle
   app::StreamOutput<TruthState> truth_;

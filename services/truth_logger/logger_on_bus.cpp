@@ -1,5 +1,7 @@
 #include "services/truth_logger/logger_on_bus.hpp"
 
+#include <filesystem>
+
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service_names.hpp"
@@ -25,6 +27,14 @@ void add_to(score::Scorer& scorer, const GnssFix& fix) { scorer.add(fix); }
 template <class T>
 void add_to(score::Scorer& /*scorer*/, const T& /*sample*/) {}
 
+/// What a logger before this one has written is not thrown away.
+RunLog new_log(const app::Context& context, const std::string& path) {
+  if (!context.options().go_on.empty() && std::filesystem::exists(path)) {
+    throw std::runtime_error(path + ": cannot be gone on with: the logger that was killed could keep no state");
+  }
+  return RunLog(path, context.scenario(), app::cpu_features(), kChunkBytes);
+}
+
 std::uint64_t hash_of(const std::vector<std::uint8_t>& bytes) {
   return std::hash<std::string_view>()({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
@@ -35,8 +45,7 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
     : context_(context),
       checkpoint_(context),
       interrupted_(interrupted(context, checkpoint_)),
-      log_(interrupted_ ? RunLog(interrupted_->path, kChunkBytes)
-                        : RunLog(path, context.scenario(), app::cpu_features(), kChunkBytes)),
+      log_(interrupted_ ? RunLog(interrupted_->path, kChunkBytes) : new_log(context, path)),
       scorer_(context.scenario().scenario),
       board_(context, 0,
              [this](ServiceStatus& status) {
@@ -64,13 +73,7 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
   add_profile_channels<GnssErrorProfile>(context);
   add_profile_channels<FaultProfile>(context);
   add_control_channels(context);
-  try {
-    tail_ = std::make_unique<LogTail>(app::Checkpoint::path(context, "tail"));
-  } catch (const std::exception& error) {
-    spdlog::warn("killed, this service would lose what it has not written yet: {}", error.what());
-  }
   if (interrupted_) go_on();
-  if (tail_) tail_->begin(generation_);
 }
 
 template <class T>
@@ -180,11 +183,10 @@ void LoggerOnBus::give_credit(const std::string& topic, std::uint64_t next_seque
 }
 
 /// Asks again for what is missing; in lockstep also says again how far this service is, since a credit that got lost
-/// must not stop the run.
+/// must not stop the run, and so it does when the run has ended: the others stay until everything is here.
 void LoggerOnBus::repeat_credits() {
-  constexpr time::Nanoseconds kPeriod = milliseconds(200);
   if (run_id_ == RunId{} || app::monotonic_now() < next_credits_) return;
-  next_credits_ = app::monotonic_now() + kPeriod;
+  next_credits_ = app::monotonic_now() + milliseconds(run_ended_ ? 50 : 200);
   for (const auto& [topic, monitor] : streams_) {
     const auto sent = sent_.find(topic);
     // In lockstep the next block follows upon a credit; one that was sent before this process listened is sent again.
@@ -192,7 +194,7 @@ void LoggerOnBus::repeat_credits() {
     const bool silent = clock_ == ClockMode::Lockstep && silence_ns > time::Nanoseconds(milliseconds(400)).count();
     const bool lacks = silent || monitor.first_missing() < monitor.next_sequence() ||
                        (sent != sent_.end() && monitor.next_sequence() < sent->second);
-    if (lacks || clock_ == ClockMode::Lockstep) give_credit(topic, monitor.first_missing(), lacks);
+    if (lacks || run_ended_ || clock_ == ClockMode::Lockstep) give_credit(topic, monitor.first_missing(), lacks);
   }
 }
 
@@ -251,12 +253,13 @@ void LoggerOnBus::add_control_channels(app::Context& context) {
     if (!context_.obeys(status.run_id)) return;
     // Once a run has begun this process logs no other.
     if (run_id_ != RunId{} && status.run_id != run_id_ && run_began_) return;
-    run_id_ = status.run_id;
+    begin_run(status.run_id);
     run_began_ = run_began_ || status.state != RunState::Waiting;
     clock_ = status.clock;
     if (!has_ended(status.state) || run_ended_) return;
     run_ended_ = true;
     run_ended_at_ = app::monotonic_now();
+    next_credits_ = time::Nanoseconds(0);
     sent_[dds::topics::truth().name] = status.truth_samples;
   };
   add_channel(context, dds::topics::service_status()).on_message = [this](const Message& message) {
@@ -281,8 +284,13 @@ void LoggerOnBus::note_failure(const std::string& what) {
 void LoggerOnBus::handle(const Message& message) {
   if (tail_ && failure_.empty()) {
     if (tail_->is_long()) flush();
-    tail_->add({static_cast<std::uint32_t>(message.channel), message.received_realtime_ns, message.bytes.data(),
-                message.bytes.size()});
+    try {
+      tail_->add({static_cast<std::uint32_t>(message.channel), message.received_realtime_ns, message.bytes.data(),
+                  message.bytes.size()});
+    } catch (const std::exception& error) {
+      spdlog::warn("killed, this service would lose what it has not written yet: {}", error.what());
+      tail_.reset();
+    }
   }
   take(message);
 }
@@ -339,11 +347,10 @@ bool LoggerOnBus::all_samples_here() const {
 bool LoggerOnBus::finished() const {
   // Reliable samples that have not come some seconds after the end will not come.
   return run_ended_ &&
-         ((all_services_ended() && all_samples_here()) || app::monotonic_now() - run_ended_at_ > seconds(12));
+         ((all_services_ended() && all_samples_here()) || app::monotonic_now() - run_ended_at_ > seconds(15));
 }
 
 int LoggerOnBus::run() {
-  time::Nanoseconds next_flush = app::monotonic_now();
   while (!grace_.must_stop(run_began_) && !finished()) {
     if (const auto message = mailbox_.take(milliseconds(50))) handle(*message);
     repeat_credits();
@@ -352,8 +359,8 @@ int LoggerOnBus::run() {
       board_.enter(waits_for.empty() ? ServiceState::Ready : ServiceState::Starting, waits_for);
     }
     board_.tick();
-    if (app::monotonic_now() < next_flush || !failure_.empty()) continue;
-    next_flush = app::monotonic_now() + milliseconds(500);
+    if (app::monotonic_now() < next_flush_ || !failure_.empty()) continue;
+    next_flush_ = app::monotonic_now() + milliseconds(500);
     flush();
   }
   return end();
@@ -379,7 +386,8 @@ int LoggerOnBus::end() {
   }
   if (mailbox_.dropped() > 0)
     failure_ = std::to_string(mailbox_.dropped()) + " messages came faster than the disk took them";
-  if (failure_.empty() && by_signal && run_began_) failure_ = "ended by a signal in mid-run: the rest is missing";
+  if (failure_.empty() && by_signal && run_began_)
+    failure_ = std::string(app::kEndedBySignal) + ": the rest is missing";
   board_.enter(failure_.empty() ? ServiceState::Finished : ServiceState::Fault,
                failure_.empty() && by_signal ? "ended by a signal before a run" : failure_);
   while (const auto message = mailbox_.take(milliseconds(200))) handle(*message);

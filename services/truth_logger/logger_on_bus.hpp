@@ -62,6 +62,9 @@ class LoggerOnBus {
   enum class Writers { Ours, Anybody };
 
   static std::optional<LoggerState> interrupted(app::Context& context, app::Checkpoint& checkpoint);
+  LoggerState state() const;
+  void begin_run(const RunId& run);
+  void open_tail();
   void go_on();
   void flush();
 
@@ -114,6 +117,7 @@ class LoggerOnBus {
   std::vector<std::uint8_t> encoded_;
   RunId run_id_;
   ClockMode clock_ = ClockMode::RealTime;
+  time::Nanoseconds next_flush_{0};            ///< CLOCK_MONOTONIC
   time::Nanoseconds next_credits_{0};          ///< CLOCK_MONOTONIC
   std::map<std::string, std::uint64_t> sent_;  ///< by topic, as the services report when they have finished
   struct Heard {

@@ -13,27 +13,73 @@ namespace inslab::logger {
 using std::chrono::seconds;
 
 /// What a process before this one left of the run that is going on. Only after one that did not end in order is there
-/// anything to find out, and then the run's status, if any, is there within a moment.
+/// anything to find out, and then the run's status, if any, is there within a moment; who started this process may
+/// know.
 std::optional<LoggerState> LoggerOnBus::interrupted(app::Context& context, app::Checkpoint& checkpoint) {
-  if (!checkpoint.has_any()) return std::nullopt;
-  app::Mailbox<SimStatus> mailbox;
-  const app::SetReader<SimStatus> reader(
-      context, dds::topics::sim_status(),
-      [&](const SimStatus& status, const dds::SampleOrigin&) { mailbox.put(status); });
-  const auto status = mailbox.take(seconds(2));
-  if (!status) return std::nullopt;
+  auto run = app::run_id_of(context.options().go_on);
+  if (!run && !checkpoint.left_behind()) return std::nullopt;
+  if (!run) {
+    app::Mailbox<SimStatus> mailbox;
+    const app::SetReader<SimStatus> reader(
+        context, dds::topics::sim_status(),
+        [&](const SimStatus& status, const dds::SampleOrigin&) { mailbox.put(status); });
+    const auto status = mailbox.take(seconds(2));
+    if (!status) return std::nullopt;
+    run = status->run_id;
+  }
+  checkpoint.begin(*run);
   LoggerState state;
-  const auto head = checkpoint.resume(status->run_id, [&](recovery::StateReader& from) { from(state); });
+  const auto head = checkpoint.resume([&](recovery::StateReader& from) { from(state); });
   if (!head) return std::nullopt;
   spdlog::warn("goes on with {}, {:.3f} s after its last flush", state.path,
                static_cast<double>(app::realtime_now().count() - head->kept_realtime_ns) * 1e-9);
-  state.run_id = status->run_id;
+  state.run_id = *run;
   return state;
+}
+
+LoggerState LoggerOnBus::state() const {
+  LoggerState state;
+  state.path = log_.path();
+  state.generation = generation_;
+  for (const auto& [topic, monitor] : streams_) {
+    state.streams.push_back({topic, monitor.samples(), monitor.first_missing()});
+  }
+  for (const Channel& channel : channels_) state.channel_counts.push_back(channel.count);
+  state.once.assign(once_.begin(), once_.end());
+  state.run_began = run_began_;
+  state.run_ended = run_ended_;
+  state.clock = clock_;
+  for (const auto& [service, heard] : services_) state.services.push_back({service.first, service.second, heard.state});
+  for (const auto& [topic, samples] : sent_) state.sent.push_back({topic, samples, 0});
+  return state;
+}
+
+/// From now on `run` is the run. What has been taken before is flushed next, so that nothing of it is in the tail
+/// alone.
+void LoggerOnBus::begin_run(const RunId& run) {
+  if (run == run_id_) return;
+  run_id_ = run;
+  checkpoint_.begin(run);
+  open_tail();
+  if (tail_) tail_->begin(generation_);
+  next_flush_ = time::Nanoseconds(0);
+}
+
+void LoggerOnBus::open_tail() {
+  tail_.reset();
+  try {
+    tail_ = std::make_unique<LogTail>(checkpoint_.path("tail"));
+  } catch (const std::exception& error) {
+    spdlog::warn("killed, this service would lose what it has not written yet: {}", error.what());
+  }
 }
 
 void LoggerOnBus::go_on() {
   run_id_ = interrupted_->run_id;
-  run_began_ = true;
+  run_began_ = interrupted_->run_began;
+  run_ended_ = interrupted_->run_ended;
+  run_ended_at_ = app::monotonic_now();
+  clock_ = interrupted_->clock;
   for (const LoggedStream& stream : interrupted_->streams) {
     const auto monitor = streams_.find(stream.topic);
     if (monitor != streams_.end()) monitor->second.go_on(run_id_, stream.samples, stream.next_sequence);
@@ -42,8 +88,14 @@ void LoggerOnBus::go_on() {
     channels_[i].count = interrupted_->channel_counts[i];
   }
   once_.insert(interrupted_->once.begin(), interrupted_->once.end());
+  for (const LoggedService& service : interrupted_->services) {
+    services_[{service.service, service.number}] = {service.state, app::monotonic_now()};
+  }
+  for (const LoggedStream& stream : interrupted_->sent) sent_[stream.topic] = stream.samples;
+  board_.set_run(run_id_);
   std::uint64_t rescued = 0;
   replaying_ = true;
+  open_tail();
   if (tail_) {
     tail_->for_each(interrupted_->generation, [&](const LogTail::Message& message) {
       if (message.channel >= channels_.size()) return;
@@ -52,7 +104,7 @@ void LoggerOnBus::go_on() {
     });
   }
   replaying_ = false;
-  generation_ = interrupted_->generation + 1;
+  generation_ = interrupted_->generation;
   log_.add_recovery("log", {{"rescued_messages", std::to_string(rescued)}});
   flush();
 }
@@ -66,16 +118,11 @@ void LoggerOnBus::flush() {
     return;
   }
   if (run_id_ == RunId{}) return;
-  LoggerState state;
-  state.path = log_.path();
-  state.generation = ++generation_;
-  for (const auto& [topic, monitor] : streams_) {
-    state.streams.push_back({topic, monitor.samples(), monitor.first_missing()});
-  }
-  for (const Channel& channel : channels_) state.channel_counts.push_back(channel.count);
-  state.once.assign(once_.begin(), once_.end());
-  checkpoint_.keep(checkpoint_.state(run_id_, [&](recovery::StateWriter& to) { to(state); }));
+  ++generation_;
+  const bool kept = checkpoint_.keep(checkpoint_.state([&](recovery::StateWriter& to) { to(state()); }));
   if (tail_) tail_->begin(generation_);
+  // Of a state that does not know what is in the file by now the log would get messages twice.
+  if (!kept) checkpoint_.forget();
 }
 
 /// A stream that comes from another participant than before comes from a service that was started again.

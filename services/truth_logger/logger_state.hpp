@@ -3,9 +3,25 @@
 #include <string>
 #include <vector>
 
+#include "samples/run_control.hpp"
+#include "samples/service_status.hpp"
 #include "samples/stream_header.hpp"
 
 namespace inslab::logger {
+
+/// What a service said last of itself.
+struct LoggedService {
+  std::string service;
+  std::uint32_t number = 0;
+  ServiceState state = ServiceState::Starting;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("service"), self.service);
+    visit(Field("number"), self.number);
+    visit(Field("state"), self.state);
+  }
+};
 
 /// How far one stream is in the log.
 struct LoggedStream {
@@ -30,6 +46,11 @@ struct LoggerState {
   std::vector<LoggedStream> streams;
   std::vector<std::uint32_t> channel_counts;  ///< messages of each channel, in the order of the channels
   std::vector<std::uint64_t> once;            ///< hashes of the messages that late joiners get again
+  bool run_began = false;
+  bool run_ended = false;
+  ClockMode clock = ClockMode::RealTime;
+  std::vector<LoggedService> services;
+  std::vector<LoggedStream> sent;  ///< how many samples of each stream its service says it has sent; no next_sequence
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -38,6 +59,11 @@ struct LoggerState {
     visit(Field("streams").at_most(64), self.streams);
     visit(Field("channel_counts").at_most(256), self.channel_counts);
     visit(Field("once").at_most(1'000'000), self.once);
+    visit(Field("run_began"), self.run_began);
+    visit(Field("run_ended"), self.run_ended);
+    visit(Field("clock"), self.clock);
+    visit(Field("services").at_most(64), self.services);
+    visit(Field("sent").at_most(64), self.sent);
   }
 };
 

@@ -1,25 +1,49 @@
+#include <spdlog/spdlog.h>
+
 #include <filesystem>
 
+#include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service_names.hpp"
+#include "io/error.hpp"
+#include "io/mcap_reader.hpp"
 #include "io/output_place.hpp"
 #include "services/truth_logger/logger_on_bus.hpp"
 
+namespace {
+
+using namespace inslab;
+
+bool is_whole(const std::string& log) {
+  try {
+    return io::McapReader(log).closed_properly();
+  } catch (const io::ReadError&) {
+    return false;
+  }
+}
+
+std::string log_path(const app::Context& context) {
+  if (!context.options().log_file.empty()) return context.options().log_file;
+  const std::string& unit = context.options().network.unit;
+  return io::fresh_file("runs/" + context.scenario().scenario.name + (unit.empty() ? "" : "-" + unit) + "-" +
+                            app::utc_text(app::realtime_now()),
+                        ".mcap");
+}
+
+int write_log(app::Context& context) {
+  io::set_output_rule(context.options().overwrites ? io::OutputRule::ReplaceResults : io::OutputRule::KeepResults);
+  const std::filesystem::path path = log_path(context);
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
+  if (!context.options().go_on.empty() && is_whole(path.string())) {
+    spdlog::info("{} is whole: the logger before this one had closed it", path.string());
+    return app::kOk;
+  }
+  return logger::LoggerOnBus(context, path.string()).run();
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace inslab;
   return app::run_service(app::kTruthLogger, "Writes everything it hears to an MCAP log", {false, true}, argc, argv,
-                          [](app::Context& context) {
-                            io::set_output_rule(context.options().overwrites ? io::OutputRule::ReplaceResults
-                                                                             : io::OutputRule::KeepResults);
-                            std::filesystem::path path = context.options().log_file;
-                            if (path.empty()) {
-                              const std::string& unit = context.options().network.unit;
-                              path = io::fresh_file("runs/" + context.scenario().scenario.name +
-                                                        (unit.empty() ? "" : "-" + unit) + "-" +
-                                                        app::utc_text(app::realtime_now()),
-                                                    ".mcap");
-                            }
-                            if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
-                            return logger::LoggerOnBus(context, path.string()).run();
-                          });
+                          write_log);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 
@@ -17,6 +18,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -43,6 +45,25 @@ class Recovery : public testing::Test {
     const auto pids = children_named(set.pid(), program);
     ASSERT_FALSE(pids.empty()) << program;
     kill(pids.front(), SIGKILL);
+  }
+  /// The same, as soon as the set has started it.
+  static void kill_child_at_once(const Process& set, const std::string& program) {
+    ASSERT_TRUE(eventually([&] { return !children_named(set.pid(), program).empty(); }, seconds(20))) << program;
+    kill_child(set, program);
+  }
+  /// Not so one that has ended and that nobody has asked for its exit code yet.
+  static bool is_at_work(pid_t pid) {
+    std::string command;
+    std::getline(std::ifstream("/proc/" + std::to_string(pid) + "/cmdline"), command, '\0');
+    return !command.empty();
+  }
+  void expect_whole_run(const std::string& reference) const {
+    expect_same_bits<TruthState>(log_, reference, "inslab/truth", 2001);
+    expect_same_bits<ImuSample>(log_, reference, "inslab/imu/0", 2000);
+    expect_same_bits<ImuTruth>(log_, reference, "inslab/imu_truth/0", 2000);
+    expect_same_bits<ImuSample>(log_, reference, "inslab/imu/1", 500);
+    expect_same_bits<GnssFix>(log_, reference, "inslab/gnss/0", samples_of<GnssFix>(reference, "inslab/gnss/0").size());
+    EXPECT_TRUE(io::McapReader(log_).closed_properly());
   }
   std::optional<SimStatus> status() { return client_.status(); }
   bool reaches(double sim_time_s) {
@@ -77,18 +98,76 @@ TEST_F(Recovery, EachServiceThatIsKilledGoesOnAndNoBitIsLost) {
   EXPECT_THAT(run.output(), HasSubstr("recovered: inslab/imu/0: its service was started again"));
   EXPECT_THAT(run.output(), HasSubstr("recovered: inslab/gnss/0: its service was started again"));
   EXPECT_THAT(run.output(), HasSubstr("recovered: the logger was started again and went on with this log"));
-  expect_same_bits<TruthState>(log_, reference, "inslab/truth", 2001);
-  expect_same_bits<ImuSample>(log_, reference, "inslab/imu/0", 2000);
-  expect_same_bits<ImuTruth>(log_, reference, "inslab/imu_truth/0", 2000);
-  expect_same_bits<ImuSample>(log_, reference, "inslab/imu/1", 500);
-  expect_same_bits<GnssFix>(log_, reference, "inslab/gnss/0", samples_of<GnssFix>(reference, "inslab/gnss/0").size());
+  expect_whole_run(reference);
   const io::McapReader log(log_);
-  EXPECT_TRUE(log.closed_properly());
   for (const io::mcap::Metadata& record : log.metadata()) {
     if (record.values.count("silence_s") > 0 && record.values.at("what") == "inslab/imu/0") {
       RecordProperty("imu_silence_s", record.values.at("silence_s"));
     }
   }
+}
+
+TEST_F(Recovery, AtRatesThatDivideNoneOfTheOthersNoBitIsLostEither) {
+  const std::string reference = offline("odd_rates");
+  Process run("inslab", {"run", scenario("odd_rates"), "--log", log_, "--domain", own_domain()});
+  ASSERT_TRUE(reaches(2.7)) << run.output();
+  kill_child(run, "inslab-imu-injector");
+  ASSERT_TRUE(reaches(5.2)) << run.output();
+  kill_child(run, "inslab-truth-logger");
+  EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
+  EXPECT_THAT(run.output(), HasSubstr("recovered: inslab/imu/0: its service was started again"));
+  expect_same_odd_run(log_, reference);
+}
+
+TEST_F(Recovery, OfAServiceThatIsKilledAtTheVeryEndNothingIsMissing) {
+  const std::string reference = offline("recovery");
+  for (const char* victim : {"inslab-imu-injector", "inslab-truth-logger"}) {
+    Process run("inslab",
+                {"run", scenario("recovery"), "--log", log_, "--domain", own_domain(), "--rate", "4", "--overwrite"});
+    ASSERT_TRUE(eventually([&] { return status() && status()->state == RunState::Running; }, seconds(30)));
+    ASSERT_TRUE(reaches(9.8)) << run.output();
+    kill_child(run, victim);
+    EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
+    EXPECT_THAT(run.output(), HasSubstr(std::string(victim)));
+    EXPECT_THAT(run.output(), HasSubstr("was ended by signal 9 (Killed) and started again, at about 9."));
+    expect_whole_run(reference);
+  }
+}
+
+TEST_F(Recovery, ServicesThatAreKilledBeforeTheRunBeginsAreStartedAgain) {
+  const std::string reference = offline("recovery");
+  Process run("inslab", {"run", scenario("recovery"), "--log", log_, "--domain", own_domain(), "--rate", "10"});
+  kill_child_at_once(run, "inslab-trajectory-server");
+  kill_child_at_once(run, "inslab-gnss-emulator");
+  EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
+  EXPECT_THAT(run.output(),
+              HasSubstr("inslab-gnss-emulator 0 was ended by signal 9 (Killed) and started again, before"));
+  expect_whole_run(reference);
+}
+
+TEST_F(Recovery, ARunWhoseClockIsKilledSaysSoInItsLastLine) {
+  Process run("inslab", {"run", scenario("recovery"), "--log", log_, "--domain", own_domain()});
+  ASSERT_TRUE(reaches(1.0)) << run.output();
+  kill_child(run, "inslab-trajectory-server");
+  EXPECT_EQ(run.wait(seconds(40)), 1) << run.output();
+  EXPECT_THAT(run.output(), ContainsRegex("\nresult: FAILED, exit code 1: inslab-trajectory-server was ended by signal "
+                                          "9 .Killed., at about [^\n]*it is the run's clock[^\n]*\n$"));
+  EXPECT_TRUE(io::McapReader(log_).closed_properly());
+}
+
+TEST_F(Recovery, ServicesEndWithTheOneWhoStartedThemHoweverThatOneEnds) {
+  Process run("inslab", {"run", scenario("recovery"), "--log", log_, "--domain", own_domain(), "--paused"});
+  ASSERT_TRUE(eventually([&] { return status() && status()->state == RunState::Paused; }, seconds(30))) << run.output();
+  std::vector<pid_t> services;
+  for (const char* name : {"inslab-trajectory-server", "inslab-imu-injector", "inslab-truth-logger"}) {
+    for (const pid_t pid : children_named(run.pid(), name)) services.push_back(pid);
+  }
+  ASSERT_EQ(services.size(), 4U);
+  run.send(SIGKILL);
+  for (const pid_t pid : services) {
+    EXPECT_TRUE(eventually([pid] { return !is_at_work(pid); }, seconds(20))) << pid;
+  }
+  EXPECT_TRUE(io::McapReader(log_).closed_properly());
 }
 
 TEST_F(Recovery, InLockstepAKilledConsumerStopsTheClockUntilItIsBack) {
@@ -122,6 +201,7 @@ TEST_F(Recovery, InLockstepAKilledConsumerStopsTheClockUntilItIsBack) {
   EXPECT_EQ(imu->wait(seconds(20)), 0) << imu->output();
   EXPECT_EQ(gnss->wait(seconds(20)), 0) << gnss->output();
   EXPECT_EQ(log->wait(seconds(20)), 0) << log->output();
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "state"));
   expect_same_bits<TruthState>(log_, reference, "inslab/truth", 60001);
   expect_same_bits<ImuSample>(log_, reference, "inslab/imu/0", 60000);
   expect_same_bits<ImuTruth>(log_, reference, "inslab/imu_truth/0", 60000);
@@ -163,11 +243,16 @@ TEST_F(Recovery, AServiceThatComesTooLateAndKnowsNothingSaysSo) {
   ASSERT_TRUE(reaches(1.0)) << truth->output();
   gnss->send(SIGKILL);
   ASSERT_EQ(gnss->wait(seconds(10)), 128 + SIGKILL);
-  std::remove((folder_ / ("state/inslab-gnss-emulator-" + own_domain() + "-0.state")).c_str());
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "state")) {
+    if (entry.path().filename().string().rfind("inslab-gnss", 0) == 0) std::filesystem::remove(entry.path());
+  }
   ASSERT_TRUE(reaches(45.0)) << truth->output();  // the truth keeps half a minute
   gnss = service("inslab-gnss-emulator", "recovery_long");
   EXPECT_EQ(gnss->wait(seconds(60)), 1) << gnss->output();
   EXPECT_THAT(gnss->output(), HasSubstr("cannot be had: there is no checkpoint of this run to go on from"));
+  EXPECT_EQ(truth->wait(seconds(20)), 1) << truth->output();
+  EXPECT_EQ(status()->state, RunState::Fault);
+  EXPECT_THAT(status()->message, ContainsRegex("^inslab-gnss-emulator 0: truth samples 0 to [0-9]* cannot be had"));
 }
 
 /// It is lost after that, since it aligns only at rest. But it answers again, and nothing of the rest is missing.

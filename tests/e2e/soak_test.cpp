@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "tests/e2e/process.hpp"
@@ -18,13 +19,21 @@ std::vector<std::string> soak(std::vector<std::string> more) {
   return more;
 }
 
-// With seed 5 the first kill comes early.
+/// Some in every test run, 24 hours with two busy threads beside them where INSLAB_SOAK_HOURS=24 INSLAB_SOAK_LOAD=2 ask
+/// for them.
+std::string asked(const char* variable, const char* otherwise) {
+  const char* value = std::getenv(variable);
+  return value == nullptr ? otherwise : value;
+}
+
+// It kills at the beginning and at the end, and on the way one, two at once, and one that is just told of a swap.
 TEST(Soak, OfAFewMinutesWithSwapsKillsAndPausesHolds) {
   const TestFolder folder;
-  Process run("inslab", soak({"--hours", "0.1", "--seed", "5", "--log", folder / "soak.mcap"}));
-  EXPECT_EQ(run.wait(seconds(180)), 0) << run.output();
-  EXPECT_THAT(run.output(),
-              ContainsRegex("0\\.10 h of sim time in .*: [0-9]+ swaps, [1-9][0-9]* kills, [0-9]+ pauses"));
+  const std::string hours = asked("INSLAB_SOAK_HOURS", "0.1");
+  Process run("inslab", soak({"--hours", hours, "--seed", "5", "--often", hours == "0.1" ? "10" : "1", "--load",
+                              asked("INSLAB_SOAK_LOAD", "0"), "--log", folder / "soak.mcap"}));
+  EXPECT_EQ(run.wait(std::chrono::hours(hours == "0.1" ? 0 : 24) + seconds(180)), 0) << run.output();
+  EXPECT_THAT(run.output(), ContainsRegex("h of sim time in .*: [1-9][0-9]* swaps, [1-9][0-9]* kills, [0-9]+ pauses"));
   EXPECT_THAT(run.output(), HasSubstr("everything held"));
   EXPECT_FALSE(std::filesystem::exists(folder / "soak.mcap"));
 }

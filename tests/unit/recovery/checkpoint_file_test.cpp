@@ -1,9 +1,11 @@
 #include "recovery/checkpoint_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -54,15 +56,44 @@ TEST_F(Checkpoint, GoesOnAfterItWasOpenedAgain) {
   EXPECT_EQ(CheckpointFile(path_).last(), Bytes(10, 5));
 }
 
-TEST_F(Checkpoint, GrowsForALargeStateAndKeepsTheOther) {
+TEST_F(Checkpoint, GrowsForALargeStateAndGoesOn) {
   {
     CheckpointFile file(path_);
     file.keep(Bytes(100, 1));
     file.keep(Bytes(1'000'000, 2));
+    EXPECT_FALSE(std::filesystem::exists(path_ + ".new"));
+    file.keep(Bytes(1'000'001, 3));
   }
-  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(1'000'000, 2));
-  spoil(100);
-  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(100, 1));
+  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(1'000'001, 3));
+}
+
+TEST_F(Checkpoint, ForWhichThereIsNoRoomLeavesTheOneBeforeIt) {
+  CheckpointFile file(path_);
+  file.keep(Bytes(100, 1));
+  const auto room_for = [](rlim_t bytes) {
+    rlimit limit{};
+    getrlimit(RLIMIT_FSIZE, &limit);
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  };
+  const auto before = std::signal(SIGXFSZ, SIG_IGN);
+  room_for(200'000);
+  EXPECT_THROW(file.keep(Bytes(1'000'000, 2)), std::runtime_error);
+  room_for(RLIM_INFINITY);
+  std::signal(SIGXFSZ, before);
+  EXPECT_FALSE(std::filesystem::exists(path_ + ".new"));
+  file.keep(Bytes(100, 3));
+  file.keep(Bytes(1'000'000, 4));
+}
+
+TEST_F(Checkpoint, OfALivingProcessIsRefusedToAnother) {
+  const CheckpointFile file(path_);
+  try {
+    const CheckpointFile other(path_);
+    FAIL() << "two have it";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find(path_ + ": another process has it"), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(Checkpoint, OfGarbageIsNothing) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "recovery/state_stream.hpp"
+
 namespace inslab::swap {
 namespace {
 
@@ -200,6 +202,52 @@ TEST(ProfileDesk, RejectsAtTheEndWhatNoSampleCameOutUnder) {
   EXPECT_EQ(acks[0].journal_number, 1U);
   EXPECT_EQ(acks[1].journal_number, 2U);
   EXPECT_TRUE(d.close(run).empty());
+}
+
+/// What a service that was killed goes on with in another process.
+ProfileDesk resumed(const ProfileDesk& before) {
+  std::vector<std::uint8_t> bytes;
+  recovery::StateWriter writer(bytes);
+  writer(before);
+  ProfileDesk after = desk();
+  recovery::StateReader reader(bytes.data(), bytes.size());
+  reader(after);
+  return after;
+}
+
+TEST(ProfileDesk, ThatGoesOnNeedsNoEntryThatHasBeenTaken) {
+  ProfileDesk before = desk();
+  for (std::uint32_t i = 1; i <= 30'000; ++i) before.add(entry(i, i * kMs, errors(i)));
+  before.add(entry(30'001, 40'000 * kMs, errors(7.0)));
+  before.take_due(30'000 * kMs + 1);
+  ProfileDesk after = resumed(before);
+  EXPECT_TRUE(after.complete_for(truth(40'000 * kMs, 30'000)));
+  EXPECT_FALSE(after.complete_for(truth(40'005 * kMs, 30'001)));
+  after.add(entry(30'000, 30'000 * kMs, errors(30'000.0)));  // come again with the journal
+  EXPECT_FALSE(after.complete_for(truth(40'005 * kMs, 30'001)));
+  after.add(entry(30'001, 40'000 * kMs, errors(7.0)));
+  EXPECT_TRUE(after.complete_for(truth(40'005 * kMs, 30'001)));
+  EXPECT_EQ(numbers_of(after.take_due(40'005 * kMs)), Numbers{30'001});
+}
+
+TEST(ProfileDesk, HoldsNothingOfWhatHasBeenTaken) {
+  ProfileDesk d = desk();
+  const auto size = [&d] {
+    std::vector<std::uint8_t> bytes;
+    recovery::StateWriter writer(bytes);
+    writer(d);
+    return bytes.size();
+  };
+  d.add(entry(1, kMs, errors(1.0)));
+  d.take_due(2 * kMs);
+  d.acknowledge(sample(2 * kMs, 1));
+  const std::size_t after_one = size();
+  for (std::uint32_t i = 2; i <= 1000; ++i) {
+    d.add(entry(i, i * kMs, errors(i)));
+    d.take_due(i * kMs + 1);
+    d.acknowledge(sample(i * kMs + 1, i));
+  }
+  EXPECT_EQ(size(), after_one);
 }
 
 }  // namespace
