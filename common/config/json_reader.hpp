@@ -204,7 +204,8 @@ T from_json(const Json& json, const std::string& file) {
 /// Reads a struct from a JSON file. Throws Error as `from_json` and `read_json_file` do.
 template <class T>
 T read_file(const std::filesystem::path& path) {
-  return from_json<T>(read_json_file(path), path.string());
+  // Qualified: nlohmann's own from_json must not be asked whether it fits.
+  return config::from_json<T>(read_json_file(path), path.string());
 }
 
 }  // namespace inslab::config
