@@ -1,6 +1,8 @@
 #include "app/identity.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <tuple>
 
 #include "app/host.hpp"
@@ -18,8 +20,8 @@ constexpr char kBegin[] = "inslab identity 1";
 std::vector<std::uint8_t> announced(const Identity& identity) {
   std::vector<std::uint8_t> cdr;
   wire::encode(identity, cdr);
-  std::vector<std::uint8_t> bytes(kBegin, kBegin + sizeof(kBegin));
-  bytes.insert(bytes.end(), cdr.begin(), cdr.end());
+  std::vector<std::uint8_t> bytes(sizeof(kBegin) + cdr.size());
+  std::copy(cdr.begin(), cdr.end(), std::copy(std::begin(kBegin), std::end(kBegin), bytes.begin()));
   return bytes;
 }
 
