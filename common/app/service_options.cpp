@@ -5,6 +5,7 @@
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/network_interfaces.hpp"
+#include "app/one_of.hpp"
 #include "samples/plain_text.hpp"
 #include "samples/run_control.hpp"
 #include "samples/unit_name.hpp"
@@ -38,7 +39,7 @@ void NetworkOptions::add_to(CLI::App& app) {
   app.add_option("--domain", domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
   add_unit_option(app, unit, "the vehicle's name on the network; becomes the DDS partition");
   app.add_option("--transport", transport, "udp, shm, or default (what Fast DDS or its XML profile says)")
-      ->check(CLI::IsMember({"udp", "shm", "default"}))
+      ->check(one_of({"udp", "shm", "default"}))
       ->capture_default_str();
   app.add_option("--interface", interface_address,
                  "network interface to bind to: its name or IPv4 address; 'any' for every interface")
@@ -69,7 +70,7 @@ std::string NetworkOptions::words() const {
 
 void ClockOptions::add_to(CLI::App& app) {
   app.add_option("--clock", mode, "real_time or lockstep, instead of what the scenario says")
-      ->check(CLI::IsMember({"real_time", "lockstep"}));
+      ->check(one_of({"real_time", "lockstep"}));
   app.add_option("--rate", rate, "sim seconds per second, instead of what the scenario says")
       ->check(CLI::Range(kMinRate, kMaxRate));
   app.add_flag("--paused", paused, "wait for 'inslab resume' or 'inslab step' before the first sample");
@@ -119,7 +120,7 @@ std::optional<int> parse(const char* name, const char* purpose, const ServiceTra
          "has this place; without it the service looks around first")
       ->check(is_run_id);
   app.add_option("--log-level", options.log_level, "debug, info, warn or error")
-      ->check(CLI::IsMember({"debug", "info", "warn", "error"}))
+      ->check(one_of({"debug", "info", "warn", "error"}))
       ->capture_default_str();
   try {
     app.parse(argc, argv);

@@ -1,14 +1,30 @@
 #include "app/shutdown.hpp"
 
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
 #include <csignal>
+
+#include "app/shutdown_signal.hpp"
 
 namespace inslab::app {
 
 namespace {
 
 volatile std::sig_atomic_t g_requested = 0;
+std::atomic<int> g_wake{-1};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may take no lock");
 
-void request_shutdown(int) { g_requested = 1; }
+void request_shutdown(int signal) {
+  if (g_requested == 0) g_requested = signal;
+  const int descriptor = g_wake;
+  if (descriptor < 0) return;
+  const int kept = errno;
+  const char byte = 's';
+  if (::write(descriptor, &byte, 1) != 1) errno = kept;  // full: the watcher has been woken already
+  errno = kept;
+}
 
 }  // namespace
 
@@ -27,5 +43,9 @@ void install_signal_handlers() {
 }
 
 bool shutdown_requested() { return g_requested != 0; }
+
+int shutdown_signal() { return g_requested; }
+
+void wake_on_shutdown(int descriptor) { g_wake = descriptor; }
 
 }  // namespace inslab::app

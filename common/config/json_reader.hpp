@@ -6,12 +6,15 @@
 #include "config/json_file.hpp"
 #include "samples/limits.hpp"
 #include "samples/plain_text.hpp"
+#include "text/nearest.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::config {
 
 namespace detail {
 
-/// The known key that looks most like `key`, for the message; empty when none begins alike.
+/// The known key that `key` was most likely meant to be; empty when there is none: a key is a quantity and its unit, so
+/// a letter or two wrong come first, then another unit.
 std::string nearest_key(const std::string& key, const std::vector<std::string>& known);
 
 /// Reads one JSON object into one struct: every key known, every value of the right type and inside its limits.
@@ -66,7 +69,10 @@ class JsonReader {
     return text;
   }
 
-  std::string child(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
+  std::string child(const std::string& key) const {
+    constexpr std::size_t kLongestKey = 60;
+    return (path_.empty() ? "" : path_ + ".") + text::shown(text::cut(key, kLongestKey));
+  }
 
   [[noreturn]] void fail(Rule rule, const std::string& path, const std::string& reason) const {
     throw Error(file_, {rule, path, reason});
@@ -115,9 +121,12 @@ class JsonReader {
       }
     }
     if (!json.is_string()) wrong_type(path, json, "a string");
-    const auto text = json.get<std::string>();
-    const auto found = std::find(names.begin(), names.end(), text);
-    if (found == names.end()) fail(Rule::KnownName, path, "is '" + text + "'; expected one of: " + joined(known));
+    const auto word = json.get<std::string>();
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found == names.end()) {
+      fail(Rule::KnownName, path,
+           "is " + text::quoted(word) + "; expected one of: " + joined(known) + text::did_you_mean(word, known));
+    }
     value = static_cast<Enum>(found - names.begin());
   }
 
@@ -156,6 +165,10 @@ class JsonReader {
     } else if constexpr (std::is_same_v<T, std::string>) {
       if (!json.is_string()) wrong_type(path, json, "a string");
       value = json.get<std::string>();
+      // A name goes to terminals, logs and reports of many programs; in a file of ours there is no reason for these.
+      if (text::shown_lines(value) != value) {
+        fail(Rule::ValueType, path, "is " + text::quoted(value) + ", with control characters; expected plain text");
+      }
       if (value.size() > field.max_size) {
         fail(Rule::BoundedSize, path,
              "has " + std::to_string(value.size()) + " characters; expected at most " + std::to_string(field.max_size));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 
 #include "config/files_read.hpp"
@@ -15,7 +16,14 @@ namespace inslab::io {
 
 InputFile::InputFile(const std::string& path) : path_(path) {
   descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe must not block here
-  if (descriptor_ < 0) throw ReadError(path_ + ": cannot open: " + std::generic_category().message(errno));
+  if (descriptor_ < 0) {
+    const std::string reason = std::generic_category().message(errno);
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(path_, error);
+    const bool is_relative = !error && std::filesystem::path(path_).is_relative();
+    throw ReadError(path_ + ": cannot open: " + reason +
+                    (is_relative ? "; it was looked for as " + whole.lexically_normal().string() : ""));
+  }
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) {
     ::close(descriptor_);

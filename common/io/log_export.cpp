@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <system_error>
 
@@ -12,6 +13,7 @@
 #include "io/hdf5_writer.hpp"
 #include "io/log_types.hpp"
 #include "io/mcap_reader.hpp"
+#include "io/unfinished.hpp"
 
 namespace inslab::io {
 namespace {
@@ -44,17 +46,24 @@ std::string safe_name(const std::string& topic, char separator) {
   return name.empty() ? "topic" : name;
 }
 
+/// Names that are taken; of each the number that the next one like it tries first.
+using TakenNames = std::map<std::string, int>;
+
 /// `name`, or `name`_2, _3, ... when it is taken.
-std::string free_name(const std::string& name, std::set<std::string>& taken) {
-  std::string candidate = name;
-  for (int i = 2; !taken.insert(candidate).second; ++i) candidate = name + "_" + std::to_string(i);
-  return candidate;
+std::string free_name(const std::string& name, TakenNames& taken) {
+  if (taken.emplace(name, 2).second) return name;
+  int& next = taken[name];
+  while (true) {
+    std::string candidate = name + "_" + std::to_string(next++);
+    if (taken.emplace(candidate, 2).second) return candidate;
+  }
 }
 
 class CsvFolder : public Destination {
  public:
   explicit CsvFolder(const std::string& folder) : folder_(folder) {
     std::error_code error;
+    if (!std::filesystem::exists(folder_, error)) made_.emplace(folder);
     std::filesystem::create_directories(folder_, error);
     if (error) throw WriteError(folder, "create the folder", error.value());
   }
@@ -66,20 +75,23 @@ class CsvFolder : public Destination {
   }
   void row(std::size_t table, const Row& cells) override { tables_[table]->row(cells); }
   void metadata(const std::vector<mcap::Metadata>& metadata) override {
-    CsvWriter table((folder_ / "metadata.csv").string(),
-                    {{"name", "", ColumnKind::Text}, {"key", "", ColumnKind::Text}, {"value", "", ColumnKind::Text}});
+    const std::vector<Column> columns{
+        {"name", "", ColumnKind::Text}, {"key", "", ColumnKind::Text}, {"value", "", ColumnKind::Text}};
+    tables_.push_back(std::make_unique<CsvWriter>((folder_ / "metadata.csv").string(), columns));
     for (const mcap::Metadata& record : metadata) {
-      for (const auto& [key, value] : record.values) table.row({record.name, key, value});
+      for (const auto& [key, value] : record.values) tables_.back()->row({record.name, key, value});
     }
-    table.close();
   }
   void close() override {
+    const auto together = hold_unfinished();
     for (const auto& table : tables_) table->close();
+    made_.reset();
   }
 
  private:
   std::filesystem::path folder_;
-  std::set<std::string> taken_{"metadata"};
+  std::optional<UnfinishedFile> made_;
+  TakenNames taken_{{"metadata", 2}};
   std::vector<std::unique_ptr<CsvWriter>> tables_;
 };
 
@@ -94,7 +106,7 @@ class Hdf5File : public Destination {
   }
   void row(std::size_t table, const Row& cells) override { tables_[table]->row(cells); }
   void metadata(const std::vector<mcap::Metadata>& metadata) override {
-    std::set<std::string> taken;
+    TakenNames taken;
     for (const mcap::Metadata& record : metadata) {
       for (const auto& [key, value] : record.values) file_.attribute(free_name(record.name + "." + key, taken), value);
     }
@@ -103,7 +115,7 @@ class Hdf5File : public Destination {
 
  private:
   Hdf5Writer file_;
-  std::set<std::string> taken_;
+  TakenNames taken_;
   std::vector<Hdf5Writer::Table*> tables_;
 };
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "config/input_limits.hpp"
 #include "io/error.hpp"
 #include "io/mcap_chunk.hpp"
 #include "io/mcap_merge.hpp"
@@ -20,6 +21,9 @@ bool holds(const mcap::ChunkIndex& chunk, const std::set<std::uint16_t>& channel
   return std::any_of(channels.begin(), channels.end(),
                      [&](std::uint16_t id) { return chunk.message_index_offsets.count(id) > 0; });
 }
+
+static_assert(McapReader::Options{}.max_chunk_bytes == config::kMaxLogRecordBytes, "one limit");
+static_assert(McapReader::Options{}.max_open_bytes == config::kMaxOpenLogBytes, "one limit");
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 
 #include "config/files_read.hpp"
 #include "io/error.hpp"
+#include "io/unfinished.hpp"
 
 namespace inslab::io {
 
@@ -88,16 +89,21 @@ OutputPlace::OutputPlace(const std::string& path) : path_(path) {
   growing_ = (whole.parent_path() / ("." + whole.filename().string() + "." + std::to_string(::getpid()) + "." +
                                      std::to_string(++count) + ".part"))
                  .string();
+  note_unfinished(growing_);
 }
 
 OutputPlace::~OutputPlace() {
-  if (!committed_) std::remove(growing_.c_str());
+  if (committed_) return;
+  std::remove(growing_.c_str());
+  forget_unfinished(growing_);
 }
 
 void OutputPlace::commit() {
   if (committed_) return;
+  const auto lock = hold_unfinished();
   if (std::rename(growing_.c_str(), resolved(path_).c_str()) != 0)
     throw WriteError(path_, "give the file its name", errno);
+  forget_unfinished(growing_);
   committed_ = true;
 }
 

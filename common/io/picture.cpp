@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,8 +10,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <utility>
+
+#include "io/unfinished.hpp"
+#include "text/shown.hpp"
 
 extern char** environ;
 
@@ -23,9 +26,9 @@ namespace {
 /// A text as gnuplot's own, without its markup.
 std::string quoted(const std::string& text) {
   std::string out = "'";
-  for (const char c : text) {
+  for (const char c : text::shown(text)) {
     if (c == '\'') out += '\'';
-    if (c != '\n') out += c;
+    out += c;
   }
   return out + "'";
 }
@@ -79,6 +82,7 @@ class TemporaryFile {
     const int descriptor = mkstemp(path_.data());
     if (descriptor < 0) throw PictureError("no temporary file for gnuplot: " + std::string(std::strerror(errno)));
     close(descriptor);
+    unfinished_.emplace(path_);
   }
   ~TemporaryFile() {
     std::error_code ignored;
@@ -97,6 +101,7 @@ class TemporaryFile {
 
  private:
   std::string path_;
+  std::optional<UnfinishedFile> unfinished_;
 };
 
 /// Runs `program file` with its outputs in files; returns its wait status.
@@ -114,10 +119,8 @@ int run(const std::string& program, const std::string& file, const std::string& 
     throw PictureError(program + " cannot be run: " + std::strerror(error) +
                        "; pictures need gnuplot (Debian: the package gnuplot-nox)");
   }
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0) {
-    if (errno != EINTR) throw PictureError("waiting for " + program + ": " + std::strerror(errno));
-  }
+  const int status = wait_for_program(pid);
+  if (status < 0) throw PictureError("waiting for " + program + ": " + std::strerror(errno));
   return status;
 }
 
@@ -164,8 +167,8 @@ std::string gnuplot_script(const Picture& picture, PictureFormat format) {
   std::ostringstream script;
   script.precision(7);
   script
-      << "set terminal " << (format == PictureFormat::Svg ? "svg" : "pngcairo") << " noenhanced size "
-      << picture.panel_width_px * static_cast<int>(picture.columns) << ','
+      << "set encoding utf8\nset terminal " << (format == PictureFormat::Svg ? "svg" : "pngcairo")
+      << " noenhanced size " << picture.panel_width_px * static_cast<int>(picture.columns) << ','
       << picture.panel_height_px * static_cast<int>(rows) + (picture.title.empty() ? 0 : 30)
       << " font 'sans,11' background rgb 'white'\n"
       << "set key outside bottom center horizontal\nset tics nomirror\nset border 3\n"

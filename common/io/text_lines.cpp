@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "config/input_limits.hpp"
 #include "io/error.hpp"
 
 namespace inslab::io {
@@ -25,27 +26,34 @@ std::string_view without_plus(std::string_view text) {
   return text;
 }
 
+[[noreturn]] void refuse_line(const TextLines& lines) {
+  throw ReadError(lines.path() + ": line " + std::to_string(lines.number() + 1) + ": is longer than " +
+                  std::to_string(TextLines::kMaxLineBytes) + " bytes; expected a text");
+}
+
 }  // namespace
+
+static_assert(TextLines::kMaxLineBytes == config::kMaxLineBytes, "one limit");
 
 TextLines::TextLines(const std::string& path) : file_(path) {}
 
 bool TextLines::next(std::string_view& line) {
   std::size_t end = buffer_.find('\n', at_);
   while (end == std::string::npos) {
-    if (buffer_.size() - at_ > kMaxLineBytes) {
-      throw ReadError(path() + ": line " + std::to_string(number_ + 1) + ": is longer than " +
-                      std::to_string(kMaxLineBytes) + " bytes; expected a text");
-    }
+    if (buffer_.size() - at_ > kMaxLineBytes) refuse_line(*this);
     const std::size_t searched = buffer_.size() - at_;
     if (!refill()) break;
     end = buffer_.find('\n', at_ + searched);
   }
   if (end == std::string::npos && at_ == buffer_.size()) return false;
   const bool is_ended = end != std::string::npos;
+  if ((is_ended ? end : buffer_.size()) - at_ > kMaxLineBytes) refuse_line(*this);
   line = std::string_view(buffer_).substr(at_, (is_ended ? end : buffer_.size()) - at_);
   at_ = is_ended ? end + 1 : buffer_.size();
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-  ++number_;
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // which editors of one system put before a text
+  if (++number_ == 1 && line.substr(0, kByteOrderMark.size()) == kByteOrderMark)
+    line.remove_prefix(kByteOrderMark.size());
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "nav/position_spline.hpp"
 #include "samples/limits.hpp"
 #include "samples/units.hpp"
 
@@ -41,9 +42,35 @@ class Judge {
       acceleration(k, (*file_.rows[k].v_n - *file_.rows[k - 1].v_n).norm() / dt, "velocity");
       figures_.fastest_m_per_s = std::max(figures_.fastest_m_per_s, file_.rows[k].v_n->norm());
     } else {
-      positions_alone(k, dt);
+      figures_.fastest_m_per_s = std::max(figures_.fastest_m_per_s, displacement_n(file_, k).norm() / dt);
     }
     if (file_.rows[k].rpy) attitude(k, dt);
+  }
+
+  /// Without velocities the vehicle follows the curve through the positions, and feels what the curve does between
+  /// the rows: its second derivative is linear from row to row, so it is largest at one of them.
+  void curve() {
+    std::vector<nav::Geodetic> points;
+    std::vector<double> intervals_s;
+    for (std::size_t k = 0; k < file_.rows.size(); ++k) {
+      points.push_back(file_.rows[k].position);
+      if (k > 0) intervals_s.push_back(seconds_between(file_, k - 1, k));
+    }
+    const nav::PositionSpline spline(std::move(points), std::move(intervals_s), {});
+    for (std::size_t k = 0; k <= spline.pieces(); ++k) acceleration(k, curve_at(spline, k).norm(), "position");
+  }
+
+  /// What the decimals of the positions can do, beside what the motion does over a second.
+  void rounding() {
+    const std::size_t last = file_.rows.size() - 1;
+    const double dt = seconds_between(file_, 0, last) / static_cast<double>(last);
+    const nav::Vector3 by_rounding = 2.0 * reading_.step_ned_m / (dt * dt);
+    const nav::Vector3 of_motion = motion_over_a_second(std::max<std::size_t>(1, std::llround(1.0 / dt)));
+    constexpr double kCounts = 0.1;  // m/s^2: 10 mg, which the least of IMUs feels
+    for (int i = 0; i < 3; ++i) {
+      const bool is_more = by_rounding[i] > std::max(kCounts, of_motion[i]);
+      figures_.rounding_m_per_s2[i] = is_more ? by_rounding[i] : 0.0;
+    }
   }
 
   const TrajectoryFigures& figures() const { return figures_; }
@@ -119,15 +146,23 @@ class Judge {
             " m/s^2");
   }
 
-  /// Without velocities the change of the mean velocity from one interval to the next.
-  void positions_alone(std::size_t k, double dt) {
-    const nav::Vector3 v = displacement_n(file_, k) / dt;
-    figures_.fastest_m_per_s = std::max(figures_.fastest_m_per_s, v.norm());
-    if (k > 1) {
-      const double between = 0.5 * seconds_between(file_, k - 2, k);
-      acceleration(k, (v - mean_v_before_).norm() / between, "position");
+  static nav::Vector3 curve_at(const nav::PositionSpline& spline, std::size_t row) {
+    if (row < spline.pieces()) return spline.piece(row).second_k(0.0);
+    return spline.piece(row - 1).second_k(spline.interval(row - 1));
+  }
+
+  /// The largest change of velocity of each axis over so many rows to each side, for each second: what is left of a
+  /// motion when its rows are that far apart.
+  nav::Vector3 motion_over_a_second(std::size_t rows) const {
+    nav::Vector3 largest = nav::Vector3::Zero();
+    for (std::size_t k = rows; k + rows < file_.rows.size(); ++k) {
+      const double before_s = seconds_between(file_, k - rows, k), after_s = seconds_between(file_, k, k + rows);
+      const nav::Geodetic& here = file_.rows[k].position;
+      const nav::Vector3 v_before = -nav::ned_from(here, file_.rows[k - rows].position) / before_s;
+      const nav::Vector3 v_after = nav::ned_from(here, file_.rows[k + rows].position) / after_s;
+      largest = largest.cwiseMax(((v_after - v_before) / (0.5 * (before_s + after_s))).cwiseAbs());
     }
-    mean_v_before_ = v;
+    return largest;
   }
 
   void attitude(std::size_t k, double dt) {
@@ -156,7 +191,6 @@ class Judge {
   std::vector<nav::Vector3> window_steps_;  ///< m
   nav::Vector3 window_sum_ = nav::Vector3::Zero();
   bool contradicts_ = false;
-  nav::Vector3 mean_v_before_ = nav::Vector3::Zero();
 };
 
 }  // namespace
@@ -170,7 +204,11 @@ TrajectoryFigures judge_trajectory(TrajectoryReading& reading, const TrajectoryL
   Judge judge(reading, limits);
   for (std::size_t k = 1; k < reading.file.rows.size(); ++k) {
     judge.row(k);
-    if (stop_at_first && !reading.problems.empty()) break;
+    if (stop_at_first && !reading.problems.empty()) return judge.figures();
+  }
+  if (!reading.file.rows.front().v_n) {
+    judge.curve();
+    judge.rounding();
   }
   return judge.figures();
 }

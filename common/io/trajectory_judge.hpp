@@ -27,7 +27,10 @@ struct TrajectoryFigures {
   double fastest_m_per_s = 0.0;     ///< by the velocities; without them by the positions
   Worst velocity_mismatch_m_per_s;  ///< see TrajectoryLimits
   Worst position_step_m;            ///< what the mean of two velocities does not explain of a displacement
-  Worst acceleration_m_per_s2;
+  Worst acceleration_m_per_s2;      ///< by the velocities; without them of the curve through the positions
+  /// Without velocities, north, east, down: what the rounding of the numbers can do to the curve, 2 steps of the last
+  /// decimal over the square of the usual interval, where it is more than the motion over a second has; else 0.
+  nav::Vector3 rounding_m_per_s2 = nav::Vector3::Zero();
   Worst rate_deg_per_s;
   Worst off_track_deg;                  ///< faster than kTrackSpeed
   std::vector<TrajectoryFault> faults;  ///< in order of rows

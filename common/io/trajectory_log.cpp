@@ -20,7 +20,7 @@ void read_topic(const McapReader& log, const TrajectoryReadOptions& options, Tra
       reading.problems.add({Rule::ValueRange, "message " + std::to_string(number),
                             "has a position, velocity or attitude outside the valid domain or not finite"});
     }
-    return !options.stop_at_first || reading.problems.empty();
+    return !rows.is_full() && (!options.stop_at_first || reading.problems.empty());
   };
   const std::uint64_t unreadable = for_each_sample<T>(log, options.topic, add);
   if (unreadable > 0) {

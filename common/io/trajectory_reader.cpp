@@ -3,7 +3,9 @@
 #include <array>
 
 #include "io/input_file.hpp"
+#include "io/text_lines.hpp"
 #include "io/trajectory_log.hpp"
+#include "io/trajectory_nmea.hpp"
 #include "io/trajectory_text.hpp"
 
 namespace inslab::io {
@@ -20,6 +22,24 @@ std::string TrajectoryReading::place(std::size_t row, Quantity quantity) const {
   return "line " + number + ", column " + std::to_string(*column + 1) + " (" + columns[*column].name + ")";
 }
 
+namespace {
+
+/// Among the first lines that say something; the first one may have been cut where the recording began.
+bool is_nmea(const std::string& path) {
+  constexpr std::uint64_t kLinesLookedAt = 5;
+  TextLines lines(path);
+  for (std::string_view line; lines.number() < kLinesLookedAt && lines.next(line);) {
+    if (is_nmea_sentence(trimmed(line))) return true;
+  }
+  return false;
+}
+
+TrajectoryReading read_text(const std::string& path, const TrajectoryReadOptions& options) {
+  return is_nmea(path) ? read_trajectory_nmea(path, options) : read_trajectory_text(path, options);
+}
+
+}  // namespace
+
 TrajectoryReading read_trajectory(const std::string& path, const TrajectoryReadOptions& options) {
   // The MCAP specification's magic, without the version.
   constexpr std::array<std::uint8_t, 5> kMcap{0x89, 'M', 'C', 'A', 'P'};
@@ -28,8 +48,7 @@ TrajectoryReading read_trajectory(const std::string& path, const TrajectoryReadO
     const InputFile file(path);
     if (file.size() >= beginning.size()) file.read(0, beginning.data(), beginning.size());
   }
-  TrajectoryReading reading =
-      beginning == kMcap ? read_trajectory_log(path, options) : read_trajectory_text(path, options);
+  TrajectoryReading reading = beginning == kMcap ? read_trajectory_log(path, options) : read_text(path, options);
   reading.file.name = path;
   if (reading.file.rows.size() < 2 && reading.problems.empty()) {
     reading.problems.add(

@@ -33,6 +33,7 @@ struct TrajectoryReading {
   TextColumns columns;               ///< of a text; none for a log
   std::vector<std::uint64_t> lines;  ///< of each row: the line of a text, the message of a log, from 1
   TrajectoryProblems problems;
+  nav::Vector3 step_ned_m = nav::Vector3::Zero();  ///< one in the last decimal of a text's positions; 0: not rounded
 
   bool is_log() const { return columns.size() == 0; }
   /// "line 12, column 6 (vn_mps)" for the column that holds the quantity; without one "line 12".
@@ -53,6 +54,7 @@ struct TrajectoryReadOptions {
 ///   with 13, velocity and its standard deviations follow
 /// - text with named columns (io/trajectory_columns.hpp), separated by commas or spaces; the line of names may be a
 ///   comment. Velocity and attitude may be missing.
+/// - a receiver's log of NMEA 0183 sentences (io/trajectory_nmea.hpp)
 /// - a log of a run (MCAP): the truth, or the solution of a navigation app while it navigates
 ///
 /// Lines that are empty or begin with # or % are comments. Where no week is known, seconds of week that fall by more

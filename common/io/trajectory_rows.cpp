@@ -1,11 +1,20 @@
 #include "io/trajectory_rows.hpp"
 
+#include "config/input_limits.hpp"
 #include "samples/limits.hpp"
 
 namespace inslab::io {
 
 void TrajectoryRows::add(std::uint64_t line, time::Nanoseconds time, const time::GpsTime& start, TrajectoryRow row) {
   TrajectoryFile& file = reading_->file;
+  if (file.rows.size() == config::kMaxRowsInMemory) {
+    if (!is_full_) {
+      reading_->problems.add({Rule::BoundedSize, (reading_->is_log() ? "message " : "line ") + std::to_string(line),
+                              "is one row too many; expected at most " + std::to_string(config::kMaxRowsInMemory)});
+    }
+    is_full_ = true;
+    return;
+  }
   if (file.rows.empty()) {
     first_ = time;
     file.start = start;

@@ -86,12 +86,13 @@ class Reader {
       // Without columns no line can be read: the first problem is the last.
       if (!find_columns(line)) break;
     }
+    reading_.step_ned_m = step_ned_m();
     return std::move(reading_);
   }
 
  private:
   bool has_columns() const { return reading_.columns.size() > 0; }
-  bool is_done() const { return options_.stop_at_first && !reading_.problems.empty(); }
+  bool is_done() const { return rows_.is_full() || (options_.stop_at_first && !reading_.problems.empty()); }
 
   void fail(Rule rule, std::size_t column, const std::string& reason) {
     std::string place = "line " + std::to_string(lines_.number());
@@ -236,8 +237,35 @@ class Reader {
       return false;
     }
     values_[static_cast<std::size_t>(column.quantity)] = *number * column.scale;
+    note_decimals(column.quantity, fields_[i]);
     if (column.quantity == Quantity::Time) time_ns_ = exact_nanoseconds(fields_[i], unit_ns_of(column)).value_or(0);
     return true;
+  }
+
+  /// The most decimals that a column of positions has: a number may end in zeros that are not written.
+  void note_decimals(Quantity quantity, std::string_view field) {
+    const auto axis = static_cast<std::size_t>(quantity) - static_cast<std::size_t>(Quantity::Latitude);
+    if (quantity < Quantity::Latitude || axis >= decimals_.size()) return;
+    constexpr int kNotRounded = 17;
+    const std::size_t point = field.find('.');
+    const bool has_exponent = field.find_first_of("eE") != std::string_view::npos;
+    const int count = has_exponent                      ? kNotRounded
+                      : point == std::string_view::npos ? 0
+                                                        : static_cast<int>(field.size() - point - 1);
+    decimals_[axis] = std::max(decimals_[axis], count);
+  }
+
+  /// One in the last decimal, m.
+  nav::Vector3 step_ned_m() const {
+    constexpr double kEarth_m = 6.378137e6;
+    if (reading_.file.rows.empty()) return nav::Vector3::Zero();
+    const double parallel_m = kEarth_m * std::cos(reading_.file.rows.front().position.latitude_rad);
+    const auto step = [this](Quantity quantity, double unit_m) {
+      const TextColumn& column = reading_.columns[*reading_.columns.find(quantity)];
+      const auto axis = static_cast<std::size_t>(quantity) - static_cast<std::size_t>(Quantity::Latitude);
+      return std::abs(column.scale) * unit_m * std::pow(10.0, -decimals_[axis]);
+    };
+    return {step(Quantity::Latitude, kEarth_m), step(Quantity::Longitude, parallel_m), step(Quantity::Height, 1.0)};
   }
 
   double value(Quantity quantity) const { return values_[static_cast<std::size_t>(quantity)]; }
@@ -297,6 +325,7 @@ class Reader {
   char separator_ = ' ';
   std::vector<std::string_view> fields_;
   std::array<double, kQuantities> values_{};
+  std::array<int, 3> decimals_{};  ///< of latitude, longitude, height
   time::Nanoseconds in_week_before_{0};
   std::int64_t weeks_passed_ = 0;
 };

@@ -2,12 +2,15 @@
 
 #include <string>
 
+#include "text/shown.hpp"
+
 namespace inslab::io {
 
-/// A text as it may stand in XML or HTML, in an attribute too; control characters that XML does not have become spaces.
+/// A text as it may stand in XML or HTML, in an attribute too; control characters and bytes that are not UTF-8 are
+/// shown by their number.
 inline std::string xml_text(const std::string& text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : text::shown_lines(text)) {
     switch (c) {
       case '&':
         out += "&amp;";
@@ -22,7 +25,7 @@ inline std::string xml_text(const std::string& text) {
         out += "&quot;";
         break;
       default:
-        out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
+        out += c;
     }
   }
   return out;

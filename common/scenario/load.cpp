@@ -1,11 +1,12 @@
 #include "scenario/load.hpp"
 
-#include "config/json_reader.hpp"
 #include "io/error.hpp"
 #include "io/trajectory_judge.hpp"
 #include "random/stream.hpp"
 #include "samples/profile_rules.hpp"
 #include "scenario/motion_matrix.hpp"
+#include "scenario/read_document.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::scenario {
 
@@ -13,7 +14,7 @@ namespace {
 
 template <class Profile>
 Profile read_profile(const std::filesystem::path& file, const SensorAddress& target) {
-  auto profile = config::read_file<Profile>(file);
+  auto profile = read_document<Profile>(file, document_of(Profile::kind));
   profile.target = target;
   if (auto broken = violation(profile)) throw config::Error(file.string(), *broken);
   return profile;
@@ -70,7 +71,10 @@ class NamedFiles {
   void look_for(const std::string& path, const std::string& name) {
     std::error_code error;
     if (missing || std::filesystem::is_regular_file(folder_ / name, error)) return;
-    missing = Violation{Rule::NamedFile, path, "names '" + name + "', which is not there"};
+    const std::filesystem::path whole = std::filesystem::absolute(folder_ / name, error).lexically_normal();
+    missing = Violation{Rule::NamedFile, path,
+                        "names " + text::quoted(name) + ", which is not there" +
+                            (error ? "" : "; it was looked for as " + whole.string())};
   }
   void look_for_optional(const std::string& path, const std::string& name) {
     if (!name.empty()) look_for(path, name);
@@ -172,7 +176,7 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit, 
   LoadedScenario loaded;
   loaded.file = file;
   loaded.unit = unit;
-  loaded.scenario = config::read_file<Scenario>(file);
+  loaded.scenario = read_document<Scenario>(file, DocumentKind::Scenario);
   const Scenario& scenario = loaded.scenario;
   if (auto broken = violation(scenario)) throw config::Error(file.string(), *broken);
   if (auto broken = missing_file(scenario, file.parent_path())) throw config::Error(file.string(), *broken);
@@ -206,7 +210,7 @@ std::vector<AnyProfile> load_swaps(const std::vector<ScheduledSwap>& swaps, cons
 }
 
 std::vector<AnyProfile> load_schedule(const std::filesystem::path& file, std::uint64_t first_request_id) {
-  const auto schedule = config::read_file<Schedule>(file);
+  const auto schedule = read_document<Schedule>(file, DocumentKind::Schedule);
   if (auto broken = violation(schedule)) throw config::Error(file.string(), *broken);
   NamedFiles files(file.parent_path());
   for (std::size_t i = 0; i < schedule.swaps.size(); ++i) {

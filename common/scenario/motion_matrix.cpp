@@ -4,13 +4,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <string_view>
 
 #include "config/error.hpp"
-#include "config/files_read.hpp"
+#include "io/error.hpp"
+#include "io/text_lines.hpp"
 #include "samples/limits.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::scenario {
 
@@ -57,8 +58,8 @@ class Line {
  public:
   Line(std::string file, std::size_t number) : file_(std::move(file)), number_(number) {}
 
-  Segment segment(std::string_view text) const {
-    const Numbers columns = numbers(text);
+  Segment segment(std::string_view row) const {
+    const Numbers columns = numbers(row);
     Segment segment;
     segment.name = "line " + std::to_string(number_);
     segment.duration_s = columns[1];
@@ -80,14 +81,14 @@ class Line {
   }
 
  private:
-  Numbers numbers(std::string_view text) const {
+  Numbers numbers(std::string_view row) const {
     Numbers values{};
     std::size_t count = 0;
     for (bool more = true; more; ++count) {
-      const std::size_t comma = text.find(',');
+      const std::size_t comma = row.find(',');
       more = comma != std::string_view::npos;
-      if (count < values.size()) values[count] = number(text.substr(0, comma), count + 1);
-      if (more) text.remove_prefix(comma + 1);
+      if (count < values.size()) values[count] = number(row.substr(0, comma), count + 1);
+      if (more) row.remove_prefix(comma + 1);
     }
     if (count != values.size()) {
       fail(Rule::MotionMatrix, "has " + std::to_string(count) + " columns; expected type, duration and two parameters");
@@ -95,15 +96,13 @@ class Line {
     return values;
   }
 
-  double number(std::string_view text, std::size_t column) const {
-    const std::size_t first = text.find_first_not_of(" \t");
-    const std::size_t last = text.find_last_not_of(" \t");
-    if (first != std::string_view::npos) text = text.substr(first, last - first + 1);
+  double number(std::string_view field, std::size_t column) const {
+    field = io::trimmed(field);
     double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value)) {
       fail(Rule::MotionMatrix,
-           "column " + std::to_string(column) + " is '" + std::string(text) + "'; expected a number");
+           "column " + std::to_string(column) + " is " + text::quoted(field, 40) + "; expected a number");
     }
     return value;
   }
@@ -130,21 +129,15 @@ class Line {
   std::size_t number_;
 };
 
-}  // namespace
-
-std::vector<Segment> read_motion_matrix(const std::filesystem::path& file) {
-  config::note_file_read(file.string());
-  std::ifstream input(file);
-  if (!input) throw config::Error(file.string(), {Rule::Readable, "", "cannot be read"});
+std::vector<Segment> read_segments(const std::string& file) {
+  io::TextLines lines(file);
   std::vector<Segment> segments;
   double total_s = 0.0;
-  std::string text;
-  for (std::size_t number = 1; std::getline(input, text); ++number) {
-    if (!text.empty() && text.back() == '\r') text.pop_back();
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string::npos || text[first] == '#') continue;
-    const Line line(file.string(), number);
-    segments.push_back(line.segment(text));
+  for (std::string_view text; lines.next(text);) {
+    const std::string_view row = io::trimmed(text);
+    if (row.empty() || row.front() == '#') continue;
+    const Line line(file, lines.number());
+    segments.push_back(line.segment(row));
     total_s += segments.back().duration_s;
     if (segments.size() > kMaxSegments) {
       line.fail(Rule::BoundedSize, "is one segment too many; expected at most " + std::to_string(kMaxSegments));
@@ -153,8 +146,24 @@ std::vector<Segment> read_motion_matrix(const std::filesystem::path& file) {
       line.fail(Rule::TrajectoryLength, "brings the segments' total above 1e9 s");
     }
   }
-  if (segments.empty()) throw config::Error(file.string(), {Rule::NotEmpty, "", "holds no segment"});
+  if (segments.empty()) throw config::Error(file, {Rule::NotEmpty, "", "holds no segment"});
   return segments;
+}
+
+/// A reader's message without the file at its beginning, which config::Error names itself.
+std::string without_file(const std::string& message, const std::string& file) {
+  const std::string prefix = file + ": ";
+  return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : message;
+}
+
+}  // namespace
+
+std::vector<Segment> read_motion_matrix(const std::filesystem::path& file) {
+  try {
+    return read_segments(file.string());
+  } catch (const io::ReadError& error) {
+    throw config::Error(file.string(), {Rule::Readable, "", without_file(error.what(), file.string())});
+  }
 }
 
 }  // namespace inslab::scenario

@@ -7,6 +7,7 @@
 
 #include "samples/limits.hpp"
 #include "scenario/waypoint_route.hpp"
+#include "text/shown.hpp"
 #include "time/grid.hpp"
 
 namespace inslab::scenario {
@@ -118,12 +119,16 @@ std::optional<SensorKind> sensor_of(ProfileKind kind) {
 
 /// The name becomes that of the run's log, so it must not lead elsewhere or hide the file.
 std::optional<Violation> name_violation(const std::string& name) {
-  const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == ' '; };
-  if (!name.empty() && name.front() != '.' && std::all_of(name.begin(), name.end(), fits)) return std::nullopt;
-  return Violation{Rule::RunName, "name",
-                   "is '" + name +
-                       "'; expected letters, digits, spaces and _-. with no dot at the beginning: it names "
-                       "the log"};
+  const auto fits = [](unsigned char c) {
+    return c >= 0x80 || std::isalnum(c) || c == '_' || c == '-' || c == '.' || c == ' ';
+  };
+  const bool is_safe = !name.empty() && name.front() != '.' && std::all_of(name.begin(), name.end(), fits);
+  if (is_safe && text::is_plain(name)) return std::nullopt;
+  return Violation{
+      Rule::RunName, "name",
+      "is " + text::quoted(name) +
+          "; expected letters of any script, digits, spaces and _-. with no dot at the beginning: it names "
+          "the log"};
 }
 
 /// Where the vehicle is after the last waypoint can be said only when it stands there.

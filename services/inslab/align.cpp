@@ -8,11 +8,13 @@
 #include <memory>
 
 #include "app/exit_code.hpp"
+#include "app/one_of.hpp"
 #include "io/output_file.hpp"
 #include "io/picture.hpp"
 #include "nav/geodesy.hpp"
 #include "services/inslab/align/recording.hpp"
 #include "services/inslab/commands.hpp"
+#include "services/inslab/tell.hpp"
 
 namespace inslab::cli {
 namespace {
@@ -54,9 +56,9 @@ std::string report(const align::AlignedRecording& aligned) {
 
 void show_bad_lines(const align::AlignedRecording& aligned) {
   for (std::size_t i = 0; i < std::min(kBadLinesShown, aligned.bad_lines.size()); ++i) {
-    fmt::print(stderr, "line {} left out: {}\n", aligned.bad_lines[i].line, aligned.bad_lines[i].reason);
+    tell(stderr, "line {} left out: {}\n", aligned.bad_lines[i].line, aligned.bad_lines[i].reason);
   }
-  if (aligned.bad_line_count > kBadLinesShown) fmt::print(stderr, "{} bad lines in all\n", aligned.bad_line_count);
+  if (aligned.bad_line_count > kBadLinesShown) tell(stderr, "{} bad lines in all\n", aligned.bad_line_count);
 }
 
 /// Each second's departure from the mean of the seconds.
@@ -89,15 +91,15 @@ int run_align(AlignOptions& options) {
   if (options.imu_type != 0) options.recording.novatel.imu_type = options.imu_type;
   const align::AlignedRecording aligned = align::align_recording(options.file, options.recording);
   show_bad_lines(aligned);
-  fmt::print("{}", report(aligned));
+  tell("{}", report(aligned));
   if (!options.picture.empty() && aligned.alignment.seconds.count >= 2) {
     const std::string bytes = io::drawn(
         picture_of(aligned.alignment, std::filesystem::path(options.file).filename().string()), io::PictureFormat::Svg);
     io::write_file(options.picture, bytes);
-    fmt::print("{} written\n", options.picture);
+    tell("{} written\n", options.picture);
   }
   if (aligned.alignment.whole) return app::kOk;
-  fmt::print(stderr, "inslab: {}: no alignment: {}\n", options.file, aligned.alignment.refusal);
+  tell(stderr, "inslab: {}: no alignment: {}\n", options.file, aligned.alignment.refusal);
   return app::kBadInput;
 }
 
@@ -117,7 +119,7 @@ void add_align(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::Range(nav::kMinHeightM, nav::kMaxHeightM));
   command->add_option("--imu-type", options->imu_type, "of a NovAtel log that does not say it (RAWIMUA, RAWIMUSA)");
   command->add_option("--axes", options->axes, "of a NovAtel log: right-forward-up or forward-right-down")
-      ->check(CLI::IsMember({"rfu", "frd"}))
+      ->check(app::one_of({"rfu", "frd"}))
       ->capture_default_str();
   command->add_option("--sensor", options->recording.sensor_number, "of a log of ours: the IMU's number")
       ->capture_default_str();

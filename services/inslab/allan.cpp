@@ -7,11 +7,13 @@
 #include <memory>
 
 #include "app/exit_code.hpp"
+#include "app/one_of.hpp"
 #include "io/output_file.hpp"
 #include "services/inslab/allan/fitted_profile.hpp"
 #include "services/inslab/allan/report.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/profile_file.hpp"
+#include "services/inslab/tell.hpp"
 
 namespace inslab::cli {
 namespace {
@@ -45,16 +47,16 @@ std::string curves_stem(const AllanOptions& options) {
 int run_allan(AllanOptions& options) {
   for (const std::string& term : options.terms) options.analysis.terms.push_back(term_names().at(term));
   const ImuAnalysis analysis = analyse_imu(options.file, options.analysis);
-  fmt::print("{}\n", report_text(analysis));
+  tell("{}\n", report_text(analysis));
   const std::string stem = curves_stem(options);
   io::write_file(stem + ".csv", curve_csv(analysis));
-  fmt::print("{}.csv written\n", stem);
+  tell("{}.csv written\n", stem);
   if (!options.profile.empty()) {
     write_profile(options.profile, fitted_profile(analysis));
-    fmt::print("profile {} written\n", options.profile);
+    tell("profile {} written\n", options.profile);
   }
   io::write_file(stem + ".png", io::drawn(curve_picture(analysis), io::PictureFormat::Png));
-  fmt::print("{}.png written\n", stem);
+  tell("{}.png written\n", stem);
   return app::kOk;
 }
 
@@ -76,7 +78,7 @@ void add_allan(CLI::App& app, std::function<int()>& action) {
   command
       ->add_option("--term", options->terms, "fit just this term; may be repeated. None: those that the record needs")
       ->allow_extra_args(false)
-      ->check(CLI::IsMember(names));
+      ->check(app::one_of(names));
   command
       ->add_option("--fit-from", options->analysis.finest_tau_s,
                    "smallest tau fitted, s: above what filters and vibration shape")

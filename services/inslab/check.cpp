@@ -5,10 +5,21 @@
 
 #include "app/exit_code.hpp"
 #include "config/files_read.hpp"
+#include "app/one_of.hpp"
+#include "config/error.hpp"
+#include "io/error.hpp"
+#include "io/imu_recording.hpp"
+#include "io/mcap_reader.hpp"
+#include "io/novatel_imu.hpp"
 #include "scenario/load.hpp"
+#include "scenario/motion_matrix.hpp"
 #include "services/inslab/commands.hpp"
+#include "services/inslab/file_kind.hpp"
+#include "services/inslab/tell.hpp"
+#include "services/inslab/trajectory_check.hpp"
 #include "services/reference_nav/app_setup.hpp"
 #include "services/reference_nav/parameters_file.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::cli {
 
@@ -16,17 +27,15 @@ namespace {
 
 struct CheckOptions {
   std::string file;
-  std::string kind = "scenario";
+  std::string kind;  ///< empty: as the file's content says
   std::string sensor_kind;
   bool lists_files = false;
 };
 
-template <class Enum>
-std::optional<Enum> value_named(const std::string& name) {
-  const auto& names = EnumNames<Enum>::values;
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<Enum>(found - names.begin());
+/// "FILE: good: ..."
+int good(const std::string& file, const std::string& what) {
+  tell("{}\n", text::shown(file + ": good: " + what));
+  return app::kOk;
 }
 
 /// Where the motion comes from.
@@ -52,24 +61,100 @@ int check_scenario(const std::string& file, bool lists_files) {
     for (const std::string& path : config::files_read()) fmt::print("{}\n", path);
     return app::kOk;
   }
-  fmt::print("{}: good: {:.3f} s at {} Hz, {}, {} IMUs, {} GNSS receivers, {} swaps\n", file,
-             loaded.scenario.duration_s, loaded.scenario.truth_rate_hz, words_of(loaded), loaded.imus.size(),
-             loaded.gnss.size(), loaded.swaps.size());
-  return app::kOk;
+  return good(file, fmt::format("scenario of {:.3f} s at {} Hz, {}, {} IMUs, {} GNSS receivers, {} swaps",
+                                loaded.scenario.duration_s, loaded.scenario.truth_rate_hz, words_of(loaded),
+                                loaded.imus.size(), loaded.gnss.size(), loaded.swaps.size()));
 }
 
 int check_navigation(const std::string& file) {
-  fmt::print("{}: good: navigation filter '{}'\n", file, reference_nav::read_parameters(file).name);
-  return app::kOk;
+  return good(file, fmt::format("navigation filter '{}'", reference_nav::read_parameters(file).name));
 }
 
 int check_profile(const CheckOptions& options, ProfileKind kind) {
   const SensorKind usual = kind == ProfileKind::GnssError ? SensorKind::Gnss : SensorKind::Imu;
-  const SensorKind sensor = value_named<SensorKind>(options.sensor_kind).value_or(usual);
+  const SensorKind sensor = options.sensor_kind.empty()    ? usual
+                            : options.sensor_kind == "imu" ? SensorKind::Imu
+                                                           : SensorKind::Gnss;
   const AnyProfile profile = scenario::load_profile(options.file, kind, {sensor, 0});
-  fmt::print("{}: good: {} profile '{}' for a sensor of the kind {}\n", options.file, enum_name(kind), name_of(profile),
-             enum_name(sensor));
-  return app::kOk;
+  return good(options.file, fmt::format("{} profile '{}' for a sensor of the kind {}", enum_name(kind),
+                                        name_of(profile), enum_name(sensor)));
+}
+
+int check_log(const std::string& file) {
+  const io::McapReader log(file);
+  const std::string ending = log.closed_properly() ? "closed properly" : "NOT closed properly: " + log.ending();
+  return good(file, fmt::format("log of {} messages on {} topics, {}; inslab info and inslab summary say more",
+                                log.statistics().message_count, log.channels().size(), ending));
+}
+
+int check_recording(const std::string& file) {
+  const io::ImuRecordingInfo info = io::read_imu_recording(
+      file, {}, [](const io::ImuRecordingInfo&) {}, [](const io::ImuIncrements&) {});
+  return good(
+      file, fmt::format("recording of an IMU, {}: {} samples at {:.6g} Hz", info.kind, info.samples, 1.0 / info.dt_s));
+}
+
+int check_novatel(const std::string& file) {
+  io::NovatelImuReader reader(file);
+  io::NovatelImuRecord record;
+  while (reader.next(record)) continue;
+  if (reader.record_count() == 0) {
+    const std::string why = reader.bad_lines().empty()
+                                ? ""
+                                : "; the first: line " + std::to_string(reader.bad_lines().front().line) + ": " +
+                                      reader.bad_lines().front().reason;
+    throw io::ReadError(fmt::format("{}: is a log of NovAtel lines, none of which can be used: {} are bad{}", file,
+                                    reader.bad_line_count(), why));
+  }
+  return good(file, fmt::format("log of NovAtel IMU lines: {} samples, {} bad lines, {} lines of other messages",
+                                reader.record_count(), reader.bad_line_count(), reader.other_line_count()));
+}
+
+int check_document(const CheckOptions& options, const std::optional<scenario::DocumentKind>& kind,
+                   const config::Json& json) {
+  const bool has_name_alone =
+      json.is_object() && json.contains("name") && json.size() == 1u + json.count("source") + json.count("$schema");
+  // What resembles nothing is judged as a scenario, which says what is wrong with it.
+  if (!kind && has_name_alone) {
+    throw config::Error(
+        options.file,
+        {Rule::RequiredKey, "", "has nothing but a name, as a profile of each kind may; --kind says which it is"});
+  }
+  if (!kind || *kind == scenario::DocumentKind::Scenario) return check_scenario(options.file, options.lists_files);
+  if (const auto profile = scenario::profile_of(*kind)) return check_profile(options, *profile);
+  if (*kind == scenario::DocumentKind::Navigation) return check_navigation(options.file);
+  if (*kind == scenario::DocumentKind::Schedule) {
+    return good(options.file, fmt::format("schedule of {} swaps", scenario::load_schedule(options.file, 1).size()));
+  }
+  throw io::ReadError(options.file + ": is a lab's inventory; deploy/lab check says what is wrong with it, or in it");
+}
+
+int check(const CheckOptions& options) {
+  if (options.kind == "scenario") return check_scenario(options.file, options.lists_files);
+  if (options.kind == "navigation") return check_navigation(options.file);
+  if (const auto kind = scenario::profile_kind_named(options.kind)) return check_profile(options, *kind);
+  const FileKind found = file_kind(options.file);
+  switch (found.form) {
+    case FileKind::Form::Document:
+      return check_document(options, found.document, found.json);
+    case FileKind::Form::Log:
+      return check_log(options.file);
+    case FileKind::Form::Recording:
+      return check_recording(options.file);
+    case FileKind::Form::Trajectory:
+      tell("{}: is a trajectory\n", text::shown(options.file));
+      return check_trajectory(options.file);
+    case FileKind::Form::MotionMatrix:
+      return good(options.file,
+                  fmt::format("matrix of {} segments", scenario::read_motion_matrix(options.file).size()));
+    case FileKind::Form::NovatelLog:
+      return check_novatel(options.file);
+    case FileKind::Form::Unknown:
+      break;
+  }
+  throw io::ReadError(options.file +
+                      ": is nothing that is known here; expected a scenario, a profile, a filter's parameters, a "
+                      "schedule, a log (MCAP), a trajectory or a recording of an IMU (docs/formats.md)");
 }
 
 }  // namespace
@@ -77,22 +162,19 @@ int check_profile(const CheckOptions& options, ProfileKind kind) {
 void add_check(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand(
-      "check",
-      "Read a scenario and all it names, one profile or one filter's parameters; say what is wrong, or what is in it");
-  command->add_option("file", options->file, "scenario, profile or file of config/nav (JSON)")->required();
+      "check", "Recognise a file by its content, read it and all it names; say what is wrong, or what is in it");
+  command
+      ->add_option(
+          "file", options->file,
+          "scenario, profile, schedule, filter's parameters (JSON), log (MCAP), trajectory or recording (text)")
+      ->required();
   std::vector<std::string> kinds{"scenario", "navigation"};
-  for (const std::string_view kind : EnumNames<ProfileKind>::values) kinds.emplace_back(kind);
-  command->add_option("--kind", options->kind, "what the file is")->check(CLI::IsMember(kinds))->capture_default_str();
+  for (const std::string& word : scenario::profile_kind_words()) kinds.push_back(word);
+  command->add_option("--kind", options->kind, "what the file must be; absent: what it is")->check(app::one_of(kinds));
   command->add_option("--sensor", options->sensor_kind, "for a profile: the kind of sensor it goes to")
-      ->check(CLI::IsMember({"imu", "gnss"}));
+      ->check(app::one_of({"imu", "gnss"}));
   command->add_flag("--files", options->lists_files, "for a scenario: print only the files that it takes, one a line");
-  command->callback([options, &action] {
-    action = [options] {
-      if (options->kind == "navigation") return check_navigation(options->file);
-      const auto kind = value_named<ProfileKind>(options->kind);
-      return kind ? check_profile(*options, *kind) : check_scenario(options->file, options->lists_files);
-    };
-  });
+  command->callback([options, &action] { action = [options] { return check(*options); }; });
 }
 
 }  // namespace inslab::cli

@@ -3,12 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/command_ending.hpp"
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service.hpp"
 #include "app/shutdown.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/run_client.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::cli {
 
@@ -22,6 +24,7 @@ struct ControlOptions {
 
 /// Sends a command and waits for what becomes of it: 0 obeyed, 3 refused or not answered.
 int control(CommandKind kind, const ControlOptions& options) {
+  const app::OwnEnding leaves_the_domain(app::OwnEnding::Then::EndsBySignal);
   const SimCommand command{app::random_id(), kind, options.value};
   dds::Participant participant(app::participant_options(options.network, "inslab-control"));
   RunClient client(participant);
@@ -39,7 +42,7 @@ int control(CommandKind kind, const ControlOptions& options) {
   }
   const SimStatus status = *client.status();
   if (!status.last_command_refusal.empty()) {
-    fmt::print(stderr, "refused: {}\n", status.last_command_refusal);
+    fmt::print(stderr, "refused: {}\n", text::shown(status.last_command_refusal));
     return app::kNotApplied;
   }
   fmt::print("{} at {:.9f} s of sim time, {} truth samples sent, rate {:g}\n", enum_name(status.state),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/exit_code.hpp"
+#include "app/one_of.hpp"
 #include "io/error.hpp"
 #include "io/log_export.hpp"
 #include "io/log_file_export.hpp"
@@ -131,7 +132,7 @@ void add_export(CLI::App& app, std::function<int()>& action) {
           "csv: a folder of tables; hdf5: one file of tables; nav: truth or solution as 11 columns; imu, gnss: "
           "7 columns; kml: the track on a globe; novatel: RAWIMUSXA lines")
       ->required()
-      ->check(CLI::IsMember(names));
+      ->check(app::one_of(names));
   command->add_option("-o,--output", options->destination,
                       "the folder or file; when not given LOG_csv, LOG.h5, LOG.nav, LOG_imu.txt, ... beside the log");
   command
@@ -141,7 +142,7 @@ void add_export(CLI::App& app, std::function<int()>& action) {
   command->add_option("--imu-type", options->imu_type, "novatel: whose counts: " + known_imu_types())
       ->capture_default_str();
   command->add_option("--axes", options->axes, "novatel: of the counts: right-forward-up or forward-right-down")
-      ->check(CLI::IsMember({"rfu", "frd"}))
+      ->check(app::one_of({"rfu", "frd"}))
       ->capture_default_str();
   add_overwrite(*command);
   command->callback([&action, options] { action = [options] { return run_export(*options); }; });

@@ -10,6 +10,7 @@
 #include "io/error.hpp"
 #include "io/log_info.hpp"
 #include "services/inslab/commands.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::cli {
 namespace {
@@ -32,26 +33,26 @@ std::string seconds(const std::optional<std::int64_t>& time_ns) {
 /// First line, not too long: metadata may be whole files.
 std::string shortened(const std::string& value) {
   const std::string line = value.substr(0, value.find('\n'));
-  if (line.size() == value.size() && line.size() <= kLongestValue) return value;
-  return line.substr(0, kLongestValue) + "... (" + std::to_string(value.size()) + " bytes)";
+  if (line.size() == value.size() && line.size() <= kLongestValue) return text::shown(value);
+  return text::shown(text::cut(line, kLongestValue)) + "... (" + std::to_string(value.size()) + " bytes)";
 }
 
 /// A record with a name is known by it; what it holds as JSON is for programs.
 void print_record(const io::mcap::Metadata& record) {
   const auto name = record.values.find("name");
   if (name != record.values.end()) {
-    std::cout << record.name << ": " << shortened(name->second) << "\n";
+    std::cout << shortened(record.name) << ": " << shortened(name->second) << "\n";
     return;
   }
   for (const auto& [key, value] : record.values) {
-    if (key != "json") std::cout << record.name << "." << key << ": " << shortened(value) << "\n";
+    if (key != "json") std::cout << shortened(record.name) << "." << shortened(key) << ": " << shortened(value) << "\n";
   }
 }
 
 void print_head(const io::LogInfo& info) {
   std::cout << info.path << ": " << format("%.1f MB", static_cast<double>(info.file_size) * 1e-6) << ", "
-            << info.message_count << " messages in " << info.chunk_count << " chunks, written by " << info.library
-            << "\n";
+            << info.message_count << " messages in " << info.chunk_count << " chunks, written by "
+            << text::shown(info.library) << "\n";
   std::cout << (info.closed_properly ? "closed properly" : "NOT closed properly: " + info.ending) << "\n";
   for (std::size_t i = 0; i < info.run_ids.size() && i < kRunsShown; ++i) {
     std::cout << "run " << info.run_ids[i] << "\n";
@@ -70,20 +71,22 @@ void print_topics(const io::LogInfo& info) {
   for (const io::TopicInfo& topic : info.topics) {
     const auto number = [&](std::uint64_t value) { return topic.is_numbered ? std::to_string(value) : "-"; };
     const std::string rate = topic.rate_hz ? format("%.3f", *topic.rate_hz) : "-";
-    std::cout << format("%-*s  %-27s %10" PRIu64 " %10s %12s %12s %8s %6s %6s\n", topic_width, topic.topic.c_str(),
-                        topic.type.c_str(), topic.count, rate.c_str(), seconds(topic.first_sim_time_ns).c_str(),
-                        seconds(topic.last_sim_time_ns).c_str(), number(topic.missing).c_str(),
-                        number(topic.duplicates).c_str(), number(topic.out_of_order).c_str());
+    std::cout << format("%-*s  %-27s %10" PRIu64 " %10s %12s %12s %8s %6s %6s\n", topic_width,
+                        shortened(topic.topic).c_str(), shortened(topic.type).c_str(), topic.count, rate.c_str(),
+                        seconds(topic.first_sim_time_ns).c_str(), seconds(topic.last_sim_time_ns).c_str(),
+                        number(topic.missing).c_str(), number(topic.duplicates).c_str(),
+                        number(topic.out_of_order).c_str());
   }
 }
 
 void print_faults(const io::LogInfo& info) {
   for (const io::TopicInfo& topic : info.topics) {
     if (topic.unreadable > 0) {
-      std::cout << "\n" << topic.topic << ": " << topic.unreadable << " messages are not " << topic.type << "\n";
+      std::cout << "\n"
+                << shortened(topic.topic) << ": " << topic.unreadable << " messages are not " << topic.type << "\n";
     }
     if (topic.gaps.empty()) continue;
-    std::cout << "\n" << topic.topic << ": " << topic.gaps.size() << " gaps\n";
+    std::cout << "\n" << shortened(topic.topic) << ": " << topic.gaps.size() << " gaps\n";
     for (std::size_t i = 0; i < topic.gaps.size() && i < kGapsShown; ++i) {
       const io::SequenceGap& gap = topic.gaps[i];
       std::cout << format("  %" PRIu64 " missing: sequence %" PRIu64 " to %" PRIu64 ", after %.3f s\n", gap.count(),

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/command_ending.hpp"
 #include "app/service.hpp"
 #include "app/service_names.hpp"
 #include "dds/reader.hpp"
@@ -63,6 +64,7 @@ class LiveRun {
   void stop(std::chrono::seconds patience);
   void send_due_swaps(const SimStatus& status);
 
+  app::OwnEnding ends_the_services_{app::OwnEnding::Then::CodeStands};  ///< of a signal
   const RunOptions& options_;
   const scenario::LoadedScenario& loaded_;
   app::Identity identity_;

@@ -2,14 +2,51 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <iostream>
+#include <new>
 
+#include "app/command_ending.hpp"
 #include "app/exit_code.hpp"
 #include "app/set_members.hpp"
 #include "app/shutdown.hpp"
 #include "config/error.hpp"
 #include "io/error.hpp"
 #include "io/output_place.hpp"
+#include "io/unfinished.hpp"
+#include "services/inslab/command_line.hpp"
 #include "services/inslab/commands.hpp"
+#include "text/shown.hpp"
+
+namespace {
+
+void say(const std::string& what) { std::cerr << "inslab: " << inslab::text::shown_lines(what) << "\n"; }
+
+int carried_out(const std::function<int()>& action) {
+  using namespace inslab;
+  try {
+    return action();
+  } catch (const config::Error& error) {
+    say(error.what());
+    return app::kBadInput;
+  } catch (const app::PlaceTaken& taken) {
+    say(taken.what());
+    return app::kBadInput;
+  } catch (const io::OutputRefused& error) {
+    say(error.what());
+    return app::kBadInput;
+  } catch (const io::ReadError& error) {
+    say(error.what());
+    return app::kBadInput;
+  } catch (const std::bad_alloc&) {
+    say("there is not enough memory for this input or its result");
+    return app::kFailed;
+  } catch (const std::exception& error) {
+    say(error.what());
+    return app::kFailed;
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace inslab;
@@ -22,27 +59,11 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? app::kOk : app::kBadInput;
+    return cli::answer(app, error);
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("inslab"));
   spdlog::set_pattern("%H:%M:%S.%e %n %^%l%$: %v");
   app::install_signal_handlers();
-  try {
-    return action();
-  } catch (const config::Error& error) {
-    std::cerr << "inslab: " << error.what() << "\n";
-    return app::kBadInput;
-  } catch (const app::PlaceTaken& taken) {
-    std::cerr << "inslab: " << taken.what() << "\n";
-    return app::kBadInput;
-  } catch (const io::OutputRefused& error) {
-    std::cerr << "inslab: " << error.what() << "\n";
-    return app::kBadInput;
-  } catch (const io::ReadError& error) {
-    std::cerr << "inslab: " << error.what() << "\n";
-    return app::kBadInput;
-  } catch (const std::exception& error) {
-    std::cerr << "inslab: " << error.what() << "\n";
-    return app::kFailed;
-  }
+  app::CommandEnding ending(cli::command_words(app), io::discard_unfinished);
+  return ending.finished(carried_out(action));
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <thread>
 
+#include "app/command_ending.hpp"
 #include "app/exit_code.hpp"
 #include "app/shutdown.hpp"
 #include "io/error.hpp"
@@ -16,6 +17,7 @@
 #include "services/inslab/montecarlo/single_run.hpp"
 #include "services/inslab/montecarlo/summary_picture.hpp"
 #include "services/inslab/montecarlo/summary_text.hpp"
+#include "services/inslab/tell.hpp"
 
 namespace inslab::cli {
 
@@ -71,6 +73,7 @@ class RunProcesses {
       : options_(options), study_(study), folder_(folder) {}
 
   void run(std::deque<std::uint32_t> todo) {
+    const app::OwnEnding ends_them(app::OwnEnding::Then::EndsBySignal);
     const std::size_t all = todo.size();
     while ((!todo.empty() || !active_.empty()) && !app::shutdown_requested()) {
       for (; !todo.empty() && active_.size() < options_.jobs; todo.pop_front()) start(todo.front());
@@ -139,16 +142,16 @@ void write_summary(const ResultFolder& folder, const montecarlo::Summary& summar
   const std::string text = montecarlo::summary_text(summary);
   folder.keep("summary.txt", text);
   folder.keep("summary.json", montecarlo::summary_json(summary).dump(2) + "\n");
-  fmt::print("{}\n{} and .json written", text, folder.file("summary.txt"));
+  tell("{}\n{} and .json written", text, folder.file("summary.txt"));
   if (summary.succeeded > 0) {
     try {
       folder.keep("summary.svg", io::drawn(montecarlo::summary_picture(summary), io::PictureFormat::Svg));
-      fmt::print(", and .svg");
+      tell(", and .svg");
     } catch (const io::PictureError& error) {  // a compute node need not have gnuplot
       std::cerr << "no picture: " << error.what() << "\n";
     }
   }
-  fmt::print("\n");
+  tell("\n");
 }
 
 int run_montecarlo(const MontecarloOptions& options) {
@@ -175,9 +178,9 @@ int run_montecarlo(const MontecarloOptions& options) {
     if (result) results.push_back(std::move(*result));
   }
   if (results.size() < options.runs && !options.summary_only) {
-    fmt::print("{} of {} runs are in {}; {}\n", results.size(), options.runs, options.directory,
-               app::shutdown_requested() ? "interrupted: the same command goes on" : "the summary waits for the rest");
-    return app::shutdown_requested() || part_failed ? app::kFailed : app::kOk;
+    tell("{} of {} runs are in {}; {}\n", results.size(), options.runs, options.directory,
+         app::shutdown_requested() ? "interrupted: the same command goes on" : "the summary waits for the rest");
+    return part_failed ? app::kFailed : app::kOk;
   }
   const montecarlo::Summary summary = montecarlo::summary_of(study.loaded.scenario.name, study.fingerprint,
                                                              study.loaded.scenario.seed, options.runs, results);

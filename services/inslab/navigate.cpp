@@ -11,8 +11,10 @@
 #include "services/inslab/navigate/offline_filter.hpp"
 #include "services/inslab/navigate/result_files.hpp"
 #include "services/inslab/score_log.hpp"
+#include "services/inslab/tell.hpp"
 #include "services/reference_nav/app_setup.hpp"
 #include "services/reference_nav/parameters_file.hpp"
+#include "services/reference_nav/refusals.hpp"
 #include "wire/topic_names.hpp"
 
 namespace inslab::cli {
@@ -45,27 +47,27 @@ reference_nav::AppSetup setup_of(const NavigateOptions& options) {
   return setup;
 }
 
-std::string why_it_never_began(const reference_nav::NavigationFilter& filter) {
+std::string why_it_never_began(const reference_nav::NavigationFilter& filter, const reference_nav::Refusals& refusals) {
   const auto& counts = filter.counts();
   std::string why = "the filter never began: ";
-  const std::string& refusal = filter.alignment_refusal();
+  const std::string refusal = refusals.words();
   why += refusal.empty() ? "no fix came that it could begin at while it was aligned" : refusal;
   return why + fmt::format(" (fixes not used {}, too old {}; IMU samples not valid {}, gaps {})", counts.fixes_not_used,
                            counts.fixes_too_old, counts.imu_not_valid, counts.imu_gaps);
 }
 
-int finish(ResultFiles& files, const NavigateOptions& options, const reference_nav::NavigationFilter& filter) {
-  files.close();
+int finish(ResultFiles& files, const NavigateOptions& options, const reference_nav::NavigationFilter& filter,
+           const reference_nav::Refusals& refusals) {
   if (files.rows() == 0) {
-    std::cerr << "inslab navigate: no solution: " << why_it_never_began(filter) << "\n";
-    return app::kFailed;
+    std::cerr << "inslab navigate: no solution: " << why_it_never_began(filter, refusals) << "\n";
+    return app::kFailed;  // and no files without a row
   }
+  files.close();
   const auto& counts = filter.counts();
-  fmt::print("{} solutions in {}.nav, standard deviations in {}_sigmas.txt\n", files.rows(), options.output,
-             options.output);
-  fmt::print("fixes not used {}, too old {}; IMU samples not valid {}, out of order {}, gaps {}; begun anew {} times\n",
-             counts.fixes_not_used, counts.fixes_too_old, counts.imu_not_valid, counts.imu_out_of_order,
-             counts.imu_gaps, counts.restarts);
+  tell("{} solutions in {}.nav, standard deviations in {}_sigmas.txt\n", files.rows(), options.output, options.output);
+  tell("fixes not used {}, too old {}; IMU samples not valid {}, out of order {}, gaps {}; begun anew {} times\n",
+       counts.fixes_not_used, counts.fixes_too_old, counts.imu_not_valid, counts.imu_out_of_order, counts.imu_gaps,
+       counts.restarts);
   return app::kOk;
 }
 
@@ -75,14 +77,16 @@ int navigate_log(const NavigateOptions& options) {
   if (options.start_at_truth) filter.start_at(first_true_state(log, options.imu_number));
   io::needed_channels_of(log, wire::topic_names::imu(options.imu_number), wire::WireType<ImuSample>::name);
   ResultFiles files(options.output);  // from here on nothing is refused
+  reference_nav::Refusals refusals;
   const LogScore score =
       score_app(log, summarize(log), {options.imu_number, options.gnss_number, [&](const ImuSample& sample) {
                                         auto solution = filter.take(sample);
+                                        refusals.note(filter.filter().alignment_refusal());
                                         if (solution) files.write(*solution);
                                         return solution;
                                       }});
-  const int code = finish(files, options, filter.filter());
-  if (score.scorer.counts().scored > 0) fmt::print("{}", score::score_text(score.scorer, {}));
+  const int code = finish(files, options, filter.filter(), refusals);
+  if (score.scorer.counts().scored > 0) tell("{}", score::score_text(score.scorer, {}));
   return code;
 }
 
@@ -91,10 +95,12 @@ int navigate_files(const NavigateOptions& options) {
   for_each_text_sample(options.imu_file, options.gps_week,
                        [](const ImuSample&) {});  // a bad line leaves no half result
   ResultFiles files(options.output);
+  reference_nav::Refusals refusals;
   for_each_text_sample(options.imu_file, options.gps_week, [&](const ImuSample& sample) {
     if (const auto solution = filter.take(sample)) files.write(*solution);
+    refusals.note(filter.filter().alignment_refusal());
   });
-  return finish(files, options, filter.filter());
+  return finish(files, options, filter.filter(), refusals);
 }
 
 int navigate(const NavigateOptions& options) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/exit_code.hpp"
+#include "app/one_of.hpp"
 #include "io/output_file.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/track_picture.hpp"
@@ -40,7 +41,7 @@ void add_plot(CLI::App& app, std::function<int()>& action) {
   const auto options = std::make_shared<PlotOptions>();
   command->add_option("input", options->input, "scenario file (JSON) or log (MCAP)")->required();
   command->add_option("-o,--output", options->directory, "directory for the picture NAME.svg")->capture_default_str();
-  command->add_option("--format", options->format, "svg or png")->check(CLI::IsMember({"svg", "png"}));
+  command->add_option("--format", options->format, "svg or png")->check(app::one_of({"svg", "png"}));
   add_overwrite(*command);
   command->callback([&action, options] { action = [options] { return plot(*options); }; });
 }

@@ -9,13 +9,13 @@
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
-#include "app/shutdown.hpp"
 #include "io/error.hpp"
 #include "io/output_file.hpp"
 #include "io/picture.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/offline_run.hpp"
 #include "services/inslab/predict/expected_errors.hpp"
+#include "services/inslab/tell.hpp"
 
 namespace inslab::cli {
 namespace {
@@ -107,7 +107,7 @@ Prediction predicted(const scenario::LoadedScenario& loaded, const PredictOption
   Prediction prediction{predict::ExpectedErrors(setup, profiles_of(loaded))};
   PredictionSink sink(prediction, loaded, uses_fixes);
   OfflineRun run(loaded, loaded.start(app::realtime_now()), RunId{}, sink);
-  while (!app::shutdown_requested() && run.step()) {
+  while (run.step()) {
   }
   sink.end_gap(time::to_seconds(run.sim_time()));
   return prediction;
@@ -123,7 +123,7 @@ Figures figures(const predict::PredictedError& error) {
 
 void write(const std::string& path, const std::string& text) {
   io::write_file(path, text);
-  fmt::print("{} written\n", path);
+  tell("{} written\n", path);
 }
 
 std::string csv(const std::vector<predict::PredictedError>& errors) {
@@ -190,10 +190,10 @@ int run_predict(const PredictOptions& options) {
   const scenario::LoadedScenario loaded = scenario::load(options.scenario);
   const Prediction prediction = predicted(loaded, options);
   const std::vector<predict::PredictedError>& errors = prediction.errors.curve();
-  if (app::shutdown_requested() || errors.empty()) return app::kFailed;
+  if (errors.empty()) return app::kFailed;
   const std::vector<std::string> left_out = prediction.errors.left_out();
-  fmt::print("{}\n\n{}\n", heading(loaded, options), table(errors));
-  if (!left_out.empty()) fmt::print("left out: {}\n", fmt::join(left_out, ", "));
+  tell("{}\n\n{}\n", heading(loaded, options), table(errors));
+  if (!left_out.empty()) tell("left out: {}\n", fmt::join(left_out, ", "));
   std::filesystem::create_directories(options.directory);
   const std::string stem = (std::filesystem::path(options.directory) / (loaded.scenario.name + "_predicted")).string();
   write(stem + ".csv", csv(errors));

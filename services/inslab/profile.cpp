@@ -8,9 +8,11 @@
 
 #include "app/exit_code.hpp"
 #include "samples/plain_text.hpp"
+#include "app/one_of.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/profile_file.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
+#include "services/inslab/tell.hpp"
 
 namespace inslab::cli {
 namespace {
@@ -37,12 +39,12 @@ int run_import(const ProfileOptions& options) {
   imported.profile.name = plain_text(options.name.empty() ? stem : options.name, 64);
   // Without a file the profile itself goes to standard output, and what is for people beside it.
   std::FILE* const people = options.output.empty() ? stderr : stdout;
-  for (const std::string& line : imported.lines) fmt::print(people, "{}\n", line);
+  for (const std::string& line : imported.lines) tell(people, "{}\n", line);
   if (options.output.empty()) {
-    fmt::print("{}", profile_text(imported.profile));
+    tell("{}", profile_text(imported.profile));
   } else {
     write_profile(options.output, imported.profile);
-    fmt::print("profile {} written\n", options.output);
+    tell("profile {} written\n", options.output);
   }
   return app::kOk;
 }
@@ -57,7 +59,7 @@ void add_profile(CLI::App& app, std::function<int()>& action) {
   std::vector<std::string> names;
   for (const auto& [name, importer] : importers()) names.push_back(name);
   command->add_option("file", options->file, "the file")->required();
-  command->add_option("--from", options->from, "whose file it is")->required()->check(CLI::IsMember(names));
+  command->add_option("--from", options->from, "whose file it is")->required()->check(app::one_of(names));
   command->add_option("-o,--output", options->output, "profile (JSON); standard output when not given");
   command->add_option("--name", options->name, "the profile's name; that of the file when not given");
   command->add_option("--rate", options->import.rate_hz, "Hz, at which the other program runs its IMU")

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "text/shown.hpp"
+
 namespace inslab::cli {
 
-Progress::Progress(std::string name, time::Nanoseconds duration)
-    : name_(std::move(name)), duration_s_(time::to_seconds(duration)), terminal_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(const std::string& name, time::Nanoseconds duration)
+    : name_(text::shown(name)), duration_s_(time::to_seconds(duration)), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
   if (terminal_ && shown_ >= 0) std::fprintf(stderr, "\r\033[K");

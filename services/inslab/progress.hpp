@@ -9,7 +9,7 @@ namespace inslab::cli {
 /// A bar on a terminal; on anything else a line every tenth of the way.
 class Progress {
  public:
-  Progress(std::string name, time::Nanoseconds duration);
+  Progress(const std::string& name, time::Nanoseconds duration);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/exit_code.hpp"
+#include "app/one_of.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/derived_files.hpp"
 
@@ -15,7 +16,7 @@ void add_reference(CLI::App& app, std::function<int()>& action) {
       "Print a file derived from the parameter declarations: a schema, the profile IDL, the reference page");
   std::vector<std::string> names;
   for (const DerivedFile& file : derived_files()) names.push_back(file.path);
-  command->add_option("file", *wanted, "which")->required()->check(CLI::IsMember(names));
+  command->add_option("file", *wanted, "which")->required()->check(app::one_of(names));
   command->callback([wanted, &action] {
     action = [wanted] {
       for (const DerivedFile& file : derived_files()) {

@@ -5,10 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exit_code.hpp"
+#include "config/json_text.hpp"
 #include "io/output_file.hpp"
 #include "score/score_text.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/report_files.hpp"
+#include "services/inslab/tell.hpp"
 
 namespace inslab::cli {
 
@@ -25,13 +27,13 @@ int report(const ReportOptions& options) {
   if (!options.junit.empty()) io::check_output(options.junit);
   const io::McapReader log(options.log);
   const ReportData data = report_data(log);
-  fmt::print("{}", options.json ? report_json(data).dump(2) + "\n" : report_text(data));
+  tell("{}", options.json ? config::json_text(report_json(data)) : report_text(data));
   if (!options.junit.empty()) {
     io::write_file(options.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
   }
   if (!options.directory.empty()) {
     const std::string stem = write_report(log, data, options.directory);
-    if (!options.json) fmt::print("\n{0}.txt, {0}.json and {0}.html written\n", stem);
+    if (!options.json) tell("\n{0}.txt, {0}.json and {0}.html written\n", stem);
   }
   return data.score.accepted() ? app::kOk : app::kNotAccepted;
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "config/json_text.hpp"
 #include "io/error.hpp"
 #include "io/output_file.hpp"
 #include "score/score_json.hpp"
@@ -180,7 +181,7 @@ std::string write_report(const io::McapReader& log, const ReportData& data, cons
   const std::vector<std::string> paths = report_paths(log.path(), folder);
   for (const std::string& path : paths) io::check_output(path);  // before the first is written
   io::write_file(paths[0], report_text(data));
-  io::write_file(paths[1], report_json(data).dump(2) + "\n");
+  io::write_file(paths[1], config::json_text(report_json(data)));
   io::write_file(paths[2], html(report_page(log, data)));
   return std::filesystem::path(paths[2]).replace_extension().string();
 }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/clock_override.hpp"
+#include "app/command_ending.hpp"
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service_names.hpp"
@@ -53,6 +54,7 @@ int run(RunOptions options, const JudgeOutputs& outputs) {
     std::fprintf(stderr, "inslab run: %s; there is no log\n", failure ? failure->c_str() : "the logger wrote nothing");
     return app::kFailed;
   }
+  app::note_for_ending("the log " + options.log_file + " is there: inslab summary and report judge it");
   return judge_log(options.log_file, failure, outputs);
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "services/inslab/swap_evidence.hpp"
+#include "services/inslab/tell.hpp"
 #include "time/gps_time.hpp"
 #include "wire/topic_names.hpp"
 
@@ -30,9 +31,9 @@ class Verdict {
             broken_.front() + (broken_.size() > 1 ? fmt::format(" (and {} more)", broken_.size() - 1) : "")};
   }
   void print() const {
-    fmt::print("\n");
-    for (const std::string& line : broken_) fmt::print("FAILED: {}\n", line);
-    fmt::print("{} of {} checks held\n", checks_ - broken_.size(), checks_);
+    tell("\n");
+    for (const std::string& line : broken_) tell("FAILED: {}\n", line);
+    tell("{} of {} checks held\n", checks_ - broken_.size(), checks_);
   }
 
  private:
@@ -49,26 +50,26 @@ bool is_of_the_scenario(const ProfileAck& ack, const LogSummary& summary) {
 }
 
 void print_head(const LogSummary& summary) {
-  fmt::print("\n{}: {}\n", summary.scenario.name, summary.scenario.description);
-  if (is_offline(summary)) fmt::print("simulated in one process: there are no services to check\n");
+  tell("\n{}: {}\n", summary.scenario.name, summary.scenario.description);
+  if (is_offline(summary)) tell("simulated in one process: there are no services to check\n");
   if (!summary.last_status) return;
   const SimStatus& status = *summary.last_status;
-  fmt::print("{} after {:.3f} s of sim time at {} Hz; {} overruns, largest lag {:.3f} ms{}\n", enum_name(status.state),
-             seconds_of(status.sim_time_ns), summary.scenario.truth_rate_hz, status.overruns, status.lag_max_s * 1e3,
-             status.message.empty() ? "" : "; " + status.message);
+  tell("{} after {:.3f} s of sim time at {} Hz; {} overruns, largest lag {:.3f} ms{}\n", enum_name(status.state),
+       seconds_of(status.sim_time_ns), summary.scenario.truth_rate_hz, status.overruns, status.lag_max_s * 1e3,
+       status.message.empty() ? "" : "; " + status.message);
 }
 
 void print_streams(const LogSummary& summary, Verdict& verdict) {
-  fmt::print("\n{:<26}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", "topic", "sent", "received", "lost", "out of order",
-             "p50 ms", "p99 ms", "max ms");
+  tell("\n{:<26}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", "topic", "sent", "received", "lost", "out of order", "p50 ms",
+       "p99 ms", "max ms");
   for (const auto& [topic, stream] : summary.streams) {
     const StreamStatus& logged = stream.logged;
-    fmt::print("{:<26}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", topic,
-               stream.sent           ? std::to_string(*stream.sent)
-               : is_offline(summary) ? "-"
-                                     : "unknown",
-               logged.samples, logged.lost, logged.out_of_order, milliseconds_of(logged.latency_p50_s),
-               milliseconds_of(logged.latency_p99_s), milliseconds_of(logged.latency_max_s));
+    tell("{:<26}{:>9}{:>10}{:>7}{:>14}{:>9}{:>9}{:>9}\n", topic,
+         stream.sent           ? std::to_string(*stream.sent)
+         : is_offline(summary) ? "-"
+                               : "unknown",
+         logged.samples, logged.lost, logged.out_of_order, milliseconds_of(logged.latency_p50_s),
+         milliseconds_of(logged.latency_p99_s), milliseconds_of(logged.latency_max_s));
     verdict.require(stream.sent.has_value() || is_offline(summary),
                     topic + ": its service did not finish, so what it sent is unknown");
     const std::uint64_t sent = stream.sent.value_or(0), arrived = logged.samples - logged.duplicates;
@@ -79,15 +80,15 @@ void print_streams(const LogSummary& summary, Verdict& verdict) {
     verdict.require(logged.lost == 0 && (logged.duplicates == 0 || !summary.recoveries.empty()),
                     fmt::format("{}: {} lost, {} twice", topic, logged.lost, logged.duplicates));
   }
-  fmt::print("latency: from the writer's publish time to receipt by the logger\n");
+  tell("latency: from the writer's publish time to receipt by the logger\n");
 }
 
 void print_services(const LogSummary& summary, Verdict& verdict) {
   if (summary.services.empty()) return;
-  fmt::print("\n{:<30}{:>8}{:>10}{:>8}{:>12}\n", "service", "sensor", "state", "RSS MB", "queue depth");
+  tell("\n{:<30}{:>8}{:>10}{:>8}{:>12}\n", "service", "sensor", "state", "RSS MB", "queue depth");
   for (const ServiceStatus& status : summary.services) {
-    fmt::print("{:<30}{:>8}{:>10}{:>8.1f}{:>12}\n", status.service, status.sensor_number, enum_name(status.state),
-               static_cast<double>(status.rss_bytes) * 1e-6, status.queue_depth_max);
+    tell("{:<30}{:>8}{:>10}{:>8.1f}{:>12}\n", status.service, status.sensor_number, enum_name(status.state),
+         static_cast<double>(status.rss_bytes) * 1e-6, status.queue_depth_max);
     verdict.require(status.state == ServiceState::Finished,
                     fmt::format("{} {}: {}", status.service, enum_name(status.state), status.message));
   }
@@ -96,26 +97,26 @@ void print_services(const LogSummary& summary, Verdict& verdict) {
 void print_vehicle(const LogSummary& summary) {
   if (!summary.vehicle_link) return;
   const VehicleLink& link = *summary.vehicle_link;
-  fmt::print("\nvehicle: {} states received, {} used; {} missing, {} late, {} not newer, {} refused{}\n", link.received,
-             link.used, link.missing, link.late, link.not_newer, link.refused,
-             link.last_refusal.empty() ? "" : " (" + link.last_refusal + ")");
-  fmt::print("         {} truth samples extrapolated, at most {:.3f} s; led back {} times\n",
-             link.truth_samples_extrapolated, link.longest_extrapolation_s, link.returns);
+  tell("\nvehicle: {} states received, {} used; {} missing, {} late, {} not newer, {} refused{}\n", link.received,
+       link.used, link.missing, link.late, link.not_newer, link.refused,
+       link.last_refusal.empty() ? "" : " (" + link.last_refusal + ")");
+  tell("         {} truth samples extrapolated, at most {:.3f} s; led back {} times\n", link.truth_samples_extrapolated,
+       link.longest_extrapolation_s, link.returns);
 }
 
 void print_recoveries(const LogSummary& summary) {
-  if (!summary.recoveries.empty()) fmt::print("\n");
+  if (!summary.recoveries.empty()) tell("\n");
   for (const io::mcap::StringMap& recovery : summary.recoveries) {
     const auto value = [&recovery](const char* key) {
       const auto found = recovery.find(key);
       return found == recovery.end() ? std::string("?") : found->second;
     };
     if (value("what") == "log") {
-      fmt::print("recovered: the logger was started again and went on with this log; {} messages were rescued\n",
-                 value("rescued_messages"));
+      tell("recovered: the logger was started again and went on with this log; {} messages were rescued\n",
+           value("rescued_messages"));
     } else {
-      fmt::print("recovered: {}: its service was started again; {} s without a sample between {} and {}\n",
-                 value("what"), value("silence_s"), value("last_sequence_before"), value("first_sequence_after"));
+      tell("recovered: {}: its service was started again; {} s without a sample between {} and {}\n", value("what"),
+           value("silence_s"), value("last_sequence_before"), value("first_sequence_after"));
     }
   }
 }
@@ -128,22 +129,22 @@ void print_swap(std::size_t number, const SwapEvidence& swap, bool of_the_scenar
   const ProfileAck& ack = swap.ack;
   const std::string what =
       fmt::format("swap {}: {} '{}' for {}", number, enum_name(ack.kind), swap.profile_name, sensor_name(ack.target));
-  fmt::print("\n{}: {} at {:.3f} s, first sample under it {:.3f} s, sequence {}\n", what, enum_name(ack.outcome),
-             seconds_of(ack.apply_time_ns), seconds_of(ack.first_sample_time_ns), ack.first_sequence);
+  tell("\n{}: {} at {:.3f} s, first sample under it {:.3f} s, sequence {}\n", what, enum_name(ack.outcome),
+       seconds_of(ack.apply_time_ns), seconds_of(ack.first_sample_time_ns), ack.first_sequence);
   if (ack.requested_in_the_past && ack.requested_time_ns >= 0) {
-    fmt::print("  late: it was asked for {:.3f} s\n", seconds_of(ack.requested_time_ns));
+    tell("  late: it was asked for {:.3f} s\n", seconds_of(ack.requested_time_ns));
   }
   verdict.require(!ack.requested_in_the_past || !of_the_scenario,
                   fmt::format("{}: late: asked for {:.3f} s, in effect from {:.3f} s", what,
                               seconds_of(ack.requested_time_ns), seconds_of(ack.apply_time_ns)));
   verdict.require(swap.first_sample_holds, what + ": the acknowledged sample is not the first with that revision");
   if (swap.lines.empty()) {
-    fmt::print("  nothing measured: {}\n", swap.why_nothing);
+    tell("  nothing measured: {}\n", swap.why_nothing);
     return;
   }
-  fmt::print("  {:<38}{:<13}{:^27}{:^27}\n", "measured / promised", "", "before", "after");
+  tell("  {:<38}{:<13}{:^27}{:^27}\n", "measured / promised", "", "before", "after");
   for (const EvidenceLine& line : swap.lines) {
-    fmt::print("  {:<38}{:<13}{}{}\n", line.quantity, line.unit, shown(line.before), shown(line.after));
+    tell("  {:<38}{:<13}{}{}\n", line.quantity, line.unit, shown(line.before), shown(line.after));
     for (const Measured* measured : {&line.before, &line.after}) {
       verdict.require(measured->holds,
                       fmt::format("{}: {} is {:.5g} {}; promised {:.5g}, within {:.2g}", what, line.quantity,
@@ -157,8 +158,8 @@ void print_other_acks(const LogSummary& summary, Verdict& verdict) {
   for (const ProfileAck& ack : summary.acks) {
     if (ack.outcome == AckOutcome::Applied) continue;
     const bool of_the_scenario = is_of_the_scenario(ack, summary);
-    fmt::print("\n{} for {}: {} {} {}{}\n", enum_name(ack.kind), sensor_name(ack.target), enum_name(ack.outcome),
-               ack.field, ack.reason, of_the_scenario ? "" : " (not one of the scenario's swaps)");
+    tell("\n{} for {}: {} {} {}{}\n", enum_name(ack.kind), sensor_name(ack.target), enum_name(ack.outcome), ack.field,
+         ack.reason, of_the_scenario ? "" : " (not one of the scenario's swaps)");
     verdict.require(ack.outcome != AckOutcome::Rejected || !of_the_scenario,
                     fmt::format("a swap was rejected: {}: {}", ack.field, ack.reason));
   }
@@ -181,7 +182,7 @@ void check_that_all_were_answered(const LogSummary& summary, Verdict& verdict) {
     const std::string what =
         fmt::format("journal entry {}: {} '{}' for {} at {:.3f} s", number, enum_name(kind_of(entry.profile)),
                     name_of(entry.profile), sensor_name(target_of(entry.profile)), seconds_of(entry.apply_at_ns));
-    fmt::print("\n{}: never acknowledged\n", what);
+    tell("\n{}: never acknowledged\n", what);
     verdict.require(false, what + " was never acknowledged");
   }
 }
@@ -216,7 +217,7 @@ app::Outcome print_run_summary(const std::string& log_path, const std::optional<
   print_recoveries(summary);
   print_swaps(log, summary, verdict);
   verdict.print();
-  fmt::print("log {}\n", log_path);
+  tell("log {}\n", log_path);
   return verdict.outcome();
 }
 

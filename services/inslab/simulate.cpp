@@ -8,7 +8,6 @@
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service_options.hpp"
-#include "app/shutdown.hpp"
 #include "io/error.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/log_sink.hpp"
@@ -50,13 +49,13 @@ std::vector<UsedVehicleState> vehicle_states(const scenario::LoadedScenario& loa
                : "is not vehicle_state; --vehicle is for scenarios that follow a live vehicle"));
 }
 
-/// Runs to the end, or to a signal; returns the sim time reached.
+/// Runs to the end; returns the sim time reached.
 time::Nanoseconds run_to_end(OfflineRun& run, const scenario::LoadedScenario& loaded) {
   const time::Nanoseconds duration = time::from_seconds(loaded.scenario.duration_s);
   Progress progress(loaded.scenario.name, duration);
   constexpr int kStepsBetweenLooks = 4096;
   bool more = true;
-  while (more && !app::shutdown_requested()) {
+  while (more) {
     for (int i = 0; i < kStepsBetweenLooks && more; ++i) more = run.step();
     progress.show(run.sim_time());
   }
@@ -86,7 +85,7 @@ int simulate(const SimulateOptions& options) {
   std::printf("%s: %.3f s of sim time in %.2f s: %.0f x real time\n", loaded.scenario.name.c_str(),
               time::to_seconds(reached), took_s, time::to_seconds(reached) / took_s);
   if (log) std::printf("log %s (%.1f MB)\n", path.c_str(), static_cast<double>(log->file_size()) * 1e-6);
-  return app::shutdown_requested() ? app::kFailed : app::kOk;
+  return app::kOk;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <thread>
 
+#include "app/command_ending.hpp"
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service.hpp"
@@ -17,6 +18,7 @@
 #include "services/inslab/commands.hpp"
 #include "services/inslab/run_client.hpp"
 #include "services/inslab/status_table.hpp"
+#include "services/inslab/tell.hpp"
 
 namespace inslab::cli {
 
@@ -129,7 +131,7 @@ int show_once(const StatusOptions& options, const std::vector<ServiceKey>& expec
 
 /// The table in place, twice a second, until the run has ended or Ctrl-C.
 int show_live(const StatusOptions& options, const std::vector<ServiceKey>& expected) {
-  app::install_signal_handlers();
+  const app::OwnEnding leaves_the_domain(app::OwnEnding::Then::CodeStands);
   const Listener listener(options.network);
   bool complete = false;
   while (!app::shutdown_requested()) {

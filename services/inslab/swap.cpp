@@ -6,12 +6,16 @@
 #include <random>
 #include <thread>
 
+#include "app/command_ending.hpp"
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
+#include "app/one_of.hpp"
 #include "app/service.hpp"
 #include "app/shutdown.hpp"
+#include "scenario/document_kind.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/run_client.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::cli {
 
@@ -30,9 +34,6 @@ struct SwapOptions {
   app::NetworkOptions network;
 };
 
-/// The kinds of profile as the command line has them, in the order of ProfileKind.
-const std::vector<std::string> kKinds{"imu", "vibration", "installation", "gnss", "fault"};
-
 template <class Enum>
 Enum value_named(const std::string& name) {
   const auto& names = EnumNames<Enum>::values;
@@ -45,7 +46,7 @@ std::vector<std::string> names_of() {
 }
 
 AnyProfile request_for(const SwapOptions& options) {
-  const auto kind = static_cast<ProfileKind>(std::find(kKinds.begin(), kKinds.end(), options.kind) - kKinds.begin());
+  const ProfileKind kind = scenario::profile_kind_named(options.kind).value();
   const std::string sensor_kind =
       !options.sensor_kind.empty() ? options.sensor_kind : (kind == ProfileKind::GnssError ? "gnss" : "imu");
   AnyProfile request =
@@ -61,7 +62,7 @@ AnyProfile request_for(const SwapOptions& options) {
 /// Says what became of a request; true when it is in effect.
 bool report(const ProfileAck& ack) {
   if (ack.outcome == AckOutcome::Rejected) {
-    fmt::print(stderr, "rejected: {}: {}\n", ack.field, ack.reason);
+    fmt::print(stderr, "rejected: {}: {}\n", text::shown(ack.field), text::shown(ack.reason));
     return false;
   }
   fmt::print("{} at {:.9f} s; first sample under it {:.9f} s, sequence {}{}\n", enum_name(ack.outcome),
@@ -126,6 +127,7 @@ std::optional<ProfileAck> await_ack(const AnyProfile& request, const RunClient& 
 
 /// Sends the requests and waits for what becomes of each.
 int send_all(const std::vector<AnyProfile>& requests, const SwapOptions& options) {
+  const app::OwnEnding leaves_the_domain(app::OwnEnding::Then::EndsBySignal);
   dds::Participant participant(app::participant_options(options.network, "inslab-swap"));
   RunClient client(participant);
   Patience patience(options.timeout_s);
@@ -165,16 +167,17 @@ void add_timeout(CLI::App& command, SwapOptions& options) {
 void add_swap(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<SwapOptions>();
   CLI::App* command = app.add_subcommand("swap", "Swap a profile of a running set; waits for the acknowledgement");
-  command->add_option("kind", options->kind, "imu, vibration, installation, gnss or fault")
+  command
+      ->add_option("kind", options->kind, "imu_error (or imu), vibration, installation, gnss_error (or gnss) or fault")
       ->required()
-      ->check(CLI::IsMember(kKinds));
+      ->check(app::one_of(scenario::profile_kind_words()));
   command->add_option("profile", options->profile, "profile file (JSON)")->required();
   command->add_option("--sensor-kind", options->sensor_kind, "imu or gnss; installation and fault want it")
-      ->check(CLI::IsMember(names_of<SensorKind>()));
+      ->check(app::one_of(names_of<SensorKind>()));
   command->add_option("--sensor", options->sensor_number, "number of the sensor")->capture_default_str();
   command->add_option("--at", options->at_s, "sim time in seconds; absent: as soon as possible");
   command->add_option("--continuity", options->continuity, "keep, reset or redraw")
-      ->check(CLI::IsMember(names_of<Continuity>()))
+      ->check(app::one_of(names_of<Continuity>()))
       ->capture_default_str();
   command->add_option("--fade", options->fade_s, "vibration: seconds of smooth fade")->capture_default_str();
   add_timeout(*command, *options);

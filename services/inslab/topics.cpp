@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "app/command_ending.hpp"
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/latency_histogram.hpp"
@@ -73,6 +74,7 @@ std::string why_nothing(const TopicTap& tap, const TopicsOptions& options) {
 /// Hands every message of the topic to `each` until the time is over, `count` have come, or a signal; the number of
 /// messages.
 std::uint64_t listen(const TopicsOptions& options, const std::function<void(const Message&)>& each) {
+  const app::OwnEnding leaves_the_domain(app::OwnEnding::Then::CodeStands);
   app::Mailbox<Message> mailbox;
   dds::Participant participant(app::participant_options(options.network, "inslab-topics"));
   const TopicTap tap(participant, options.topic, [&mailbox](const TappedMessage& message) {

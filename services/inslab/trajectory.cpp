@@ -8,6 +8,8 @@
 #include "io/nav_text.hpp"
 #include "io/trajectory_repair.hpp"
 #include "services/inslab/commands.hpp"
+#include "services/inslab/tell.hpp"
+#include "services/inslab/trajectory_check.hpp"
 
 namespace inslab::cli {
 
@@ -57,14 +59,14 @@ const char* remedy(Rule rule) {
 
 void print_problems(const io::TrajectoryProblems& problems) {
   for (const auto& [rule, count] : problems.counts()) {
-    fmt::print("  {} x {}: {}\n", count, enum_name(rule), remedy(rule));
+    tell("  {} x {}: {}\n", count, enum_name(rule), remedy(rule));
     std::uint64_t shown = 0;
     for (const Violation& problem : problems.kept()) {
       if (problem.rule != rule) continue;
-      fmt::print("    {}{}{}\n", problem.path, problem.path.empty() ? "" : ": ", problem.reason);
+      tell("    {}{}{}\n", problem.path, problem.path.empty() ? "" : ": ", problem.reason);
       ++shown;
     }
-    if (shown < count) fmt::print("    and {} more\n", count - shown);
+    if (shown < count) tell("    and {} more\n", count - shown);
   }
 }
 
@@ -73,27 +75,43 @@ void print_figures(const io::TrajectoryReading& reading, const io::TrajectoryFig
     return fmt::format("({} {})", reading.is_log() ? "message" : "line", reading.lines.at(worst.row));
   };
   const auto& rows = reading.file.rows;
-  fmt::print("  {} rows over {:.3f} s, {} to {:.6g} s apart {}; velocity: {}; attitude: {}\n", rows.size(),
-             time::to_seconds(rows.back().time), fmt::format("{:.6g}", figures.shortest_interval_s),
-             figures.longest_interval_s.value, at(figures.longest_interval_s), rows.front().v_n ? "yes" : "no",
-             rows.front().rpy ? "yes" : "no");
-  fmt::print("  fastest {:.4g} m/s; largest acceleration {:.4g} m/s^2 {}\n", figures.fastest_m_per_s,
-             figures.acceleration_m_per_s2.value, at(figures.acceleration_m_per_s2));
+  tell("  {} rows over {:.3f} s, {} to {:.6g} s apart {}; velocity: {}; attitude: {}\n", rows.size(),
+       time::to_seconds(rows.back().time), fmt::format("{:.6g}", figures.shortest_interval_s),
+       figures.longest_interval_s.value, at(figures.longest_interval_s), rows.front().v_n ? "yes" : "no",
+       rows.front().rpy ? "yes" : "no");
+  tell("  fastest {:.4g} m/s; largest acceleration {:.4g} m/s^2 {}\n", figures.fastest_m_per_s,
+       figures.acceleration_m_per_s2.value, at(figures.acceleration_m_per_s2));
   if (rows.front().v_n) {
-    fmt::print("  velocity against positions: {:.4g} m/s over a second {}, {:.4g} m from row to row {}\n",
-               figures.velocity_mismatch_m_per_s.value, at(figures.velocity_mismatch_m_per_s),
-               figures.position_step_m.value, at(figures.position_step_m));
+    tell("  velocity against positions: {:.4g} m/s over a second {}, {:.4g} m from row to row {}\n",
+         figures.velocity_mismatch_m_per_s.value, at(figures.velocity_mismatch_m_per_s), figures.position_step_m.value,
+         at(figures.position_step_m));
   }
   if (rows.front().rpy) {
-    fmt::print("  attitude: {:.4g} deg/s from row to row {}, nose off the track by {:.4g} deg {}\n",
-               figures.rate_deg_per_s.value, at(figures.rate_deg_per_s), figures.off_track_deg.value,
-               at(figures.off_track_deg));
+    tell("  attitude: {:.4g} deg/s from row to row {}, nose off the track by {:.4g} deg {}\n",
+         figures.rate_deg_per_s.value, at(figures.rate_deg_per_s), figures.off_track_deg.value,
+         at(figures.off_track_deg));
+  }
+}
+
+/// Of rows without velocities, where the rounding of their numbers is more than the motion.
+void print_rounding(const io::TrajectoryReading& reading, const io::TrajectoryFigures& figures) {
+  constexpr const char* kColumns[] = {"latitudes", "longitudes", "heights"};
+  for (int i = 0; i < 3; ++i) {
+    if (figures.rounding_m_per_s2[i] == 0.0) continue;
+    tell(
+        "  WARNING: the {} are rounded to {:.3g} m, which can be up to {:.3g} m/s^2 from row to row, more than the "
+        "motion: an IMU will feel it; give more decimals, or rows further apart\n",
+        kColumns[i], reading.step_ned_m[i], figures.rounding_m_per_s2[i]);
   }
 }
 
 /// Prints what the rows are like and what is wrong with them; true when nothing is.
 bool judge_and_print(io::TrajectoryReading& reading, const io::TrajectoryLimits& limits) {
-  if (reading.file.rows.size() >= 2) print_figures(reading, io::judge_trajectory(reading, limits, false));
+  if (reading.file.rows.size() >= 2) {
+    const io::TrajectoryFigures figures = io::judge_trajectory(reading, limits, false);
+    print_figures(reading, figures);
+    print_rounding(reading, figures);
+  }
   print_problems(reading.problems);
   return reading.problems.empty();
 }
@@ -106,35 +124,41 @@ void write_rows(const io::TrajectoryFile& file, const std::string& destination) 
 
 int repair(const io::TrajectoryReading& reading, const io::TrajectoryLimits& limits, const std::string& destination) {
   if (reading.file.rows.size() < 2 || !reading.file.rows.front().v_n || !reading.file.rows.front().rpy) {
-    fmt::print("not repaired: the 11 columns that are written need two rows or more with velocity and attitude\n");
+    tell("not repaired: the 11 columns that are written need two rows or more with velocity and attitude\n");
     return app::kFailed;
   }
   std::vector<io::RepairNote> notes;
   io::TrajectoryReading mended = io::repaired(reading, limits, io::RepairBounds{}, notes);
-  for (const io::RepairNote& note : notes) fmt::print("{}: {}\n", note.is_repaired ? "changed" : "left", note.text);
+  for (const io::RepairNote& note : notes) tell("{}: {}\n", note.is_repaired ? "changed" : "left", note.text);
   for (const auto& [rule, count] : reading.problems.counts()) {
     if (rule == Rule::FileTime || rule == Rule::ValueType || rule == Rule::ValueRange || rule == Rule::FileColumns) {
-      fmt::print("changed: {} rows that could not be read were left out ({})\n", count, enum_name(rule));
+      tell("changed: {} rows that could not be read were left out ({})\n", count, enum_name(rule));
     }
   }
   write_rows(mended.file, destination);
-  fmt::print("{}: after the repair\n", destination);
+  tell("{}: after the repair\n", destination);
   const bool is_good = judge_and_print(mended, limits);
-  fmt::print("{}\n", is_good ? "good" : "NOT good: what is left must be judged by hand");
+  tell("{}\n", is_good ? "good" : "NOT good: what is left must be judged by hand");
   return is_good ? app::kOk : app::kFailed;
 }
 
 int check(const TrajectoryOptions& options) {
   const io::TrajectoryLimits limits = limits_from(options.limits);
   io::TrajectoryReading reading = io::read_trajectory(options.file, {options.columns, options.topic, false});
-  fmt::print("{}:\n", options.file);
+  tell("{}:\n", options.file);
   const bool is_good = judge_and_print(reading, limits);
-  fmt::print("{}\n", is_good ? "good" : "NOT good");
+  tell("{}\n", is_good ? "good" : "NOT good");
   if (options.repair.empty()) return is_good ? app::kOk : app::kFailed;
   return repair(reading, limits, options.repair);
 }
 
 }  // namespace
+
+int check_trajectory(const std::string& file) {
+  TrajectoryOptions options;
+  options.file = file;
+  return check(options);
+}
 
 void add_trajectory(CLI::App& app, std::function<int()>& action) {
   CLI::App* trajectory = app.add_subcommand("trajectory", "Files of rows that a scenario can be driven by");

@@ -114,10 +114,8 @@ void NavigatorOnBus::navigate() {
     if (step->solution) publish(*step->solution);
   }
   flush_block();
-  if (const std::string& why = navigator_.filter().alignment_refusal(); why != refusal_) {
-    refusal_ = why;
-    spdlog::warn("aligns anew: {}", why);
-  }
+  const std::string& why = navigator_.filter().alignment_refusal();
+  if (refusals_.note(why)) spdlog::warn("aligns anew: {}; not said again", why);
 }
 
 void NavigatorOnBus::publish(const NavSolution& solution) {

@@ -9,6 +9,7 @@
 #include "app/stop_grace.hpp"
 #include "app/stream_input.hpp"
 #include "services/reference_nav/navigator.hpp"
+#include "services/reference_nav/refusals.hpp"
 
 namespace inslab::reference_nav {
 
@@ -46,7 +47,7 @@ class NavigatorOnBus {
   scenario::ReferenceNav app_;
   time::Grid truth_grid_;
   Navigator navigator_;
-  std::string refusal_;  ///< of the alignment, the last that was said
+  Refusals refusals_;  ///< of the alignment, that were said
   app::Mailbox<Message> mailbox_;
   RunId run_id_;
   bool lockstep_ = false;

@@ -1,11 +1,11 @@
 #include "services/reference_nav/parameters_file.hpp"
 
-#include "config/json_reader.hpp"
+#include "scenario/read_document.hpp"
 
 namespace inslab::reference_nav {
 
 NavigationParameters read_parameters(const std::string& file) {
-  auto parameters = config::read_file<NavigationParameters>(file);
+  auto parameters = scenario::read_document<NavigationParameters>(file, scenario::DocumentKind::Navigation);
   if (auto broken = violation(parameters)) throw config::Error(file, *broken);
   return parameters;
 }

@@ -1,5 +1,6 @@
 #include "services/inslab/navigate/offline_filter.hpp"
 
+#include "config/input_limits.hpp"
 #include "io/gnss_text.hpp"
 #include "io/imu_text.hpp"
 #include "io/log_topic.hpp"
@@ -70,7 +71,13 @@ OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const std::stri
                                    const reference_nav::AppSetup& setup) {
   std::vector<GnssFix> fixes;
   io::GnssTextReader reader(gnss_text);
-  for (io::GnssTextRecord record; reader.next(record);) fixes.push_back(fix_of(record));
+  for (io::GnssTextRecord record; reader.next(record);) {
+    if (fixes.size() == config::kMaxRowsInMemory) {
+      throw io::ReadError(gnss_text + ": has more than " + std::to_string(fixes.size()) +
+                          " rows; expected at most that");
+    }
+    fixes.push_back(fix_of(record));
+  }
   if (fixes.empty()) throw io::ReadError(gnss_text + ": has no fix; expected at least one line of 7 numbers");
   std::int64_t imu_from_ns = 0, imu_to_ns = 0;
   for_each_text_sample(imu_text, 0, [&](const ImuSample& sample) {

@@ -1,5 +1,6 @@
 #include "services/inslab/navigate/result_files.hpp"
 
+#include "io/unfinished.hpp"
 #include "nav/attitude.hpp"
 #include "samples/units.hpp"
 
@@ -22,6 +23,7 @@ void ResultFiles::write(const NavSolution& s) {
 }
 
 void ResultFiles::close() {
+  const auto together = io::hold_unfinished();
   solution_.close();
   sigmas_.close();
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/error.hpp"
+#include "io/input_file.hpp"
 #include "samples/limits.hpp"
 #include "samples/profile_rules.hpp"
 
@@ -15,6 +16,21 @@ std::string vector_text(const Vector3& value) {
 }
 
 }  // namespace
+
+std::string import_text(const std::string& file) {
+  const io::InputFile input(file);
+  if (input.size() > config::kMaxImportBytes) {
+    throw io::ReadError(
+        fmt::format("{}: has {} bytes; expected at most {}", file, input.size(), config::kMaxImportBytes));
+  }
+  std::string text(input.size(), '\0');
+  input.read(0, reinterpret_cast<std::uint8_t*>(text.data()), text.size());
+  return text;
+}
+
+void refuse_depth(const std::string& place, std::size_t levels) {
+  throw io::ReadError(fmt::format("{}: is nested deeper than {} levels", place, levels));
+}
 
 std::string conversion_line(const std::string& from, const Vector3& from_value, const std::string& from_unit,
                             const std::string& to, const Vector3& to_value, const std::string& how) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "config/input_limits.hpp"
 #include "samples/imu_error_profile.hpp"
 
 /// `inslab profile import`: error parameters of other simulators and filters as profiles of ours. What differs is units
@@ -20,6 +22,13 @@ struct ImportedProfile {
   ImuErrorProfile profile;
   std::vector<std::string> lines;  ///< for people: each conversion, and what was left out
 };
+
+/// The text of a file that a profile is made from. Throws io::ReadError when it cannot be read or is larger than such a
+/// file may be (config/input_limits.hpp).
+std::string import_text(const std::string& file);
+
+/// Throws io::ReadError: at `place` the file has more in each other than an import may have.
+[[noreturn]] void refuse_depth(const std::string& place, std::size_t levels = config::kMaxImportLevels);
 
 /// "gbstd [0.027 0.027 0.027] deg/h -> gyro.bias_gm_sigma_deg_per_h [...]: the same".
 std::string conversion_line(const std::string& from, const Vector3& from_value, const std::string& from_unit,

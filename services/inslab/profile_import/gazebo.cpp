@@ -4,12 +4,13 @@
 #include <cmath>
 #include <cstring>
 
+#include "config/input_limits.hpp"
 #include "io/error.hpp"
-#include "io/input_file.hpp"
 #include "io/text_lines.hpp"
 #include "samples/plain_text.hpp"
 #include "samples/units.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::cli {
 namespace {
@@ -17,12 +18,14 @@ namespace {
 using Element = tinyxml2::XMLElement;
 
 /// Every <sensor type="imu"> below `element`.
-void collect_imus(const Element& element, std::vector<const Element*>& imus) {
+void collect_imus(const std::string& file, const Element& element, std::size_t level,
+                  std::vector<const Element*>& imus) {
+  if (level > config::kMaxImportLevels) refuse_depth(file + ": line " + std::to_string(element.GetLineNum()));
   for (const Element* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
     const char* type = child->Attribute("type");
     const bool is_imu = std::strcmp(child->Name(), "sensor") == 0 && type != nullptr && std::strcmp(type, "imu") == 0;
     if (is_imu) imus.push_back(child);
-    collect_imus(*child, imus);
+    collect_imus(file, *child, level + 1, imus);
   }
 }
 
@@ -87,10 +90,11 @@ class Gazebo {
   }
 
   void load() {
-    const io::InputFile input(file_);
-    std::string text(input.size(), '\0');
-    input.read(0, reinterpret_cast<std::uint8_t*>(text.data()), text.size());
+    const std::string text = import_text(file_);
     if (document_.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+      if (document_.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
+        refuse_depth(file_ + ": line " + std::to_string(document_.ErrorLineNum()));
+      }
       throw io::ReadError(file_ + ": line " + std::to_string(document_.ErrorLineNum()) +
                           ": is no XML: " + document_.ErrorName());
     }
@@ -98,7 +102,7 @@ class Gazebo {
 
   const Element& chosen_sensor() const {
     std::vector<const Element*> imus;
-    if (document_.RootElement() != nullptr) collect_imus(*document_.RootElement(), imus);
+    if (document_.RootElement() != nullptr) collect_imus(file_, *document_.RootElement(), 1, imus);
     if (imus.empty()) throw io::ReadError(file_ + ": has no <sensor type=\"imu\">");
     std::string names;
     for (const Element* imu : imus) {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
+#include "config/input_limits.hpp"
 #include "io/error.hpp"
-#include "io/input_file.hpp"
 #include "io/text_lines.hpp"
 #include "samples/units.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
@@ -45,14 +45,15 @@ class DictionaryReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
+  std::string place() const {
     std::size_t line = 1, column = 1;
     for (std::size_t i = 0; i < at_ && i < text_.size(); ++i) {
       column = text_[i] == '\n' ? 1 : column + 1;
       if (text_[i] == '\n') ++line;
     }
-    throw io::ReadError(file_ + ": line " + std::to_string(line) + ", column " + std::to_string(column) + ": " + what);
+    return file_ + ": line " + std::to_string(line) + ", column " + std::to_string(column);
   }
+  [[noreturn]] void fail(const std::string& what) const { throw io::ReadError(place() + ": " + what); }
 
   /// The brace before the first key that begins with gyro_ or accel_.
   std::size_t begin_of_dictionary() {
@@ -108,6 +109,12 @@ class DictionaryReader {
   }
 
   Vector3 product() {
+    if (++level_ > config::kMaxImportLevels) refuse_depth(place());
+    const Vector3 value = product_at_level();
+    --level_;
+    return value;
+  }
+  Vector3 product_at_level() {
     Vector3 value = factor();
     while (true) {
       skip_blanks();
@@ -188,6 +195,7 @@ class DictionaryReader {
   std::string file_;
   std::string text_;
   std::size_t at_ = 0;
+  std::size_t level_ = 0;  ///< brackets that are open around a number
 };
 
 constexpr std::string_view kKeys[] = {"gyro_b",  "gyro_arw",  "gyro_b_stability",  "gyro_b_corr",
@@ -196,10 +204,7 @@ constexpr std::string_view kKeys[] = {"gyro_b",  "gyro_arw",  "gyro_b_stability"
 class Conversion {
  public:
   Conversion(const std::string& file, const ImportOptions& options) : file_(file), options_(options) {
-    const io::InputFile input(file);
-    std::string text(input.size(), '\0');
-    input.read(0, reinterpret_cast<std::uint8_t*>(text.data()), text.size());
-    values_ = DictionaryReader(file, std::move(text)).read();
+    values_ = DictionaryReader(file, import_text(file)).read();
     for (const auto& [key, value] : values_) {
       if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys)) {
         throw io::ReadError(file + ": '" + key + "' is not a key of gnss-ins-sim");

@@ -1,9 +1,9 @@
+#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
 
 #include "io/error.hpp"
-#include "io/input_file.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
 
 namespace inslab::cli {
@@ -37,12 +37,13 @@ Vector3 vector_of(const std::string& file, const YAML::Node& section, const std:
 }
 
 YAML::Node parsed(const std::string& file) {
-  const io::InputFile input(file);
-  std::string text(input.size(), '\0');
-  input.read(0, reinterpret_cast<std::uint8_t*>(text.data()), text.size());
+  const std::string text = import_text(file);
   try {
     return YAML::Load(text);
-  } catch (const YAML::ParserException& error) {
+  } catch (const YAML::DeepRecursion& error) {
+    constexpr std::size_t kLevelsOfYamlCpp = 500;
+    refuse_depth(file + ": line " + std::to_string(error.mark.line + 1), kLevelsOfYamlCpp);
+  } catch (const YAML::Exception& error) {
     throw io::ReadError(place(file, error.mark) + "is no YAML: " + error.msg);
   }
 }

@@ -1,12 +1,18 @@
 #include "config/json_file.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "config/error.hpp"
+#include "config/input_limits.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::config {
 namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 class JsonFile : public test::TemporaryFolder {};
 
@@ -50,10 +56,64 @@ TEST(JsonText, TheSameKeyInTwoObjectsIsNoDuplicate) {
   EXPECT_EQ(path_of_double_key(R"({"a": {"a": 1}, "b": [{"a": 1}, {"a": 1}]})"), "accepted");
 }
 
-TEST(JsonText, DeepNestingIsNoWayToCrash) {
-  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
-  EXPECT_NO_THROW(parse_json(deep, "file.json"));
-  EXPECT_THROW(parse_json(std::string(100'000, '['), "file.json"), Error);
+std::string refusal_of(const std::string& text) {
+  try {
+    parse_json(text, "file.json");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(JsonText, NestingIsRefusedAtItsLimitWithThePlace) {
+  const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+  EXPECT_EQ(refusal_of(nested(kMaxJsonLevels)), "accepted");
+  EXPECT_THAT(refusal_of(nested(kMaxJsonLevels + 1)), HasSubstr("is nested deeper than 32 levels"));
+  EXPECT_THAT(refusal_of(std::string(1'000'000, '[')), HasSubstr("[0][0]"));
+  std::string objects;
+  for (int i = 0; i < 70'000; ++i) objects += "{\"a\":";
+  EXPECT_THAT(refusal_of(objects), HasSubstr("a.a.a"));
+}
+
+/// What grows quadratically takes an hour here, and what is linear a second.
+TEST(JsonText, TimeGrowsWithTheText) {
+  std::string wide = "{\"a\": [", keys = "{";
+  for (int i = 0; i < 300'000; ++i) {
+    wide += std::string(i == 0 ? "" : ",") + "{\"b\": {\"c\": 1, \"d\": 2}, \"e\": 3}";
+    keys += std::string(i == 0 ? "" : ",") + "\"k" + std::to_string(i) + "\": [1, 2]";
+  }
+  EXPECT_EQ(parse_json(wide + "]}", "file.json").at("a").size(), 300'000U);
+  EXPECT_EQ(parse_json(keys + "}", "file.json").size(), 300'000U);
+}
+
+TEST(JsonText, TooManyValuesAreRefused) {
+  std::string many = "[0";
+  for (std::size_t i = 0; i < kMaxJsonValues; ++i) many += ",0";
+  EXPECT_THAT(refusal_of(many + "]"), HasSubstr("[3999999]: is one value too many; expected at most 4000000"));
+}
+
+TEST(JsonText, KeepsTheOrderAndTheValues) {
+  const std::string text = R"({"b":[1,-2,0.5,true,null,"x"],"a":{"z":{},"y":[]}})";
+  EXPECT_EQ(parse_json(text, "file.json").dump(), text);
+}
+
+TEST(JsonText, NoWordOfTheLibrarysExceptionsIsInAMessage) {
+  for (const char* text : {"1e999", "{\"a\": 1e999}", "[1,", "{\"a\" 1}", "nul", "\"\x1b[31m\"", "{\"a\": \"\xff\"}"}) {
+    const std::string message = refusal_of(text);
+    EXPECT_THAT(message, HasSubstr("file.json: ")) << text;
+    EXPECT_THAT(message, Not(HasSubstr("exception"))) << text;
+    EXPECT_TRUE(inslab::text::is_plain(message)) << message;
+  }
+}
+
+TEST_F(JsonFile, AFileThatIsNotThereIsNamedAsItWasLookedFor) {
+  try {
+    read_json_file("no_such.json");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("looked for as " + (std::filesystem::current_path() / "no_such.json").string()));
+  }
 }
 
 TEST(JsonText, BytesThatAreNoUtf8AreRefused) { EXPECT_THROW(parse_json("{\"a\": \"\xff\xfe\"}", "file.json"), Error); }

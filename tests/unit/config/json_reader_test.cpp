@@ -1,5 +1,6 @@
 #include "config/json_reader.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scenario/scenario.hpp"
@@ -81,6 +82,20 @@ TEST(JsonReader, KeepsTheDefaultsOfAbsentKeys) {
       parse_json(R"({"fix_type": "fixed", "position_sigma_ned_m": 1, "velocity_sigma_ned_m_per_s": 1})", "f"), "f");
   EXPECT_EQ(profile.satellites, GnssErrorProfile{}.satellites);
   EXPECT_EQ(profile.fix_type, FixType::Fixed);
+}
+
+TEST(JsonReader, TakesNamesOfEveryScriptAndNoControlCharacters) {
+  const auto name = [](const std::string& text) {
+    return reason<InstallationProfile>("{\"name\": \"" + text + "\", \"lever_arm_v_m\": 2}");
+  };
+  EXPECT_EQ(name("\xe8\xbd\xa6 1"), "accepted");
+  EXPECT_EQ(name("two\\nlines"), "accepted");
+  EXPECT_EQ(name("\\u001b[31mred"), "f: name: is '\\x1b[31mred', with control characters; expected plain text");
+}
+
+TEST(JsonReader, AnswersAnUnknownWordWithTheOneThatWasMeant) {
+  EXPECT_EQ(reason<scenario::Motion>(R"({"type": "trun"})").substr(0, 34), "f: type: is 'trun'; expected one o");
+  EXPECT_THAT(reason<scenario::Motion>(R"({"type": "trun"})"), testing::EndsWith("; did you mean 'turn'?"));
 }
 
 TEST(JsonReader, DoesNotTakeAWholeNumberGivenAsAFraction) {

@@ -186,5 +186,25 @@ TEST_F(ProfileImport, OfGazeboNamesTheLineAtFault) {
   EXPECT_THAT(error_of(import_gazebo, kGazebo, options), HasSubstr("has no IMU 'other'; it has imu_sensor"));
 }
 
+TEST_F(ProfileImport, WhatIsNestedTooDeepIsRefusedAtOnceWithItsPlace) {
+  const std::string brackets(600'000, '(');
+  EXPECT_THAT(error_of(import_gnss_ins_sim, "{'gyro_b': " + brackets),
+              HasSubstr("line 1, column 76: is nested deeper than 64"));
+  std::string elements, sections = "imunoise:\n  arw: ";
+  for (int i = 0; i < 100'000; ++i) {
+    elements += "<a>";
+    sections += "[";
+  }
+  EXPECT_THAT(error_of(import_gazebo, elements), HasSubstr("is nested deeper than 64"));
+  EXPECT_THAT(error_of(import_kf_gins, sections), HasSubstr("line 2: is nested deeper than"));
+}
+
+TEST_F(ProfileImport, WhatIsTooLargeIsRefused) {
+  const std::string large(std::size_t{5} << 20, ' ');
+  for (const auto importer : {import_kf_gins, import_gnss_ins_sim, import_gazebo}) {
+    EXPECT_THAT(error_of(importer, large), HasSubstr("has 5242880 bytes; expected at most 4194304"));
+  }
+}
+
 }  // namespace
 }  // namespace inslab::cli

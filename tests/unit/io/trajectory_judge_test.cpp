@@ -135,5 +135,37 @@ TEST(TrajectoryJudge, JudgesPositionsAloneByTheAccelerationTheyMean) {
   EXPECT_EQ(judged(reading), std::vector<std::string>{"file_step 2"});  // into the jump and out of it
 }
 
+/// 15 m/s up a grade of 2 % at 10 Hz: the motion has no acceleration, all of it is the heights' rounding.
+TrajectoryFigures figures_with_heights_of(int decimals) {
+  TrajectoryReading reading;
+  const double step_m = std::pow(10.0, -decimals);
+  for (std::size_t k = 0; k < 601; ++k) {
+    const double t = 0.1 * static_cast<double>(k);
+    TrajectoryRow row;
+    row.time = time::from_seconds(t);
+    row.position = {0.8 + 15.0 * t / 6'380'000.0, 0.2, std::round((500.0 + 0.3 * t) / step_m) * step_m};
+    reading.file.rows.push_back(row);
+    reading.lines.push_back(k + 2);
+  }
+  reading.step_ned_m = {0.0, 0.0, step_m};
+  return judge_trajectory(reading, TrajectoryLimits{}, false);
+}
+
+TEST(TrajectoryJudge, JudgesTheCurveAndNotTheRows) {
+  // From row to row the heights' second difference is 0.1 m / (0.1 s)^2 = 10 m/s^2. Where it is 10 and then -10, the
+  // spline makes 10 6/(2 sqrt(3)) (1 + 2 - sqrt(3)) = 22 m/s^2 of it, and a little less with the next ones near.
+  const double largest = figures_with_heights_of(1).acceleration_m_per_s2.value;
+  EXPECT_GT(largest, 20.0);
+  EXPECT_LT(largest, 22.1);
+}
+
+TEST(TrajectoryJudge, SaysThatTheRoundingIsMoreThanTheMotion) {
+  const nav::Vector3 coarse = figures_with_heights_of(1).rounding_m_per_s2;
+  EXPECT_EQ(coarse.x(), 0.0);
+  EXPECT_EQ(coarse.y(), 0.0);
+  EXPECT_NEAR(coarse.z(), 20.0, 1e-9);                                    // 2 0.1 m / (0.1 s)^2
+  EXPECT_TRUE(figures_with_heights_of(4).rounding_m_per_s2.isZero(0.0));  // 0.02 m/s^2
+}
+
 }  // namespace
 }  // namespace inslab::io

@@ -117,6 +117,69 @@ TEST_F(TrajectoryReader, NamesLineColumnAndWhatWasExpected) {
   EXPECT_THAT(problem_of("lat_deg,lon_deg,h_m\n"), HasSubstr("line 1: expected one column of time"));
 }
 
+TEST_F(TrajectoryReader, KnowsTheStepOfTheLastDecimal) {
+  put(path("rows"), "t_s,lat_deg,lon_deg,h_m\n0,48.00001,11,500\n1,48.0000212,11.0,500.5\n");
+  const TrajectoryReading reading = read_trajectory(path("rows"));
+  ASSERT_TRUE(reading.problems.empty());
+  EXPECT_NEAR(reading.step_ned_m.x(), 1e-7 * 3.14159265358979 / 180.0 * 6378137.0, 1e-9);
+  EXPECT_NEAR(reading.step_ned_m.z(), 0.1, 1e-12);
+  EXPECT_GT(reading.step_ned_m.y(), 1000.0);  // one decimal of a degree
+}
+
+/// With its checksum.
+std::string sentence(const std::string& text) {
+  unsigned sum = 0;
+  for (const char c : text) sum ^= static_cast<unsigned char>(c);
+  constexpr char kDigits[] = "0123456789ABCDEF";
+  return "$" + text + "*" + kDigits[sum >> 4] + kDigits[sum & 15] + "\r\n";
+}
+
+TEST_F(TrajectoryReader, ReadsTheSentencesOfAReceiver) {
+  put(path("nmea"), sentence("GPGSV,3,1,11,03,03,111,00") +
+                        sentence("GPGGA,235959.50,4807.0380,N,01131.0000,W,4,12,0.8,545.4,M,46.9,M,1.0,0000") +
+                        sentence("GPRMC,235959.50,A,4807.038,N,01131.000,W,0.0,0.0,311223,,") +
+                        sentence("GPGGA,235959.75,4807.0380,N,01131.0000,W,0,00,,,M,,M,,") +
+                        sentence("GPGGA,000000.00,4807.0381,N,01131.0000,W,4,12,0.8,545.5,M,46.9,M,1.0,0000"));
+  const TrajectoryReading reading = read_trajectory(path("nmea"), {"", "", false});
+  EXPECT_TRUE(reading.problems.empty());
+  ASSERT_EQ(reading.file.rows.size(), 2U);
+  EXPECT_EQ(reading.file.rows[1].time, std::chrono::milliseconds(500));
+  EXPECT_NEAR(reading.file.rows[0].position.latitude_rad, (48.0 + 7.038 / 60.0) * units::kDeg, 1e-12);
+  EXPECT_NEAR(reading.file.rows[0].position.longitude_rad, -(11.0 + 31.0 / 60.0) * units::kDeg, 1e-12);
+  EXPECT_NEAR(reading.file.rows[0].position.height_m, 592.3, 1e-9);
+  // 2023-12-31 23:59:59.5 UTC is a Sunday, 18 s later in GPS time: the second 17.5 of Monday.
+  EXPECT_EQ(reading.file.start, (time::GpsTime{2295, 86'417'500'000'000}));
+  EXPECT_NEAR(reading.step_ned_m.z(), 0.1, 1e-12);
+  EXPECT_NEAR(reading.step_ned_m.x(), 0.1855, 1e-3);  // 1e-4 minutes of a degree
+}
+
+TEST_F(TrajectoryReader, NamesTheSentenceThatCannotBeUsed) {
+  const std::string good = sentence("GNGGA,101530.00,4807.0380,N,01131.0000,E,1,12,0.8,545.4,M,46.9,M,,");
+  const auto problem_of = [&](const std::string& second) {
+    put(path("nmea"), good + second);
+    const TrajectoryReading reading = read_trajectory(path("nmea"));
+    return reading.problems.empty() ? "none"
+                                    : reading.problems.kept()[0].path + ": " + reading.problems.kept()[0].reason;
+  };
+  EXPECT_EQ(problem_of("$GNGGA,101531.00,4807.0380,N,01131.0000,E,1,12,0.8,545.4,M,46.9,M,,*00\n"),
+            "line 2: has a checksum that does not fit what it says");
+  EXPECT_THAT(problem_of(sentence("GNGGA,101531.00,4807.0380,N,01131.0000,E,1,12,0.8,545.4,M,,M,,")),
+              HasSubstr("line 2: has no height of the geoid"));
+  EXPECT_THAT(problem_of(sentence("GNGGA,101531.00,48x7.0380,N,01131.0000,E,1,12,0.8,545.4,M,1,M,,")),
+              HasSubstr("has no position"));
+  EXPECT_THAT(problem_of(good), HasSubstr("line 2, column 1 (t_s): lies 0 s before the row above it"));
+}
+
+TEST_F(TrajectoryReader, PassesOverAMarkOfTheByteOrder) {
+  put(path("rows"), "\xef\xbb\xbft_s,lat_deg,lon_deg,h_m\n0,48,11,500\n1,48,11,500\n");
+  EXPECT_EQ(read_trajectory(path("rows")).file.rows.size(), 2U);
+}
+
+TEST_F(TrajectoryReader, RefusesALineThatIsTooLongWhereverItEnds) {
+  put(path("long"), "t_s,lat_deg,lon_deg,h_m\n0,48,11," + std::string(70'000, '5') + "\n1,48,11,500\n");
+  EXPECT_THROW(read_trajectory(path("long")), ReadError);
+}
+
 TEST_F(TrajectoryReader, RefusesABinaryFileAtOnce) {
   std::string bytes;
   for (int i = 0; i < 100000; ++i) bytes += static_cast<char>(i % 7 + 1);

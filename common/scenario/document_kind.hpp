@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/json_file.hpp"
+#include "samples/profile_request.hpp"
+
+namespace inslab::scenario {
+
+/// What a JSON file of Inslab is. The profiles come first, in the order of ProfileKind.
+enum class DocumentKind {
+  ImuError,
+  Vibration,
+  Installation,
+  GnssError,
+  Fault,
+  Scenario,
+  Schedule,
+  Navigation,
+  Inventory,
+};
+
+/// The kind whose schema the document names, or else the one whose keys are most of its own, `likely` before others of
+/// as many; nothing when none of its keys is known.
+std::optional<DocumentKind> document_kind(const config::Json& document, std::optional<DocumentKind> likely = {});
+
+/// "an IMU error profile (imu_error)", "a scenario": for messages.
+std::string words_of(DocumentKind kind);
+
+constexpr DocumentKind document_of(ProfileKind kind) { return static_cast<DocumentKind>(kind); }
+constexpr std::optional<ProfileKind> profile_of(DocumentKind kind) {
+  if (kind > DocumentKind::Fault) return std::nullopt;
+  return static_cast<ProfileKind>(kind);
+}
+
+/// The words for kinds of profile on the command line: those of scenarios and logs (imu_error, ...), and the short ones
+/// imu and gnss for two of them.
+std::vector<std::string> profile_kind_words();
+std::optional<ProfileKind> profile_kind_named(const std::string& word);
+
+}  // namespace inslab::scenario

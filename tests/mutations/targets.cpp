@@ -1,0 +1,128 @@
+#include "tests/mutations/targets.hpp"
+
+#include <filesystem>
+
+#include "config/json_text.hpp"
+#include "io/error.hpp"
+#include "io/gnss_text.hpp"
+#include "io/imu_recording.hpp"
+#include "io/log_export.hpp"
+#include "io/log_file_export.hpp"
+#include "io/log_info.hpp"
+#include "io/novatel_imu.hpp"
+#include "io/trajectory_judge.hpp"
+#include "io/trajectory_repair.hpp"
+#include "scenario/document_kind.hpp"
+#include "scenario/load.hpp"
+#include "scenario/motion_matrix.hpp"
+#include "services/inslab/navigate/offline_filter.hpp"
+#include "services/inslab/offline_run.hpp"
+#include "services/inslab/profile_file.hpp"
+#include "services/inslab/profile_import/conversion.hpp"
+#include "services/inslab/report_files.hpp"
+#include "services/reference_nav/parameters_file.hpp"
+
+namespace inslab::mutations {
+
+namespace {
+
+/// Takes what comes and forgets it.
+class Nothing : public cli::RunSink {
+ public:
+  void journal(const AnyProfile&) override {}
+  void truth(const TruthState&) override {}
+  void imu(std::size_t, const ImuSample&, const ImuTruth&) override {}
+  void gnss(std::size_t, const GnssFix&) override {}
+  void ack(const ProfileAck&) override {}
+};
+
+/// What was accepted must run: a few of its samples.
+void run_scenario(const std::string& path) {
+  constexpr int kSteps = 20;
+  const scenario::LoadedScenario loaded = scenario::load(path);
+  if (loaded.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) return;
+  Nothing nothing;
+  cli::OfflineRun run(loaded, loaded.start(time::Nanoseconds(1'800'000'000'000'000'000)), RunId{}, nothing);
+  for (int i = 0; i < kSteps && run.step(); ++i) continue;
+}
+
+void read_profile(const std::string& path, const std::string& what) {
+  if (what == "navigation") {
+    reference_nav::read_parameters(path);
+    return;
+  }
+  const ProfileKind kind = scenario::profile_kind_named(what).value();
+  const SensorKind sensor = kind == ProfileKind::GnssError ? SensorKind::Gnss : SensorKind::Imu;
+  scenario::load_profile(path, kind, {sensor, 0});
+}
+
+void read_trajectory(const std::string& path) {
+  io::TrajectoryReading reading = io::read_trajectory(path, {"", "inslab/truth", false});
+  if (reading.file.rows.size() < 2) return;
+  const io::TrajectoryLimits limits;
+  io::judge_trajectory(reading, limits, false);
+  if (!reading.file.rows.front().v_n || !reading.file.rows.front().rpy) return;
+  std::vector<io::RepairNote> notes;
+  io::repaired(reading, limits, io::RepairBounds{}, notes);
+}
+
+void read_text(const std::string& path, const std::string& what) {
+  if (what == "trajectory") read_trajectory(path);
+  if (what == "matrix") scenario::read_motion_matrix(path);
+  if (what == "recording") {
+    io::read_imu_recording(
+        path, {}, [](const io::ImuRecordingInfo&) {}, [](const io::ImuIncrements&) {});
+  }
+  if (what == "imu_text") cli::for_each_text_sample(path, 2401, [](const ImuSample&) {});
+  if (what == "gnss_text") {
+    io::GnssTextReader reader(path);
+    for (io::GnssTextRecord record; reader.next(record);) continue;
+  }
+  if (what == "novatel") {
+    io::NovatelImuReader reader(path);
+    for (io::NovatelImuRecord record; reader.next(record);) continue;
+  }
+}
+
+void import(const std::string& path, const std::string& what) {
+  const cli::ImportOptions options{200.0, ""};
+  const cli::ImportedProfile imported = what == "kf-gins"  ? cli::import_kf_gins(path, options)
+                                        : what == "gazebo" ? cli::import_gazebo(path, options)
+                                                           : cli::import_gnss_ins_sim(path, options);
+  cli::profile_text(imported.profile);
+}
+
+void read_log(const std::string& path, const std::string& folder) {
+  io::inspect_log(path);
+  const io::McapReader log(path);
+  const cli::ReportData data = cli::report_data(log);
+  cli::report_text(data);
+  config::json_text(cli::report_json(data));
+  io::export_log(path, io::ExportFormat::Csv, folder + "/tables", {});
+  for (const io::FileFormat format :
+       {io::FileFormat::Nav, io::FileFormat::Imu, io::FileFormat::Gnss, io::FileFormat::Kml}) {
+    io::FileExportOptions options;
+    options.format = format;
+    options.destination = folder + "/out";
+    io::export_file(path, options);
+  }
+  io::read_trajectory(path, {"", "inslab/truth", false});
+}
+
+}  // namespace
+
+void read(const std::string& path, const Seed& seed, const std::string& folder) {
+  if (seed.what == "scenario") {
+    run_scenario(path);
+  } else if (seed.what == "log") {
+    read_log(path, folder);
+  } else if (seed.what == "kf-gins" || seed.what == "gazebo" || seed.what == "gnss-ins-sim") {
+    import(path, seed.what);
+  } else if (scenario::profile_kind_named(seed.what) || seed.what == "navigation") {
+    read_profile(path, seed.what);
+  } else {
+    read_text(path, seed.what);
+  }
+}
+
+}  // namespace inslab::mutations
