@@ -106,13 +106,20 @@ class Gatherer {
   std::map<std::pair<std::string, std::uint32_t>, ServiceStatus> services_;
 };
 
+/// What a metadata record holds as JSON. Throws config::Error.
+config::Json json_of(const io::mcap::Metadata& record, const std::string& place) {
+  const auto json = record.values.find("json");
+  if (json == record.values.end()) throw config::Error(place, {Rule::RequiredKey, "json", "missing"});
+  return config::parse_json(json->second, place);
+}
+
 template <class Profile>
 void read_initial(const io::McapReader& log, const SensorAddress& sensor, LogSummary& summary) {
   const std::string name = logger::profile_record(Profile::kind, sensor, 0);
   for (const auto& record : log.metadata()) {
     if (record.name != name) continue;
     const std::string place = log.path() + " (metadata " + name + ")";
-    auto profile = config::from_json<Profile>(config::parse_json(record.values.at("json"), place), place);
+    auto profile = config::from_json<Profile>(json_of(record, place), place);
     profile.target = sensor;
     summary.profiles.push_back({-1, profile});
   }
@@ -132,7 +139,7 @@ void read_metadata(const io::McapReader& log, LogSummary& summary) {
     summary.identity.unit = value_of(record.values, "unit");
     const std::string place = log.path() + " (metadata scenario)";
     summary.scenario =
-        config::from_json<scenario::Scenario>(config::parse_json(record.values.at("json"), place), place);
+        config::from_json<scenario::Scenario>(json_of(record, place), place);
   }
   for (const auto& imu : summary.scenario.imu) {
     const SensorAddress sensor{SensorKind::Imu, imu.number};
