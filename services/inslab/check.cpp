@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "app/exit_code.hpp"
-#include "config/files_read.hpp"
 #include "app/one_of.hpp"
 #include "config/error.hpp"
+#include "config/files_read.hpp"
 #include "io/error.hpp"
 #include "io/imu_recording.hpp"
 #include "io/mcap_reader.hpp"

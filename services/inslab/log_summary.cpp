@@ -138,8 +138,7 @@ void read_metadata(const io::McapReader& log, LogSummary& summary) {
     summary.identity.scenario_file = value_of(record.values, "file");
     summary.identity.unit = value_of(record.values, "unit");
     const std::string place = log.path() + " (metadata scenario)";
-    summary.scenario =
-        config::from_json<scenario::Scenario>(json_of(record, place), place);
+    summary.scenario = config::from_json<scenario::Scenario>(json_of(record, place), place);
   }
   for (const auto& imu : summary.scenario.imu) {
     const SensorAddress sensor{SensorKind::Imu, imu.number};

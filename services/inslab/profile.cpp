@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "app/exit_code.hpp"
-#include "samples/plain_text.hpp"
 #include "app/one_of.hpp"
+#include "samples/plain_text.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/profile_file.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
