@@ -165,10 +165,6 @@ class JsonReader {
     } else if constexpr (std::is_same_v<T, std::string>) {
       if (!json.is_string()) wrong_type(path, json, "a string");
       value = json.get<std::string>();
-      // A name goes to terminals, logs and reports of many programs; in a file of ours there is no reason for these.
-      if (text::shown_lines(value) != value) {
-        fail(Rule::ValueType, path, "is " + text::quoted(value) + ", with control characters; expected plain text");
-      }
       if (value.size() > field.max_size) {
         fail(Rule::BoundedSize, path,
              "has " + std::to_string(value.size()) + " characters; expected at most " + std::to_string(field.max_size));

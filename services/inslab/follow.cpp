@@ -6,6 +6,7 @@
 #include <optional>
 #include <thread>
 
+#include "app/command_ending.hpp"
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/service.hpp"
@@ -133,6 +134,7 @@ class Follower {
     resume_again_at_ = app::monotonic_now() + seconds(1);
   }
 
+  app::OwnEnding leaves_the_domain_{app::OwnEnding::Then::CodeStands};
   const FollowOptions& options_;
   const std::vector<AnyProfile>& swaps_;
   dds::Participant participant_;
