@@ -27,14 +27,11 @@ std::string cure_of(const Mismatch& mismatch, const Endpoint& writer, const Endp
   const auto at = [&mismatch](const Endpoint& endpoint) {
     const std::string& value = endpoint.is_writer ? mismatch.for_writer : mismatch.for_reader;
     const char* end = endpoint.is_writer ? "writer" : "reader";
-    if (mismatch.policy == "type") {
-      return fmt::format(
-          "in {} give the {} the type {}: generate its types anew from idl/ and build it again "
-          "(docs/running.md, \"Versions of the types\")",
-          name_of(endpoint), end, value);
-    }
     return fmt::format("in {} set {} of the {} to {}", name_of(endpoint), mismatch.policy, end, value);
   };
+  if (mismatch.policy == "type" && writer.is_ours() != reader.is_ours()) {
+    return "generate the app's types anew from idl/ and build it again (docs/running.md, \"Versions of the types\")";
+  }
   const std::string unit = mismatch.policy == "PARTITION" ? ", the unit's name (--unit)" : "";
   if (writer.is_ours() != reader.is_ours()) return at(writer.is_ours() ? reader : writer) + unit;
   if (writer.is_ours()) return "start both ends from one build of the set";

@@ -133,7 +133,7 @@ bool ServerOnBus::wait_until_ready() {
     if (others_.orphan(monotonic_now()) != nullptr) return false;
     if (const std::string stranger = stranger_among_services(); !stranger.empty()) {
       spdlog::error("{}", stranger);
-      status_.message = stranger.substr(0, 256);
+      say(stranger);
       return false;
     }
     if (monotonic_now() > deadline) {
