@@ -35,8 +35,8 @@ class ScenarioFiles:
         program = ROOT / "build/bin/inslab"
         if not program.exists():
             raise InventoryError(f"scenario: cannot be checked: {program} is not there; build the project first")
-        done = subprocess.run([program, "check", scenario.name, "--files"], cwd=scenario.parent, text=True, check=False,
-                              capture_output=True)
+        done = subprocess.run([program, "check", "--kind", "scenario", "--files", "--", scenario.name],
+                              cwd=scenario.parent, text=True, check=False, capture_output=True)
         if done.returncode != 0:
             raise InventoryError(f"scenario: {done.stderr.strip()} (in {scenario.parent})")
         return done.stdout.splitlines()
