@@ -48,10 +48,13 @@ enum class Rule : std::uint32_t {
   VehicleClock,          ///< a live vehicle keeps real time
   WaypointCount,         ///< at least two
   WaypointsApart,        ///< neighbours are neither one place nor too far apart
-  WaypointSpeeds,        ///< no leg begins and ends at rest
+  WaypointSpeeds,        ///< a leg that begins and ends at rest has a speed of its own
+  WaypointLegSpeed,      ///< which is not below that of its ends, and the leg is long enough to change speed
   WaypointWait,          ///< waits are at rest
   WaypointTurn,          ///< the path does not turn back on itself
   WaypointAcceleration,  ///< within the scenario's limit
+  WaypointTilt,          ///< of a multirotor, likewise
+  WaypointYaw,           ///< only a vehicle whose nose is free is told where it points
   RouteCoversRun,        ///< a path that ends in motion reaches to the end of the run
   MethodNeeds,           ///< the file has the columns that the method works on
   FileCoversRun,         ///< the file's rows reach to the end of the run
@@ -89,7 +92,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 68> values{"readable",
+  static constexpr std::array<std::string_view, 71> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -127,9 +130,12 @@ struct EnumNames<Rule> {
                                                            "waypoint_count",
                                                            "waypoints_apart",
                                                            "waypoint_speeds",
+                                                           "waypoint_leg_speed",
                                                            "waypoint_wait",
                                                            "waypoint_turn",
                                                            "waypoint_acceleration",
+                                                           "waypoint_tilt",
+                                                           "waypoint_yaw",
                                                            "route_covers_run",
                                                            "method_needs",
                                                            "file_covers_run",

@@ -10,16 +10,17 @@ namespace inslab::scenario {
 
 /// A curve's parameter over time, s: powers ascending.
 struct TimeLaw {
-  std::array<double, 6> c{};
+  std::array<double, 7> c{};
 
   double value(double t_s) const {
-    return c[0] + t_s * (c[1] + t_s * (c[2] + t_s * (c[3] + t_s * (c[4] + t_s * c[5]))));
+    return c[0] + t_s * (c[1] + t_s * (c[2] + t_s * (c[3] + t_s * (c[4] + t_s * (c[5] + t_s * c[6])))));
   }
   double first(double t_s) const {
-    return c[1] + t_s * (2.0 * c[2] + t_s * (3.0 * c[3] + t_s * (4.0 * c[4] + t_s * (5.0 * c[5]))));
+    return c[1] +
+           t_s * (2.0 * c[2] + t_s * (3.0 * c[3] + t_s * (4.0 * c[4] + t_s * (5.0 * c[5] + t_s * (6.0 * c[6])))));
   }
   double second(double t_s) const {
-    return 2.0 * c[2] + t_s * (6.0 * c[3] + t_s * (12.0 * c[4] + t_s * (20.0 * c[5])));
+    return 2.0 * c[2] + t_s * (6.0 * c[3] + t_s * (12.0 * c[4] + t_s * (20.0 * c[5] + t_s * (30.0 * c[6]))));
   }
 };
 

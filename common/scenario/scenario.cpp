@@ -137,7 +137,7 @@ std::optional<Violation> route_violation(const Scenario& scenario) {
   if (scenario.trajectory.source != TrajectorySource::Waypoints || waypoints.back().speed_m_per_s == 0.0) {
     return std::nullopt;
   }
-  const double end_s = time::to_seconds(WaypointRoute(waypoints).duration());
+  const double end_s = time::to_seconds(WaypointRoute(waypoints, route_options(scenario.trajectory)).duration());
   if (scenario.duration_s <= end_s) return std::nullopt;
   return Violation{Rule::RouteCoversRun, "duration_s",
                    "lies after the last waypoint, which the vehicle passes in motion at " + std::to_string(end_s) +

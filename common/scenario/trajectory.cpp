@@ -1,5 +1,10 @@
 #include "scenario/trajectory.hpp"
 
+#include <cmath>
+#include <sstream>
+
+#include "scenario/waypoint_route.hpp"
+
 namespace inslab::scenario {
 
 namespace {
@@ -47,7 +52,50 @@ std::optional<Violation> ballistic_violation(const Segment& segment, std::size_t
   return std::nullopt;
 }
 
+std::optional<Violation> yaw_violation(const Trajectory& trajectory) {
+  if (trajectory.attitude_from_path.vehicle_class == VehicleClass::Multirotor) return std::nullopt;
+  for (std::size_t k = 0; k < trajectory.waypoints.size(); ++k) {
+    if (!trajectory.waypoints[k].yaw_deg) continue;
+    return Violation{Rule::WaypointYaw, "waypoints[" + std::to_string(k) + "].yaw_deg",
+                     "is set for a vehicle whose nose follows the path; expected attitude_from_path.vehicle_class "
+                     "multirotor, or no yaw"};
+  }
+  return std::nullopt;
+}
+
+/// A path that leans a multirotor further than it can.
+std::optional<Violation> tilt_violation(const Trajectory& trajectory) {
+  constexpr double kG_m_per_s2 = 9.80665;
+  constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
+  const VehicleAttitude& attitude = trajectory.attitude_from_path;
+  if (attitude.vehicle_class != VehicleClass::Multirotor) return std::nullopt;
+  const WaypointRoute route(trajectory.waypoints, route_options(trajectory));
+  for (std::size_t i = 0; i < route.pieces(); ++i) {
+    const PathPiece piece = route.piece(i);
+    const double span_s = time::to_seconds(piece.end - piece.start);
+    for (const double part : {0.0, 0.5, 1.0}) {
+      // The piece's own axes are level but for its length over the Earth's radius.
+      const nav::Vector3 thrust =
+          piece.acceleration_k(part * span_s) + attitude.drag_per_s * piece.velocity_k(part * span_s);
+      const double tilt_deg = kDegPerRad * std::atan2(std::hypot(thrust.x(), thrust.y()), kG_m_per_s2 - thrust.z());
+      if (tilt_deg <= attitude.max_tilt_deg) continue;
+      std::ostringstream why;
+      why.precision(4);
+      why << "leads into a tilt of " << tilt_deg << " deg at " << time::to_seconds(piece.start) + part * span_s
+          << " s; expected at most " << attitude.max_tilt_deg
+          << " (attitude_from_path.max_tilt_deg): a lower speed, a wider bend or less leg_acceleration_m_per_s2";
+      return Violation{Rule::WaypointTilt, "waypoints[" + std::to_string(piece.index) + "]", why.str()};
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+RouteOptions route_options(const Trajectory& trajectory) {
+  return {trajectory.leg_acceleration_m_per_s2,
+          trajectory.attitude_from_path.vehicle_class == VehicleClass::Multirotor};
+}
 
 bool is_angular(MotionType type) {
   switch (type) {
@@ -69,7 +117,12 @@ std::optional<Violation> violation(const Trajectory& trajectory) {
     return Violation{Rule::SegmentsOnce, "segments_file", "is given beside segments; expected one of the two"};
   }
   if (trajectory.source == TrajectorySource::Waypoints) {
-    return violation(trajectory.waypoints, trajectory.max_acceleration_m_per_s2);
+    if (auto broken = yaw_violation(trajectory)) return broken;
+    if (auto broken =
+            violation(trajectory.waypoints, trajectory.max_acceleration_m_per_s2, route_options(trajectory))) {
+      return broken;
+    }
+    return tilt_violation(trajectory);
   }
   if (trajectory.source == TrajectorySource::VehicleState) {
     if (auto broken = violation(trajectory.vehicle)) {

@@ -9,7 +9,7 @@
 #include "samples/violation.hpp"
 #include "scenario/file_motion.hpp"
 #include "scenario/live_vehicle.hpp"
-#include "scenario/path_attitude.hpp"
+#include "scenario/vehicle_attitude.hpp"
 #include "scenario/waypoint.hpp"
 
 /// The motion part of a scenario: where the vehicle starts and what it does, segment after segment.
@@ -150,7 +150,8 @@ struct Trajectory {
   FileMotion file;                          ///< file
   std::vector<Waypoint> waypoints;          ///< waypoints
   double max_acceleration_m_per_s2 = 30.0;  ///< waypoints
-  PathAttitude attitude_from_path;          ///< waypoints
+  double leg_acceleration_m_per_s2 = 2.0;   ///< waypoints
+  VehicleAttitude attitude_from_path;       ///< waypoints
   LiveVehicle vehicle;                      ///< vehicle_state
 
   template <class Self, class Visitor>
@@ -174,6 +175,10 @@ struct Trajectory {
         visit(Field("max_acceleration_m_per_s2", "a path that needs more, in a bend or between speeds, is refused")
                   .in(1e-3, 1e4),
               self.max_acceleration_m_per_s2);
+        visit(Field("leg_acceleration_m_per_s2",
+                    "the largest along the path with which a leg of its own speed speeds up and brakes")
+                  .in(1e-4, 1e3),
+              self.leg_acceleration_m_per_s2);
         visit(Field("attitude_from_path"), self.attitude_from_path);
         break;
       case TrajectorySource::VehicleState:
@@ -189,6 +194,10 @@ bool is_angular(MotionType type);
 
 /// The axis a motion acts along or about: the one it names, or else z_v for angular and x_v for linear motions.
 Axis axis_of(const Motion& motion);
+
+/// How its waypoints become a route: one curve passes through the stops of a vehicle whose nose follows the path, while
+/// a multirotor leaves a stop in any direction.
+RouteOptions route_options(const Trajectory& trajectory);
 
 /// The first rule that the trajectory breaks and that no single field's limits express, or nothing.
 std::optional<Violation> violation(const Trajectory& trajectory);

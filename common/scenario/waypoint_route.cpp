@@ -14,6 +14,9 @@ constexpr double kFarthest_m = 500e3;
 constexpr double kLongest_s = 1e9;
 // Where the line turns back on itself, its slope by its own length vanishes.
 constexpr double kLeastSlope = 0.5;
+// The largest acceleration of a ramp over its mean.
+constexpr double kRampPeak = 1.875;
+constexpr double kShortestCruise_s = 0.01;
 
 nav::Geodetic position(const Waypoint& waypoint) {
   return {waypoint.latitude_deg * kRadPerDeg, nav::wrapped_to_pi(waypoint.longitude_deg * kRadPerDeg),
@@ -52,7 +55,47 @@ std::optional<Violation> single_violation(const std::vector<Waypoint>& waypoints
   return std::nullopt;
 }
 
-std::optional<Violation> leg_violation(const std::vector<Waypoint>& waypoints) {
+/// How a leg with a speed of its own is divided.
+struct LegPlan {
+  double top_m_per_s = 0.0;
+  double ramp_up_s = 0.0;
+  double cruise_s = 0.0;
+  double ramp_down_s = 0.0;
+
+  double total_s() const { return ramp_up_s + cruise_s + ramp_down_s; }
+};
+
+LegPlan plan(double length_m, double v0_m_per_s, double v1_m_per_s, double speed_m_per_s,
+             double acceleration_m_per_s2) {
+  const double a = acceleration_m_per_s2 / kRampPeak;
+  const double ends = v0_m_per_s * v0_m_per_s + v1_m_per_s * v1_m_per_s;
+  const double ramps_m = (2.0 * speed_m_per_s * speed_m_per_s - ends) / (2.0 * a);
+  LegPlan plan;
+  plan.top_m_per_s = ramps_m <= length_m ? speed_m_per_s : std::sqrt(a * length_m + 0.5 * ends);
+  plan.ramp_up_s = std::max(0.0, plan.top_m_per_s - v0_m_per_s) / a;
+  plan.ramp_down_s = std::max(0.0, plan.top_m_per_s - v1_m_per_s) / a;
+  plan.cruise_s = std::max(0.0, (length_m - ramps_m) / speed_m_per_s);
+  return plan;
+}
+
+std::optional<Violation> leg_speed_violation(const Waypoint& from, const Waypoint& to, std::size_t index,
+                                             const LegPlan& plan) {
+  const double faster_m_per_s = std::max(from.speed_m_per_s, to.speed_m_per_s);
+  if (*to.leg_speed_m_per_s < faster_m_per_s) {
+    return Violation{Rule::WaypointLegSpeed, at(index, "leg_speed_m_per_s"),
+                     text_of("is ", *to.leg_speed_m_per_s, ", below the ", faster_m_per_s,
+                             " m/s at an end of its leg; expected that or more")};
+  }
+  // Where a ramp fills the leg, its length to 1e-4 decides.
+  if (plan.cruise_s > 0.0 || plan.top_m_per_s >= 1.001 * faster_m_per_s) return std::nullopt;
+  return Violation{
+      Rule::WaypointLegSpeed, at(index, "leg_speed_m_per_s"),
+      text_of("is set on a leg that is too short to go from ", from.speed_m_per_s, " to ", to.speed_m_per_s,
+              " m/s at leg_acceleration_m_per_s2; expected a longer leg, nearer speeds "
+              "or a larger acceleration")};
+}
+
+std::optional<Violation> leg_violation(const std::vector<Waypoint>& waypoints, const RouteOptions& options) {
   double total_s = waypoints.front().wait_s;
   for (std::size_t k = 1; k < waypoints.size(); ++k) {
     const double distance_m = nav::ned_from(position(waypoints[k - 1]), position(waypoints[k])).norm();
@@ -61,12 +104,21 @@ std::optional<Violation> leg_violation(const std::vector<Waypoint>& waypoints) {
                        text_of("lies ", distance_m, " m from the one before; expected ", kClosest_m, " m to ",
                                kFarthest_m / 1e3, " km")};
     }
-    const double both_m_per_s = waypoints[k - 1].speed_m_per_s + waypoints[k].speed_m_per_s;
-    if (both_m_per_s == 0.0) {
-      return Violation{Rule::WaypointSpeeds, at(k, "speed_m_per_s"),
-                       "is 0, as at the waypoint before: the leg between them would never end"};
+    const Waypoint &from = waypoints[k - 1], &to = waypoints[k];
+    if (to.leg_speed_m_per_s) {
+      const LegPlan leg = plan(distance_m, from.speed_m_per_s, to.speed_m_per_s, *to.leg_speed_m_per_s,
+                               options.leg_acceleration_m_per_s2);
+      if (auto broken = leg_speed_violation(from, to, k, leg)) return broken;
+      total_s += leg.total_s() + to.wait_s;
+    } else {
+      const double both_m_per_s = from.speed_m_per_s + to.speed_m_per_s;
+      if (both_m_per_s == 0.0) {
+        return Violation{Rule::WaypointSpeeds, at(k, "speed_m_per_s"),
+                         "is 0, as at the waypoint before: the leg between them would never end; expected a speed at "
+                         "one of them, or leg_speed_m_per_s here"};
+      }
+      total_s += 2.0 * distance_m / both_m_per_s + to.wait_s;
     }
-    total_s += 2.0 * distance_m / both_m_per_s + waypoints[k].wait_s;
     if (!(total_s <= kLongest_s)) {
       return Violation{Rule::TrajectoryLength, at(k, "speed_m_per_s"), "brings the total above 1e9 s"};
     }
@@ -74,13 +126,14 @@ std::optional<Violation> leg_violation(const std::vector<Waypoint>& waypoints) {
   return std::nullopt;
 }
 
-std::optional<Violation> turn_violation(const nav::SurfaceCurve& curve) {
+std::optional<Violation> turn_violation(const WaypointRoute::Run& run) {
+  const nav::SurfaceCurve& curve = run.curve;
   std::size_t nearest = 0;
   for (std::size_t k = 0; k <= curve.line.pieces(); ++k) {
     const std::size_t next = std::min(nearest + 1, curve.index_of_point.size() - 1);
     if (2 * k > curve.index_of_point[nearest] + curve.index_of_point[next]) nearest = next;
     if (!(curve.line.slope_e(k).norm() >= kLeastSlope)) {
-      return Violation{Rule::WaypointTurn, at(nearest, ""),
+      return Violation{Rule::WaypointTurn, at(run.first + nearest, ""),
                        "makes the path turn back on itself; expected a bend that a smooth path can follow"};
     }
   }
@@ -125,75 +178,137 @@ double time_of(const TimeLaw& law, double length_m, double span_s) {
 
 }  // namespace
 
-std::optional<Violation> violation(const std::vector<Waypoint>& waypoints, double max_acceleration_m_per_s2) {
+std::optional<Violation> violation(const std::vector<Waypoint>& waypoints, double max_acceleration_m_per_s2,
+                                   const RouteOptions& options) {
   if (auto broken = single_violation(waypoints)) return broken;
-  if (auto broken = leg_violation(waypoints)) return broken;
-  const WaypointRoute route(waypoints);
-  if (auto broken = turn_violation(route.curve())) return broken;
+  if (auto broken = leg_violation(waypoints, options)) return broken;
+  const WaypointRoute route(waypoints, options);
+  for (const WaypointRoute::Run& run : route.runs()) {
+    if (auto broken = turn_violation(run)) return broken;
+  }
   return acceleration_violation(route, max_acceleration_m_per_s2);
 }
 
-WaypointRoute::WaypointRoute(const std::vector<Waypoint>& waypoints)
-    : curve_(nav::surface_curve(positions(waypoints))) {
+WaypointRoute::WaypointRoute(const std::vector<Waypoint>& waypoints, const RouteOptions& options) {
+  std::vector<Waypoint> run{waypoints.front()};
+  for (std::size_t k = 1; k < waypoints.size(); ++k) {
+    run.push_back(waypoints[k]);
+    const bool parts = options.stops_part && waypoints[k].speed_m_per_s == 0.0;
+    if (!parts && k + 1 < waypoints.size()) continue;
+    runs_.push_back({nav::surface_curve(positions(run)), k + 1 - run.size()});
+    run = {waypoints[k]};
+  }
   for (std::size_t k = 0; k < waypoints.size(); ++k) {
-    if (k > 0) add_leg(k - 1, waypoints[k - 1].speed_m_per_s, waypoints[k].speed_m_per_s);
+    if (k > 0) add_leg(k - 1, waypoints[k - 1], waypoints[k], options);
+    arrivals_.push_back(duration());
     add_wait(k, time::from_seconds(waypoints[k].wait_s));
+    departures_.push_back(duration());
   }
 }
 
 void WaypointRoute::stay_until(time::Nanoseconds end) {
-  if (end > duration()) add_wait(legs_.size(), end - duration());
+  if (end <= duration()) return;
+  add_wait(arrivals_.size() - 1, end - duration());
+  departures_.back() = end;
+}
+
+std::size_t WaypointRoute::run_of_leg(std::size_t leg) const {
+  std::size_t run = runs_.size() - 1;
+  while (runs_[run].first > leg) --run;
+  return run;
 }
 
 void WaypointRoute::add_wait(std::size_t waypoint, time::Nanoseconds duration) {
   if (duration.count() <= 0) return;
-  const time::Nanoseconds start = pieces_.empty() ? time::Nanoseconds(0) : pieces_.back().end;
-  pieces_.push_back({start + duration, waypoint, curve_.index_of_point[waypoint], 0.0, true});
+  const std::size_t run = run_of_leg(waypoint);
+  const std::size_t cubic = runs_[run].curve.index_of_point[waypoint - runs_[run].first];
+  pieces_.push_back({this->duration() + duration, waypoint, run, cubic, 0, 0.0, true});
 }
 
-void WaypointRoute::add_leg(std::size_t leg, double v0_m_per_s, double v1_m_per_s) {
-  const nav::PositionSpline& line = curve_.line;
-  const std::size_t first = curve_.index_of_point[leg], last = curve_.index_of_point[leg + 1];
-  double length_m = 0.0;
-  for (std::size_t k = first; k < last; ++k) length_m += line.interval(k);
+void WaypointRoute::add_leg(std::size_t leg, const Waypoint& from, const Waypoint& to, const RouteOptions& options) {
+  Cubics cubics;
+  cubics.run = run_of_leg(leg);
+  const Run& run = runs_[cubics.run];
+  const nav::PositionSpline& line = run.curve.line;
+  cubics.first = run.curve.index_of_point[leg - run.first];
+  cubics.last = run.curve.index_of_point[leg - run.first + 1];
+  for (std::size_t k = cubics.first; k < cubics.last; ++k) cubics.length_m += line.interval(k);
   // By the parameter: the line's slope is nearly, not exactly, of length 1.
-  const double w0 = v0_m_per_s / line.slope_e(first).norm(), w1 = v1_m_per_s / line.slope_e(last).norm();
-  const time::Nanoseconds span = time::from_seconds(2.0 * length_m / (w0 + w1));
+  const double w0 = from.speed_m_per_s / line.slope_e(cubics.first).norm();
+  const double w1 = to.speed_m_per_s / line.slope_e(cubics.last).norm();
+  if (!to.leg_speed_m_per_s) {
+    const time::Nanoseconds span = time::from_seconds(2.0 * cubics.length_m / (w0 + w1));
+    const double T = time::to_seconds(span);
+    // The rounding of T is made up for by a bump that leaves both ends as they are.
+    const double bump = cubics.length_m - 0.5 * T * (w0 + w1);
+    const double T2 = T * T, T3 = T2 * T;
+    add_phase(leg, cubics,
+              {{0.0, w0, 0.0, (w1 - w0) / T2 + 10.0 * bump / T3, -0.5 * (w1 - w0) / T3 - 15.0 * bump / (T3 * T),
+                6.0 * bump / (T3 * T2)}},
+              span, true);
+    return;
+  }
+  const LegPlan parts = plan(cubics.length_m, w0, w1, *to.leg_speed_m_per_s, options.leg_acceleration_m_per_s2);
+  const time::Nanoseconds up = time::from_seconds(parts.ramp_up_s), down = time::from_seconds(parts.ramp_down_s);
+  const bool cruises = parts.cruise_s > kShortestCruise_s;
+  const time::Nanoseconds cruise = time::from_seconds(cruises ? parts.cruise_s : 0.0);
+  const double up_s = time::to_seconds(up), down_s = time::to_seconds(down), cruise_s = time::to_seconds(cruise);
+  // Times are rounded: without a cruise its speed makes up for that, with one a bump in it.
+  const double top = cruises ? parts.top_m_per_s : (2.0 * cubics.length_m - w0 * up_s - w1 * down_s) / (up_s + down_s);
+  const auto ramp = [](double start_m, double v0, double v1, double T) {
+    const double T3 = T * T * T, dv = v1 - v0;
+    return TimeLaw{{start_m, v0, 0.0, 0.0, 2.5 * dv / T3, -3.0 * dv / (T3 * T), dv / (T3 * T * T)}};
+  };
+  const double up_m = 0.5 * (w0 + top) * up_s, down_m = 0.5 * (top + w1) * down_s;
+  if (up.count() > 0) add_phase(leg, cubics, ramp(0.0, w0, top, up_s), up, !cruises && down.count() == 0);
+  if (cruises) {
+    const double bump = cubics.length_m - up_m - down_m - top * cruise_s;
+    const double T3 = cruise_s * cruise_s * cruise_s;
+    add_phase(
+        leg, cubics,
+        {{up_m, top, 0.0, 10.0 * bump / T3, -15.0 * bump / (T3 * cruise_s), 6.0 * bump / (T3 * cruise_s * cruise_s)}},
+        cruise, down.count() == 0);
+  }
+  if (down.count() > 0) add_phase(leg, cubics, ramp(cubics.length_m - down_m, top, w1, down_s), down, true);
+}
+
+void WaypointRoute::add_phase(std::size_t leg, const Cubics& cubics, const TimeLaw& law, time::Nanoseconds span,
+                              bool is_last) {
+  const nav::PositionSpline& line = runs_[cubics.run].curve.line;
   const double T = time::to_seconds(span);
-  // The rounding of T is made up for by a bump that leaves both ends as they are.
-  const double bump = length_m - 0.5 * T * (w0 + w1);
-  const double T2 = T * T, T3 = T2 * T;
-  const time::Nanoseconds start = pieces_.empty() ? time::Nanoseconds(0) : pieces_.back().end;
-  legs_.push_back({{{0.0, w0, 0.0, (w1 - w0) / T2 + 10.0 * bump / T3, -0.5 * (w1 - w0) / T3 - 15.0 * bump / (T3 * T),
-                     6.0 * bump / (T3 * T2)}},
-                   start,
-                   start + span});
+  const double from_m = law.c[0], to_m = law.value(T);
+  const time::Nanoseconds start = duration(), phase_end = start + span;
+  phases_.push_back({law, start, phase_end});
   double before_m = 0.0;
-  for (std::size_t k = first; k < last; ++k) {
+  for (std::size_t k = cubics.first; k < cubics.last; ++k) {
     const double after_m = before_m + line.interval(k);
-    const time::Nanoseconds end =
-        k + 1 == last ? start + span : start + time::from_seconds(time_of(legs_.back().law, after_m, T));
-    if (end > (pieces_.empty() ? start : pieces_.back().end)) pieces_.push_back({end, leg, k, before_m, false});
+    const bool ends = k + 1 == cubics.last || (!is_last && after_m >= to_m);
+    if (ends || after_m > from_m) {
+      const time::Nanoseconds end = ends ? phase_end : start + time::from_seconds(time_of(law, after_m, T));
+      if (end > duration()) pieces_.push_back({end, leg, cubics.run, k, phases_.size() - 1, before_m, false});
+    }
+    if (ends) return;
     before_m = after_m;
   }
 }
 
 PathPiece WaypointRoute::piece(std::size_t index) const {
   const Stretch& stretch = pieces_[index];
+  const nav::PositionSpline& line = runs_[stretch.run].curve.line;
   PathPiece piece;
   piece.start = index == 0 ? time::Nanoseconds(0) : pieces_[index - 1].end;
   piece.end = stretch.end;
   piece.index = static_cast<std::uint32_t>(stretch.leg);
-  if (stretch.waits && stretch.cubic == curve_.line.pieces()) {
+  if (stretch.waits && stretch.cubic == line.pieces()) {
     // Behind the line's end: the last cubic, at its end.
-    piece.curve = curve_.line.piece(stretch.cubic - 1);
-    piece.law.c[0] = curve_.line.interval(stretch.cubic - 1);
+    piece.curve = line.piece(stretch.cubic - 1);
+    piece.law.c[0] = line.interval(stretch.cubic - 1);
     return piece;
   }
-  piece.curve = curve_.line.piece(stretch.cubic);
+  piece.curve = line.piece(stretch.cubic);
   if (!stretch.waits) {
-    const Leg& leg = legs_[stretch.leg];
-    piece.law = shifted(leg.law, time::to_seconds(piece.start - leg.start), stretch.length_m);
+    const Phase& phase = phases_[stretch.phase];
+    piece.law = shifted(phase.law, time::to_seconds(piece.start - phase.start), stretch.length_m);
   }
   return piece;
 }

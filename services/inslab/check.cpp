@@ -2,8 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 
 #include "app/exit_code.hpp"
+#include "app/host.hpp"
 #include "app/one_of.hpp"
 #include "config/error.hpp"
 #include "config/files_read.hpp"
@@ -15,6 +18,8 @@
 #include "scenario/motion_matrix.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/file_kind.hpp"
+#include "services/inslab/look_ahead.hpp"
+#include "services/inslab/progress.hpp"
 #include "services/inslab/tell.hpp"
 #include "services/inslab/trajectory_check.hpp"
 #include "services/reference_nav/app_setup.hpp"
@@ -54,6 +59,30 @@ std::string words_of(const scenario::LoadedScenario& loaded) {
   return "";
 }
 
+// A day of a soak would take minutes: as much as this is looked at.
+constexpr double kLongestLook_s = 3600.0;
+
+/// What the run will meet, or an error that names the limit that it breaks.
+std::string ahead_of(const scenario::LoadedScenario& loaded) {
+  const double span_s = std::min(loaded.scenario.duration_s, kLongestLook_s);
+  if (loaded.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) {
+    return "  the motion is the live vehicle's: its extremes show in the run\n";
+  }
+  std::optional<Progress> progress;
+  const time::Nanoseconds begun = app::monotonic_now();
+  const auto show = [&](time::Nanoseconds sim_time) {
+    if (!progress && app::monotonic_now() - begun > std::chrono::seconds(2)) {
+      progress.emplace(loaded.scenario.name + ": looking ahead", time::from_seconds(span_s));
+    }
+    if (progress) progress->show(sim_time);
+  };
+  try {
+    return text_of(look_ahead(loaded, span_s, show));
+  } catch (const std::domain_error& error) {
+    throw config::Error(loaded.file.string(), {Rule::ValueRange, "trajectory", error.what()});
+  }
+}
+
 int check_scenario(const std::string& file, bool lists_files) {
   const scenario::LoadedScenario loaded = scenario::load(file);
   if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
@@ -61,9 +90,12 @@ int check_scenario(const std::string& file, bool lists_files) {
     for (const std::string& path : config::files_read()) fmt::print("{}\n", path);
     return app::kOk;
   }
-  return good(file, fmt::format("scenario of {:.3f} s at {} Hz, {}, {} IMUs, {} GNSS receivers, {} swaps",
-                                loaded.scenario.duration_s, loaded.scenario.truth_rate_hz, words_of(loaded),
-                                loaded.imus.size(), loaded.gnss.size(), loaded.swaps.size()));
+  const std::string ahead = ahead_of(loaded);
+  const int code = good(file, fmt::format("scenario of {:.3f} s at {} Hz, {}, {} IMUs, {} GNSS receivers, {} swaps",
+                                          loaded.scenario.duration_s, loaded.scenario.truth_rate_hz, words_of(loaded),
+                                          loaded.imus.size(), loaded.gnss.size(), loaded.swaps.size()));
+  tell("{}", ahead);
+  return code;
 }
 
 int check_navigation(const std::string& file) {

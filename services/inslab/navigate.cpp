@@ -52,6 +52,7 @@ std::string why_it_never_began(const reference_nav::NavigationFilter& filter, co
   std::string why = "the filter never began: ";
   const std::string refusal = refusals.words();
   why += refusal.empty() ? "no fix came that it could begin at while it was aligned" : refusal;
+  why += "; in motion: " + filter.motion_refusal();
   return why + fmt::format(" (fixes not used {}, too old {}; IMU samples not valid {}, gaps {})", counts.fixes_not_used,
                            counts.fixes_too_old, counts.imu_not_valid, counts.imu_gaps);
 }

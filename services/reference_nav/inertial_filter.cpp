@@ -31,6 +31,8 @@ constexpr nav::Strapdown::Options kFullRotation{true};
 
 /// Chi-square with 3 degrees of freedom that one honest zero velocity in a thousand is beyond.
 constexpr double kRestLimit = 16.27;
+/// How long a gain of velocity is summed up: 30 s of 0.005 m/s^2, which no second shows, are 0.15 m/s.
+constexpr double kLongestGain_s = 30.0;
 
 }  // namespace
 
@@ -71,8 +73,16 @@ void InertialFilter::advance(const ImuInterval& interval) {
   newest_ = corrected(interval.increments);
   const double dt_s = newest_.dt_s;
   const nav::Quaternion q_start = strapdown_.q_nb();
-  if (sums_.dt_s == 0.0) sums_.v_n_start = strapdown_.v_n();
+  const Vector3 v_n_start = strapdown_.v_n();
+  if (sums_.dt_s == 0.0) sums_.v_n_start = v_n_start;
   strapdown_.advance(newest_);
+  if (interval.window_begins) {
+    rest_.window_gain_n.setZero();
+    rest_.window_s = 0.0;
+  }
+  rest_.window_gain_n += strapdown_.v_n() - v_n_start;
+  rest_.window_s += dt_s;
+  if (interval.moves) rest_ = Rest{};
 
   // Half the turn between two unit quaternions of one sign is their sum, normalised.
   const nav::Quaternion q_end = strapdown_.q_nb();
@@ -204,16 +214,43 @@ void InertialFilter::recover(const Antenna& a, const Eigen::Matrix<double, 6, 1>
   correct(x);
 }
 
+/// Whether the forces of a time change the velocity by more than their errors can.
+bool InertialFilter::gains_velocity(const Vector3& gain_n, double span_s) const {
+  const Matrix21& P = covariance_.matrix();
+  const Matrix3 C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
+  Eigen::Matrix<double, 3, kStates> H = Eigen::Matrix<double, 3, kStates>::Zero();
+  H.block<3, 3>(0, kAttitude) = span_s * nav::skew(-gravity_.g_n(strapdown_.position()));
+  H.block<3, 3>(0, kAccelBias) = -span_s * C_nb;
+  const double least = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
+  Matrix3 S = H * P * H.transpose() + least * Matrix3::Identity();
+  S.diagonal() += Vector3::Constant(span_s * noise_.accel_density.maxCoeff());
+  return squared_normalised(S, gain_n) > kRestLimit;
+}
+
+/// A gentle pull-away feels like rest: what the filter knows of its velocity, and what the forces do to it, must agree.
 void InertialFilter::rest() {
-  if (strapdown_.v_n().norm() > zero_velocity_.speed_m_per_s) return;
+  if (strapdown_.v_n().norm() > zero_velocity_.speed_m_per_s) {
+    rest_ = Rest{};
+    return;
+  }
   settle();
+  rest_.gain_n += rest_.window_gain_n;
+  rest_.span_s += rest_.window_s;
   const double variance = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
   const Matrix3 S = covariance_.matrix().block<3, 3>(kVelocity, kVelocity) + variance * Matrix3::Identity();
-  // A gentle pull-away feels like rest; the filter that knows its velocity knows better.
-  if (squared_normalised(S, strapdown_.v_n()) > std::min(innovation_test_.limit, kRestLimit)) return;
+  if (squared_normalised(S, strapdown_.v_n()) > std::min(innovation_test_.limit, kRestLimit) ||
+      gains_velocity(rest_.window_gain_n, rest_.window_s) || gains_velocity(rest_.gain_n, rest_.span_s)) {
+    rest_ = Rest{};
+    return;
+  }
+  if (rest_.span_s >= kLongestGain_s) {
+    rest_.gain_n.setZero();
+    rest_.span_s = 0.0;
+  }
+  rest_.updates = std::min(zero_velocity_.windows_alike, rest_.updates + 1.0);
   Vector21 x = Vector21::Zero();
   for (Eigen::Index i = 0; i < 3; ++i) {
-    covariance_.update(Vector21::Unit(kVelocity + i), variance, strapdown_.v_n()[i], x);
+    covariance_.update(Vector21::Unit(kVelocity + i), rest_.updates * variance, strapdown_.v_n()[i], x);
   }
   correct(x);
 }

@@ -16,7 +16,9 @@ struct ImuInterval {
   nav::ImuIncrements increments;   ///< as the IMU gave them, or held over
   double rate_held_over_s = 0.0;   ///< 0: the rate is measured; else for how long it has been held over, at the end
   double force_held_over_s = 0.0;  ///< the same of the specific force
-  bool at_rest = false;            ///< the detector ends a window of rest here
+  bool window_begins = false;      ///< of the detector of rest, with this interval
+  bool at_rest = false;            ///< it ends a window of rest here
+  bool moves = false;              ///< it ends one that is no rest
 };
 
 /// What became of a fix: squared innovations over their covariance, chi-square with 3 degrees of freedom when the
@@ -84,6 +86,15 @@ class InertialFilter {
     Matrix3 velocity_noise = Matrix3::Zero();
   };
 
+  /// What the mechanization says of a time that feels like rest.
+  struct Rest {
+    Vector3 window_gain_n = Vector3::Zero();  ///< of velocity, since the detector's window began, m/s
+    double window_s = 0.0;
+    Vector3 gain_n = Vector3::Zero();  ///< the same since rest began, or began to be looked at anew
+    double span_s = 0.0;
+    double updates = 0.0;  ///< taken since it began
+  };
+
   /// Six rows of a measurement of the antenna: position, velocity.
   struct Antenna {
     Eigen::Matrix<double, 6, kStates> H;
@@ -94,6 +105,7 @@ class InertialFilter {
   nav::ImuIncrements corrected(const nav::ImuIncrements& increments) const;
   Antenna antenna(const GnssFix& fix) const;
   void rest();
+  bool gains_velocity(const Vector3& gain_n, double span_s) const;
   void correct(const Vector21& x);
   void recover(const Antenna& antenna, const Eigen::Matrix<double, 6, 1>& variances);
 
@@ -111,6 +123,7 @@ class InertialFilter {
   SensorErrors sensor_errors_;
   nav::ImuIncrements newest_;  ///< corrected
   Sums sums_;
+  Rest rest_;
   std::int64_t time_ns_;
   std::int64_t last_accepted_ns_;
   std::uint32_t rejections_ = 0;

@@ -1,11 +1,23 @@
 #include "services/reference_nav/initializer.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
 #include "nav/alignment.hpp"
 #include "nav/attitude.hpp"
 #include "nav/geodesy.hpp"
 #include "samples/units.hpp"
 
 namespace inslab::reference_nav {
+
+namespace {
+
+// More than this of heading a filter of small angles cannot begin with.
+constexpr double kMostHeading_rad = 20.0 * units::kDeg;
+constexpr double kBetweenTurns_s = 0.25;
+
+}  // namespace
 
 Vector21 initial_sigmas(const NavigationParameters& p) {
   Vector21 sigmas;
@@ -27,10 +39,11 @@ Vector3 alignment_sigmas(const NavigationParameters& p, double span_s, double la
 }
 
 Initializer::Initializer(const NavigationParameters& parameters, const nav::Gravity& gravity)
-    : parameters_(parameters), gravity_(gravity) {}
+    : parameters_(parameters), gravity_(gravity), motion_(parameters, gravity) {}
 
 void Initializer::add(const GnssFix& fix) {
   fix_ = fix;
+  motion_.add(fix);
   const double sigma_m_per_s = fix.velocity_sigma_ned_m_per_s.maxCoeff();
   if (parameters_.initial.attitude == InitialAttitude::Given || sigma_m_per_s <= 0.0) return;
   constexpr double kSurely = 5.0;  // standard deviations
@@ -44,6 +57,36 @@ void Initializer::refuse(const std::string& reason) {
   refusal_ = reason;
   span_s_ = count_ = 0.0;
   dtheta_sum_ = dv_sum_ = f_sum_ = f_squares_ = Vector3::Zero();
+  turns_.clear();
+}
+
+/// How far the IMU turned from its mean rate, at most: what a sway, cut off anywhere, leaves in the mean.
+double Initializer::sway_rad() const {
+  if (turns_.size() < 3) return 0.0;
+  double n = 0.0, t_sum = 0.0, t_squares = 0.0;
+  Vector3 turn_sum = Vector3::Zero(), product = Vector3::Zero();
+  for (const auto& [t_s, turn] : turns_) {
+    n += 1.0;
+    t_sum += t_s;
+    t_squares += t_s * t_s;
+    turn_sum += turn;
+    product += t_s * turn;
+  }
+  const Vector3 rate = (product - t_sum / n * turn_sum) / (t_squares - t_sum * t_sum / n);
+  const Vector3 mean = turn_sum / n;
+  double sway = 0.0;
+  for (const auto& [t_s, turn] : turns_) sway = std::max(sway, (turn - mean - rate * (t_s - t_sum / n)).norm());
+  // The angle's own random walk leaves its line by about this.
+  const double walk = units::kDegPerSqrtH * parameters_.gyro.arw_deg_per_sqrt_h.maxCoeff() * std::sqrt(span_s_);
+  return sway > 2.0 * walk ? sway : 0.0;
+}
+
+/// Standard deviations of an attitude from the rest so far.
+Vector3 Initializer::static_sigmas() const {
+  const nav::Geodetic place{fix_->latitude_rad, fix_->longitude_rad, fix_->height_m};
+  Vector3 sigmas = alignment_sigmas(parameters_, span_s_, place.latitude_rad, gravity_.g_n(place).norm());
+  sigmas.z() = std::hypot(sigmas.z(), 2.0 * sway_rad() / span_s_ / nav::omega_ie_n(place.latitude_rad).x());
+  return sigmas;
 }
 
 std::optional<Matrix3> Initializer::attitude() {
@@ -55,6 +98,16 @@ std::optional<Matrix3> Initializer::attitude() {
                                (f_squares_ / count_ - (f_sum_ / count_).cwiseAbs2()).cwiseMax(0.0).cwiseSqrt()};
   const nav::Geodetic place{fix_->latitude_rad, fix_->longitude_rad, fix_->height_m};
   const double gravity_m_per_s2 = gravity_.g_n(place).norm();
+  if (const double heading_rad = static_sigmas().z();
+      initial.attitude == InitialAttitude::StaticAlignment && heading_rad > kMostHeading_rad) {
+    std::ostringstream why;
+    why.precision(3);
+    why << initial.alignment_s << " s of rest leave heading unsure by " << heading_rad / units::kDeg
+        << " deg: the gyros' errors " << (sway_rad() > 0.0 ? "and the vehicle's sway " : "")
+        << "against the Earth's rate";
+    refuse(why.str());
+    return std::nullopt;
+  }
   const auto found = initial.attitude == InitialAttitude::Levelled
                          ? nav::levelled(means, rpy_rad.z(), gravity_m_per_s2, {})
                          : nav::coarse_alignment(means, fix_->latitude_rad, gravity_m_per_s2, {});
@@ -70,8 +123,7 @@ std::optional<Matrix3> Initializer::attitude() {
 void Initializer::doubt_attitude(Vector21& sigmas) const {
   const InitialState& initial = parameters_.initial;
   if (initial.attitude == InitialAttitude::Given) return;
-  const nav::Geodetic place{fix_->latitude_rad, fix_->longitude_rad, fix_->height_m};
-  Vector3 least = alignment_sigmas(parameters_, span_s_, place.latitude_rad, gravity_.g_n(place).norm());
+  Vector3 least = static_sigmas();
   if (initial.attitude == InitialAttitude::Levelled) least.z() = 0.0;
   sigmas.segment<3>(kAttitude) = sigmas.segment<3>(kAttitude).cwiseMax(least);
 }
@@ -86,23 +138,49 @@ std::optional<Beginning> Initializer::add(const ImuSample& sample) {
   dv_sum_ += sample.dv_b;
   f_sum_ += f_b - f_first_;
   f_squares_ += (f_b - f_first_).cwiseAbs2();
+  if (turns_.empty() || span_s_ - turns_.back().first >= kBetweenTurns_s) turns_.emplace_back(span_s_, dtheta_sum_);
+  const bool by_motion = parameters_.initial.attitude == InitialAttitude::StaticAlignment;
+  if (by_motion) motion_.add(sample);
   if (!fix_) return std::nullopt;
-  const std::optional<Matrix3> C_nb = attitude();
-  if (!C_nb) return std::nullopt;
+  if (const std::optional<Matrix3> C_nb = attitude()) return at_rest(sample, *C_nb);
+  if (by_motion && motion_.result()) return in_motion(sample, *motion_.result());
+  return std::nullopt;
+}
 
+Beginning Initializer::at_rest(const ImuSample& sample, const Matrix3& C_nb) const {
   Beginning beginning;
   beginning.time_ns = sample.header.sim_time_ns;
   beginning.sigmas = initial_sigmas(parameters_);
-  beginning.state.q_nb = nav::quaternion_from_matrix(*C_nb);
+  beginning.state.q_nb = nav::quaternion_from_matrix(C_nb);
   doubt_attitude(beginning.sigmas);
   const bool has_velocity = fix_->velocity_sigma_ned_m_per_s.minCoeff() > 0.0;
   if (has_velocity) beginning.state.v_n = fix_->v_n;
   const double age_s = static_cast<double>(beginning.time_ns - fix_->header.sim_time_ns) * 1e-9;
   beginning.state.position = nav::displaced({fix_->latitude_rad, fix_->longitude_rad, fix_->height_m},
-                                            age_s * beginning.state.v_n - *C_nb * parameters_.lever_arm_b_m);
+                                            age_s * beginning.state.v_n - C_nb * parameters_.lever_arm_b_m);
   beginning.sigmas.segment<3>(kPosition) = beginning.sigmas.segment<3>(kPosition).cwiseMax(fix_->position_sigma_ned_m);
   beginning.sigmas.segment<3>(kVelocity) =
       beginning.sigmas.segment<3>(kVelocity).cwiseMax(fix_->velocity_sigma_ned_m_per_s);
+  return beginning;
+}
+
+/// The fix is older than the sample: the vehicle went on at the mean of the fix's velocity and the one now.
+Beginning Initializer::in_motion(const ImuSample& sample, const MotionAlignment::Result& result) const {
+  Beginning beginning;
+  beginning.time_ns = sample.header.sim_time_ns;
+  beginning.sigmas = initial_sigmas(parameters_);
+  beginning.state.q_nb = nav::quaternion_from_matrix(result.C_nb);
+  beginning.state.v_n = result.v_n;
+  const double age_s = static_cast<double>(beginning.time_ns - fix_->header.sim_time_ns) * 1e-9;
+  const Vector3 way_n = age_s * 0.5 * (fix_->v_n + result.v_n);
+  beginning.state.position = nav::displaced({fix_->latitude_rad, fix_->longitude_rad, fix_->height_m},
+                                            way_n - result.C_nb * parameters_.lever_arm_b_m);
+  const auto raise = [&](StateIndex first, const Vector3& least) {
+    beginning.sigmas.segment<3>(first) = beginning.sigmas.segment<3>(first).cwiseMax(least);
+  };
+  raise(kPosition, fix_->position_sigma_ned_m);
+  raise(kVelocity, result.velocity_sigma_m_per_s);
+  raise(kAttitude, result.attitude_sigma_rad);
   return beginning;
 }
 

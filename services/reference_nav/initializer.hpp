@@ -6,6 +6,7 @@
 #include "samples/gnss_fix.hpp"
 #include "samples/imu_sample.hpp"
 #include "services/reference_nav/covariance.hpp"
+#include "services/reference_nav/motion_alignment.hpp"
 #include "services/reference_nav/parameters.hpp"
 
 namespace inslab::reference_nav {
@@ -31,6 +32,9 @@ Vector3 alignment_sigmas(const NavigationParameters& parameters, double span_s, 
                          double gravity_m_per_s2);
 
 /// Finds the state that the filter begins with, from IMU samples and fixes.
+///
+/// With static_alignment rest comes first; where it is too short, the vehicle sways or the gyros do not feel the Earth,
+/// MotionAlignment takes over as soon as the velocity changes.
 class Initializer {
  public:
   Initializer(const NavigationParameters& parameters, const nav::Gravity& gravity);
@@ -43,16 +47,23 @@ class Initializer {
   /// its gyros do not feel the Earth, begins the alignment anew and keeps the reason.
   std::optional<Beginning> add(const ImuSample& sample);
 
-  /// Why the last alignment was refused; empty when none was.
+  /// Why the last alignment at rest was refused; empty when none was.
   const std::string& refusal() const { return refusal_; }
+  /// Why there is none by motion.
+  const std::string& motion_refusal() const { return motion_.why_not(); }
 
  private:
   std::optional<Matrix3> attitude();
+  double sway_rad() const;
+  Vector3 static_sigmas() const;
   void doubt_attitude(Vector21& sigmas) const;
+  Beginning at_rest(const ImuSample& sample, const Matrix3& C_nb) const;
+  Beginning in_motion(const ImuSample& sample, const MotionAlignment::Result& result) const;
   void refuse(const std::string& reason);
 
   NavigationParameters parameters_;
   nav::Gravity gravity_;
+  MotionAlignment motion_;
   std::optional<GnssFix> fix_;
   std::string refusal_;
   double span_s_ = 0.0;
@@ -60,8 +71,9 @@ class Initializer {
   Vector3 f_first_ = Vector3::Zero();
   Vector3 dtheta_sum_ = Vector3::Zero();
   Vector3 dv_sum_ = Vector3::Zero();
-  Vector3 f_sum_ = Vector3::Zero();      ///< of differences from the first
-  Vector3 f_squares_ = Vector3::Zero();  ///< the same
+  Vector3 f_sum_ = Vector3::Zero();                ///< of differences from the first
+  Vector3 f_squares_ = Vector3::Zero();            ///< the same
+  std::vector<std::pair<double, Vector3>> turns_;  ///< time and sum of dtheta, a few times a second
 };
 
 }  // namespace inslab::reference_nav

@@ -25,7 +25,7 @@ ImuInterval split_off(ImuInterval& interval, std::int64_t begin_ns, std::int64_t
   const double fraction = seconds(time_ns - begin_ns) / seconds(interval.end_ns - begin_ns);
   ImuInterval first = interval;
   first.end_ns = time_ns;
-  first.at_rest = false;
+  first.at_rest = first.moves = false;
   first.increments = {fraction * interval.increments.dtheta_b, fraction * interval.increments.dv_b,
                       fraction * interval.increments.dt_s};
   interval.increments.dtheta_b -= first.increments.dtheta_b;
@@ -33,6 +33,7 @@ ImuInterval split_off(ImuInterval& interval, std::int64_t begin_ns, std::int64_t
   interval.increments.dt_s -= first.increments.dt_s;
   first.rate_held_over_s = std::max(0.0, interval.rate_held_over_s - interval.increments.dt_s);
   first.force_held_over_s = std::max(0.0, interval.force_held_over_s - interval.increments.dt_s);
+  interval.window_begins = false;
   return first;
 }
 
@@ -79,9 +80,12 @@ ImuInterval NavigationFilter::interval_of(const ImuSample& sample, bool gyro_val
   interval.rate_held_over_s = rate_held_over_s_;
   interval.force_held_over_s = force_held_over_s_;
   if (rate_good && force_good) {
+    interval.window_begins = rest_.is_new();
     interval.at_rest = parameters_.zero_velocity.use && rest_.add(last_rate_b_, last_force_b_, dt_s);
+    interval.moves = !interval.at_rest && rest_.is_new();
   } else {
     ++counts_.imu_not_valid;
+    interval.moves = true;
     rest_.restart();
   }
   return interval;
@@ -135,6 +139,7 @@ void NavigationFilter::bridge(std::int64_t to_ns) {
     interval.increments = {dt_s * last_rate_b_, dt_s * last_force_b_, dt_s};
     interval.rate_held_over_s = rate_held_over_s_ += dt_s;
     interval.force_held_over_s = force_held_over_s_ += dt_s;
+    interval.moves = true;
     go_on(interval);
   }
 }

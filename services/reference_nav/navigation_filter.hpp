@@ -52,6 +52,8 @@ class NavigationFilter {
 
   const Counts& counts() const { return counts_; }
   const std::string& alignment_refusal() const { return initializer_.refusal(); }
+  /// Why it could not begin in motion either; changes as the vehicle moves.
+  const std::string& motion_refusal() const { return initializer_.motion_refusal(); }
   /// Null until the filter has begun.
   const InertialFilter* filter() const { return filter_ ? &*filter_ : nullptr; }
 

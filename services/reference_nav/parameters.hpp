@@ -79,6 +79,7 @@ struct ZeroVelocity {
   double mean_rate_deg_per_s = 0.5;
   double speed_m_per_s = 0.3;
   double sigma_m_per_s = 0.02;
+  double windows_alike = 1.0;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -94,6 +95,12 @@ struct ZeroVelocity {
               .in(0.0, 1e3),
           self.speed_m_per_s);
     visit(Field("sigma_m_per_s", "of the velocity that is taken to be 0, each axis").in(1e-6, 1e2), self.sigma_m_per_s);
+    visit(
+        Field("windows_alike",
+              "windows that err alike, as a creep does: the n-th of a rest counts with n times the variance, up to so "
+              "many times; 1: each errs for itself")
+            .in(1.0, 1e6),
+        self.windows_alike);
   }
 };
 

@@ -14,6 +14,9 @@ class RestDetector {
   /// Takes a valid sample, rad/s and m/s^2; true when it ends a window of rest.
   bool add(const Vector3& omega_ib_b, const Vector3& f_b, double dt_s);
 
+  /// Whether the next sample is the first of a window.
+  bool is_new() const { return count_ == 0.0; }
+
   /// Begins a new window: a sample was not valid or is missing.
   void restart() { *this = RestDetector(thresholds_); }
 

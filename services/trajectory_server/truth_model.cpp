@@ -30,6 +30,16 @@ std::unique_ptr<TruthModel> make_file_model(const scenario::LoadedScenario& scen
   }
 }
 
+std::unique_ptr<TruthModel> make_waypoint_model(const scenario::LoadedScenario& scenario, const time::GpsTime& start) {
+  const time::Nanoseconds end = scenario.truth_grid().at(scenario.truth_samples);
+  try {
+    return std::make_unique<SmoothModel>(motion_along_waypoints(scenario.scenario.trajectory, end, scenario.gravity()),
+                                         "waypoint", scenario.gravity(), scenario.truth_grid(), start);
+  } catch (const std::domain_error& error) {
+    throw config::Error(scenario.file.string(), {Rule::WaypointTurn, "trajectory.waypoints", error.what()});
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<TruthModel> make_truth_model(const scenario::LoadedScenario& scenario, const time::GpsTime& start) {
@@ -42,9 +52,7 @@ std::unique_ptr<TruthModel> make_truth_model(const scenario::LoadedScenario& sce
     case scenario::TrajectorySource::File:
       return make_file_model(scenario, start);
     case scenario::TrajectorySource::Waypoints:
-      return std::make_unique<SmoothModel>(
-          motion_along_waypoints(trajectory, scenario.truth_grid().at(scenario.truth_samples)), "waypoint",
-          scenario.gravity(), scenario.truth_grid(), start);
+      return make_waypoint_model(scenario, start);
   }
   return std::make_unique<MotionTableModel>(trajectory, scenario.truth_grid(), start);
 }

@@ -106,6 +106,72 @@ TEST(WaypointRoute, StaysAtTheEndWhenAsked) {
   EXPECT_EQ(route.duration(), end);
 }
 
+/// Up, across with a bend in motion, and back to where it came from.
+std::vector<Waypoint> hops() {
+  std::vector<Waypoint> way{waypoint(47.0, 8.0, 400.0, 0.0, 5.0), waypoint(47.0, 8.0, 440.0, 0.0, 2.0),
+                            waypoint(47.002, 8.003, 450.0, 10.0), waypoint(47.001, 8.006, 450.0, 0.0, 2.0),
+                            waypoint(47.001, 8.0061, 450.0, 0.0), waypoint(47.0, 8.0, 440.0, 0.0, 1.0)};
+  for (const std::size_t k : {1U, 2U, 3U, 4U, 5U}) way[k].leg_speed_m_per_s = k == 1 ? 4.0 : 15.0;
+  return way;
+}
+constexpr RouteOptions kHops{2.0, true};
+
+TEST(WaypointRoute, HopsFromStopToStopAtItsLegSpeeds) {
+  const std::vector<Waypoint> waypoints = hops();
+  EXPECT_FALSE(violation(waypoints, 5.0, kHops).has_value());
+  const WaypointRoute route(waypoints, kHops);
+  double top = 0.0, top_of_hop = 0.0, largest = 0.0;
+  nav::Vector3 v_e = nav::Vector3::Zero(), a_e = nav::Vector3::Zero();
+  for (std::size_t i = 0; i < route.pieces(); ++i) {
+    const PathPiece piece = route.piece(i);
+    ASSERT_LT((in_e(piece, piece.velocity_k(0.0)) - v_e).norm(), 1e-6) << i;
+    ASSERT_LT((in_e(piece, piece.acceleration_k(0.0)) - a_e).norm(), 1e-5) << i;
+    for (int j = 0; j <= 20; ++j) {
+      const double t_s = 0.05 * j * span_s(piece);
+      const double speed = piece.velocity_k(t_s).norm();
+      if (piece.index == 1 || piece.index == 2) top = std::max(top, speed);
+      if (piece.index == 3) top_of_hop = std::max(top_of_hop, speed);
+      if (piece.index == 0) largest = std::max(largest, piece.acceleration_k(t_s).norm());
+      ASSERT_LT(speed, 15.0 * 1.0002);
+    }
+    v_e = in_e(piece, piece.velocity_k(span_s(piece)));
+    a_e = in_e(piece, piece.acceleration_k(span_s(piece)));
+  }
+  EXPECT_NEAR(top, 15.0, 2e-3);
+  // 7.6 m do not suffice for 15 m/s: two ramps of v^2 1.875/(2 a) each.
+  EXPECT_NEAR(top_of_hop, std::sqrt(7.6 * 2.0 / 1.875), 0.02);
+  EXPECT_NEAR(largest, 2.0, 2e-3);
+  EXPECT_NEAR(v_e.norm(), 0.0, 1e-9);
+  for (std::size_t k = 0; k < waypoints.size(); ++k) {
+    EXPECT_NEAR(time::to_seconds(route.departure(k) - route.arrival(k)), waypoints[k].wait_s, 1e-9) << k;
+  }
+}
+
+TEST(WaypointRoute, LeavesAStopInAnyDirectionOnlyWhenStopsPart) {
+  const std::vector<Waypoint> waypoints = hops();
+  const WaypointRoute route(waypoints, kHops);
+  ASSERT_EQ(route.runs().size(), 4U);
+  // The first leg is vertical to the last bit of the position.
+  for (std::size_t i = 0; i < route.pieces() && route.piece(i).index == 0; ++i) {
+    const PathPiece piece = route.piece(i);
+    const nav::Vector3 v = piece.velocity_k(0.5 * span_s(piece));
+    ASSERT_LT(std::hypot(v.x(), v.y()), 1e-9) << i;
+  }
+  EXPECT_EQ(WaypointRoute(tour()).runs().size(), 1U) << "its stop on the way is passed on one curve";
+}
+
+TEST(WaypointRules, RefuseALegSpeedThatItsLegCannotKeep) {
+  std::vector<Waypoint> waypoints = hops();
+  waypoints[2].leg_speed_m_per_s = 9.0;
+  EXPECT_EQ(violation(waypoints, kNoLimit, kHops)->path, "waypoints[2].leg_speed_m_per_s");
+  waypoints = {waypoint(47.0, 8.0, 0.0, 0.0), waypoint(47.0, 8.0001, 0.0, 15.0)};
+  waypoints[1].leg_speed_m_per_s = 20.0;
+  EXPECT_EQ(violation(waypoints, kNoLimit, kHops)->rule, Rule::WaypointLegSpeed);
+  waypoints[1].leg_speed_m_per_s.reset();
+  waypoints[1].speed_m_per_s = 0.0;
+  EXPECT_EQ(violation(waypoints, kNoLimit, kHops)->rule, Rule::WaypointSpeeds);
+}
+
 TEST(WaypointRules, AcceptATour) { EXPECT_FALSE(violation(tour(), kNoLimit).has_value()); }
 
 Rule rule_of(const std::vector<Waypoint>& waypoints, double limit = kNoLimit) {
