@@ -15,7 +15,8 @@ bool Writers::admit(const std::string& topic, const ServiceKey& role, const dds:
   if (stream.intruders.count(sender) > 0) return false;
   // Its announcement came before anything that it has written: Fast DDS matches no writer of a stranger.
   const auto peer = peers_.find(sender);
-  const auto identity = peer ? identity_in(peer->user_data) : std::nullopt;
+  // Nobody hears of itself: who is no peer is the participant that reads.
+  const auto identity = peer ? identity_in(peer->user_data) : std::optional<Identity>(own_);
   const std::string why = objection(stream, role, sender, identity);
   if (why.empty()) {
     if (stream.owner_identity) stream.retired.insert(stream.owner);

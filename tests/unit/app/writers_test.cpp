@@ -43,6 +43,13 @@ TEST_F(WritersOfAStream, IsTheServiceOfItsRole) {
   EXPECT_EQ(writers_.fault(), "");
 }
 
+TEST_F(WritersOfAStream, IsTheReaderItselfWhereItsRoleWrites) {
+  dds::ParticipantKey own{};
+  own.fill(9);  // no participant hears of itself
+  EXPECT_TRUE(writers_.admit("inslab/service_status", {kTruthLogger, 0u}, own));
+  EXPECT_EQ(writers_.fault(), "");
+}
+
 TEST_F(WritersOfAStream, AStrangerIsAFaultAtItsFirstSampleBeforeAndAfterTheRightfulOne) {
   const auto foe = joins(7, std::nullopt, "foe");
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, foe));
