@@ -98,7 +98,8 @@ struct Discovery::Listener : fast_dds::DomainParticipantListener {
 
 Discovery::Discovery(const ParticipantOptions& options) : listener_(std::make_unique<Listener>()) {
   participant_ = efd::DomainParticipantFactory::get_instance()->create_participant(
-      options.domain, participant_qos(options), listener_.get(), efd::StatusMask::none());
+      options.domain, participant_qos(options, std::make_shared<std::atomic<std::uint32_t>>()), listener_.get(),
+      efd::StatusMask::none());
   if (participant_ == nullptr)
     throw std::runtime_error("no DDS participant on domain " + std::to_string(options.domain));
 }

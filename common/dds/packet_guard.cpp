@@ -1,10 +1,9 @@
 #include "dds/packet_guard.hpp"
 
-#include <cstdint>
-#include <cstring>
-#include <utility>
+#include <spdlog/spdlog.h>
 
-#include "dds/fast_dds_network.hpp"
+#include <array>
+#include <utility>
 
 namespace inslab::dds {
 
@@ -12,63 +11,61 @@ namespace efr = eprosima::fastdds::rtps;
 
 namespace {
 
-/// Fast DDS's own, which measures its network by it.
-constexpr unsigned char kStatisticsSubmessage = 0x80;
-constexpr unsigned char kPad = 0x01;
-constexpr unsigned char kInfoTimestamp = 0x09;
-constexpr unsigned char kVendorFastDds[] = {1, 15};
-constexpr std::size_t kHeaderBytes = 20;
-constexpr std::size_t kSubmessageHeaderBytes = 4;
-
-class GuardedTransport : public fast_dds::ChainedTransport {
+/// Says the first of each kind of fault.
+class Teller {
  public:
-  explicit GuardedTransport(const efr::ChainingTransportDescriptor& descriptor)
-      : ChainedTransport(descriptor), low_level_descriptor_(descriptor.low_level_descriptor) {}
-
-  efr::TransportDescriptorInterface* get_configuration() override { return low_level_descriptor_.get(); }
-  void shutdown() override { low_level_transport_->shutdown(); }
-
-  void receive(efr::TransportReceiverInterface* receiver, const efr::octet* buffer, std::uint32_t size,
-               const efr::Locator_t& local, const efr::Locator_t& remote) override {
-    if (is_harmless(buffer, size)) receiver->OnDataReceived(buffer, size, local, remote);
+  void say(DatagramFault fault, const efr::Locator& from) {
+    if (said_.at(static_cast<std::size_t>(fault)).exchange(true)) return;
+    spdlog::warn("a datagram from {}:{} was not read: it holds {}; more of this kind are counted, not told",
+                 efr::IPLocator::toIPv4string(from), from.port, text(fault));
   }
 
  private:
-  std::shared_ptr<efr::TransportDescriptorInterface> low_level_descriptor_;
+  std::array<std::atomic<bool>, static_cast<std::size_t>(DatagramFault::UnsoundProtection) + 1> said_{};
 };
 
-struct GuardedTransportDescriptor : efr::ChainingTransportDescriptor {
-  using ChainingTransportDescriptor::ChainingTransportDescriptor;
-  efr::TransportInterface* create_transport() const override { return new GuardedTransport(*this); }
+struct GuardedDescriptor : efr::ChainingTransportDescriptor {
+  GuardedDescriptor(std::shared_ptr<efr::TransportDescriptorInterface> transport, Protection guard_protection,
+                    std::shared_ptr<std::atomic<std::uint32_t>> counter)
+      : ChainingTransportDescriptor(std::move(transport)), protection(guard_protection), refused(std::move(counter)) {}
+  efr::TransportInterface* create_transport() const override;
+
+  Protection protection;
+  std::shared_ptr<std::atomic<std::uint32_t>> refused;
 };
+
+class GuardedTransport : public fast_dds::ChainedTransport {
+ public:
+  explicit GuardedTransport(const GuardedDescriptor& descriptor)
+      : ChainedTransport(descriptor), descriptor_(descriptor) {}
+
+  efr::TransportDescriptorInterface* get_configuration() override { return descriptor_.low_level_descriptor.get(); }
+  void shutdown() override { low_level_transport_->shutdown(); }
+
+  void receive(efr::TransportReceiverInterface* receiver, const efr::octet* datagram, std::uint32_t size,
+               const efr::Locator& local, const efr::Locator& remote) override {
+    const DatagramFault fault = judge(datagram, size, descriptor_.protection);
+    if (fault == DatagramFault::None) {
+      receiver->OnDataReceived(datagram, size, local, remote);
+      return;
+    }
+    ++*descriptor_.refused;
+    teller_.say(fault, remote);
+  }
+
+ private:
+  GuardedDescriptor descriptor_;
+  Teller teller_;
+};
+
+efr::TransportInterface* GuardedDescriptor::create_transport() const { return new GuardedTransport(*this); }
 
 }  // namespace
 
-/// Walks the submessages as MessageReceiver::notify_network_statistics does, which stops at the first of that kind.
-bool is_harmless(const unsigned char* message, std::size_t size) {
-  if (size < kHeaderBytes || std::memcmp(message + 6, kVendorFastDds, sizeof(kVendorFastDds)) != 0) return true;
-  std::size_t at = kHeaderBytes;
-  while (size - at >= kSubmessageHeaderBytes) {
-    const unsigned char kind = message[at];
-    const bool little_endian = (message[at + 1] & 1) != 0;
-    const std::size_t low = message[at + (little_endian ? 2 : 3)];
-    const std::size_t high = message[at + (little_endian ? 3 : 2)];
-    const std::size_t length = low + (high << 8);
-    at += kSubmessageHeaderBytes;
-    if (length > size - at) return true;  // Fast DDS stops reading here, too
-    const bool is_last = length == 0 && kind != kInfoTimestamp && kind != kPad;
-    if (kind == kStatisticsSubmessage) return is_last || at + length == size;
-    if (is_last) return true;
-    const std::size_t padded = (length + 3) & ~std::size_t{3};
-    if (padded > size - at) return true;
-    at += padded;
-  }
-  return true;
-}
-
-std::shared_ptr<efr::TransportDescriptorInterface> guarded(
-    std::shared_ptr<efr::TransportDescriptorInterface> transport) {
-  return std::make_shared<GuardedTransportDescriptor>(std::move(transport));
+std::shared_ptr<efr::TransportDescriptorInterface> guarded(std::shared_ptr<efr::TransportDescriptorInterface> transport,
+                                                           Protection protection,
+                                                           std::shared_ptr<std::atomic<std::uint32_t>> refused) {
+  return std::make_shared<GuardedDescriptor>(std::move(transport), protection, std::move(refused));
 }
 
 }  // namespace inslab::dds

@@ -92,21 +92,6 @@ void set_transport(efd::DomainParticipantQos& qos, const ParticipantOptions& opt
   }
 }
 
-/// Of every transport that a stranger's datagram can reach.
-void guard_transports(efd::DomainParticipantQos& qos) {
-  auto& transports = qos.transport();
-  if (transports.use_builtin_transports) {
-    // What Fast DDS would make by itself: out of our reach there.
-    transports.use_builtin_transports = false;
-    transports.user_transports.push_back(std::make_shared<efr::UDPv4TransportDescriptor>());
-    transports.user_transports.push_back(std::make_shared<efr::SharedMemTransportDescriptor>());
-  }
-  for (auto& transport : transports.user_transports) {
-    const bool is_udp = std::dynamic_pointer_cast<efr::UDPTransportDescriptor>(transport) != nullptr;
-    if (is_udp) transport = guarded(transport);
-  }
-}
-
 efr::Locator udp_locator(const std::string& address, std::uint32_t port) {
   efr::Locator locator;
   locator.kind = LOCATOR_KIND_UDPv4;
@@ -115,6 +100,28 @@ efr::Locator udp_locator(const std::string& address, std::uint32_t port) {
   }
   locator.port = port;
   return locator;
+}
+
+/// Puts the guard before every UDP transport, those of an XML profile too. Fast DDS's own pair has to be named for
+/// that.
+void guard_transports(efd::DomainParticipantQos& qos, Protection protection,
+                      const std::shared_ptr<std::atomic<std::uint32_t>>& refused) {
+  auto& transport = qos.transport();
+  if (transport.use_builtin_transports) {
+    auto udp = std::make_shared<efr::UDPv4TransportDescriptor>();
+    udp->sendBufferSize = transport.send_socket_buffer_size;
+    udp->receiveBufferSize = transport.listen_socket_buffer_size;
+    auto shm = std::make_shared<efr::SharedMemTransportDescriptor>();
+    shm->max_message_size(udp->max_message_size());
+    transport.use_builtin_transports = false;
+    transport.user_transports.push_back(udp);
+    transport.user_transports.push_back(shm);
+  }
+  for (auto& descriptor : transport.user_transports) {
+    if (std::dynamic_pointer_cast<efr::UDPTransportDescriptor>(descriptor)) {
+      descriptor = guarded(descriptor, protection, refused);
+    }
+  }
 }
 
 /// Looks for the hosts named, at the ports that their participants would have, and joins no multicast group.
@@ -148,7 +155,8 @@ std::string profiles_file() {
 
 }  // namespace
 
-efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
+efd::DomainParticipantQos participant_qos(const ParticipantOptions& options,
+                                          const std::shared_ptr<std::atomic<std::uint32_t>>& refused) {
   auto& factory = *efd::DomainParticipantFactory::get_instance();
   efd::DomainParticipantQos qos = efd::PARTICIPANT_QOS_DEFAULT;
   if (const std::string xml = profiles_file(); !xml.empty()) {
@@ -163,7 +171,7 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
     if (!options.peers.empty()) set_peers(qos, options);
     if (!options.discovery_server.empty()) set_discovery_server(qos, options.discovery_server);
   }
-  guard_transports(qos);
+  guard_transports(qos, options.security.empty() ? Protection::Open : Protection::Secured, refused);
   qos.name(options.name);
   qos.user_data().data_vec(options.user_data);
   if (!options.security.empty()) set_security(qos, options.security, options.role);
@@ -196,11 +204,13 @@ Participant::Participant(const ParticipantOptions& options)
   if (!options.unit.empty() && !is_unit_name(options.unit)) {
     throw std::runtime_error("unit '" + plain_text(options.unit) + "'; expected " + kUnitNameRule);
   }
-  participant_ =
-      factory.create_participant(options.domain, participant_qos(options), listener_.get(), efd::StatusMask::none());
+  participant_ = factory.create_participant(options.domain, participant_qos(options, refused_), listener_.get(),
+                                            efd::StatusMask::none());
   if (participant_ == nullptr) {
+    efd::Log::Flush();  // what Fast DDS says about it comes first
     throw std::runtime_error("no DDS participant on domain " + std::to_string(options.domain) + ", interface '" +
-                             options.interface_address + "': does the interface exist, are its ports free?");
+                             options.interface_address + "': does the interface exist, are its ports free" +
+                             (options.security.empty() ? "?" : ", may '" + options.role + "' join this domain?"));
   }
   efd::PublisherQos publisher_qos = efd::PUBLISHER_QOS_DEFAULT;
   efd::SubscriberQos subscriber_qos = efd::SUBSCRIBER_QOS_DEFAULT;

@@ -54,8 +54,10 @@ struct OtherVersion {
 std::string shared_memory_shortage(int participants);
 
 /// The settings of a participant: transport and discovery from the options, or from an XML profile when the environment
-/// names one (FASTRTPS_DEFAULT_PROFILES_FILE or, as 3.x calls it, FASTDDS_DEFAULT_PROFILES_FILE).
-eprosima::fastdds::dds::DomainParticipantQos participant_qos(const ParticipantOptions& options);
+/// names one (FASTRTPS_DEFAULT_PROFILES_FILE or, as 3.x calls it, FASTDDS_DEFAULT_PROFILES_FILE). Its UDP transports
+/// leave aside datagrams that Fast DDS had better not read (dds/datagram_guard.hpp), and count them in `refused`.
+eprosima::fastdds::dds::DomainParticipantQos participant_qos(
+    const ParticipantOptions& options, const std::shared_ptr<std::atomic<std::uint32_t>>& refused);
 
 /// One DDS participant of a process, with one publisher and one subscriber. Writers and readers hold on to it.
 class Participant {
@@ -95,7 +97,7 @@ class Participant {
   /// Whether what a writer (its GUID) sends is not for us: its partition is a pattern, so that it speaks to every unit.
   bool ignores(const std::array<std::uint8_t, 16>& writer) const;
 
-  /// Received samples of any topic whose bytes were not what their type says.
+  /// Received samples of any topic whose bytes were not what their type says, and datagrams that were not read.
   std::uint32_t refused_messages() const { return refused_->load(); }
 
  private:

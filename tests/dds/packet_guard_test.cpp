@@ -16,70 +16,14 @@ namespace inslab::dds {
 namespace {
 
 using Message = std::vector<unsigned char>;
-constexpr unsigned char kFastDds = 15;
-constexpr unsigned char kStatistics = 0x80;
-constexpr unsigned char kHeartbeat = 0x07;
 
-Message header(unsigned char vendor = kFastDds) {
-  Message message{'R', 'T', 'P', 'S', 2, 3, 1, vendor};
-  message.resize(20, 0x66);
-  return message;
-}
-
-/// With `length` bytes in it and that length in its head, in either order of bytes.
-Message& add(Message& message, unsigned char kind, std::size_t length, bool little_endian = true) {
-  const auto low = static_cast<unsigned char>(length);
-  const auto high = static_cast<unsigned char>(length >> 8);
-  message.insert(message.end(), {kind, static_cast<unsigned char>(little_endian ? 1 : 0), little_endian ? low : high,
-                                 little_endian ? high : low});
-  message.resize(message.size() + length);
-  return message;
-}
-
-bool harmless(const Message& message) { return is_harmless(message.data(), message.size()); }
-
-/// What any participant of Fast DDS 2.9.1 dies of.
+/// What any participant of Fast DDS 2.9.1 dies of: its own statistics, and one byte more.
 Message lethal() {
-  Message message = header();
-  add(message, kStatistics, 56).push_back(0);
+  Message message{'R', 'T', 'P', 'S', 2, 3, 1, 15};
+  message.resize(20, 0x66);
+  message.insert(message.end(), {0x80, 1, 56, 0});
+  message.resize(message.size() + 57);
   return message;
-}
-
-TEST(PacketGuard, LetsWhatFastDdsItselfSendsPass) {
-  Message message = header();
-  add(message, kHeartbeat, 28);
-  EXPECT_TRUE(harmless(message));
-  add(message, kStatistics, 56);
-  EXPECT_TRUE(harmless(message));
-}
-
-TEST(PacketGuard, StopsStatisticsThatAreNotTheLast) {
-  EXPECT_FALSE(harmless(lethal()));
-  for (const bool little_endian : {true, false}) {
-    Message message = header();
-    add(message, kHeartbeat, 28, little_endian);
-    add(message, kStatistics, 56, little_endian);
-    add(message, kHeartbeat, 28, little_endian);
-    EXPECT_FALSE(harmless(message)) << little_endian;
-  }
-}
-
-TEST(PacketGuard, LetsOtherVendorsSubmessagesPass) {
-  constexpr unsigned char kCyclone = 16;
-  Message message = header(kCyclone);
-  add(message, kStatistics, 56).push_back(0);
-  EXPECT_TRUE(harmless(message));
-}
-
-TEST(PacketGuard, ReadsNothingBeyondAMessageThatIsCutAnywhere) {
-  Message whole = header();
-  add(whole, kHeartbeat, 29);
-  whole.resize(whole.size() + 3);
-  add(whole, kStatistics, 56);
-  for (std::size_t size = 0; size <= whole.size(); ++size) {
-    const Message cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
-    EXPECT_TRUE(harmless(cut)) << size;
-  }
 }
 
 template <class Condition>

@@ -1,15 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <openssl/evp.h>
-#include <openssl/pem.h>
-#include <openssl/x509.h>
 #include <unistd.h>
 
 #include <atomic>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <memory>
 #include <thread>
 
 #include "dds/discovery.hpp"
@@ -130,36 +124,6 @@ TEST_F(Security, APeerOfAnotherAuthorityIsNotHeard) {
   ASSERT_TRUE(eventually([&] { return requests >= 1; }));
   EXPECT_EQ(requests, 1);
   EXPECT_EQ(intruding.matched_readers(), 0);
-}
-
-/// Signs a certificate anew with its authority's key, as one that ended yesterday.
-void let_expire(const std::string& keys, const std::string& role) {
-  const auto open = [](const std::string& path, const char* mode) {
-    return std::unique_ptr<std::FILE, int (*)(std::FILE*)>(std::fopen(path.c_str(), mode), &std::fclose);
-  };
-  const std::string path = keys + "/" + role + ".cert.pem";
-  const std::unique_ptr<X509, decltype(&X509_free)> certificate(
-      PEM_read_X509(open(path, "r").get(), nullptr, nullptr, nullptr), &X509_free);
-  const std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)> key(
-      PEM_read_PrivateKey(open(keys + "/ca.key.pem", "r").get(), nullptr, nullptr, nullptr), &EVP_PKEY_free);
-  constexpr long kDay_s = 86400;
-  X509_gmtime_adj(X509_getm_notBefore(certificate.get()), -2 * kDay_s);
-  X509_gmtime_adj(X509_getm_notAfter(certificate.get()), -kDay_s);
-  X509_sign(certificate.get(), key.get(), EVP_sha256());
-  PEM_write_X509(open(path, "w").get(), certificate.get());
-}
-
-TEST(SecurityFiles, AnExpiredCertificateIsRefusedByNameAndReason) {
-  const Keys keys;
-  ASSERT_TRUE(keys.made());
-  let_expire(keys.path(), "operator");
-  EXPECT_THAT([&] { Participant participant(options("operator", keys.path())); },
-              ThrowsMessage<std::runtime_error>(testing::AllOf(HasSubstr("operator.cert.pem"), HasSubstr("expired"))));
-}
-
-TEST(SecurityFiles, AMissingFileIsNamed) {
-  EXPECT_THAT([] { Participant participant(options("operator", "/nowhere")); },
-              ThrowsMessage<std::runtime_error>(HasSubstr("/nowhere/ca.cert.pem is not there")));
 }
 
 }  // namespace
