@@ -1,5 +1,6 @@
 #include "tests/e2e/security/hostile_role.hpp"
 
+#include <algorithm>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 
 namespace inslab::e2e {
@@ -24,6 +25,8 @@ HostileRole::HostileRole(std::uint32_t domain, const std::string& name, const Cr
     set_file("dds.sec.access.builtin.Access-Permissions.governance", credentials->governance);
     set_file("dds.sec.access.builtin.Access-Permissions.permissions", credentials->permissions);
     set("dds.sec.crypto.plugin", "builtin.AES-GCM-GMAC");
+    may_write_ = credentials->may_write;
+    may_read_ = credentials->may_read;
   }
   participant_ = efd::DomainParticipantFactory::get_instance()->create_participant(domain, qos);
   if (participant_ == nullptr) return;
@@ -42,6 +45,12 @@ void HostileRole::drop_writers() {
     if (writer != nullptr) publisher_->delete_datawriter(writer);
   }
   writers_.clear();
+}
+
+bool HostileRole::made_all() const {
+  const auto is_made = [](const auto& end) { return end.second != nullptr; };
+  return std::all_of(writers_.begin(), writers_.end(), is_made) &&
+         std::all_of(readers_.begin(), readers_.end(), is_made);
 }
 
 bool HostileRole::is_heard(const std::string& topic) const {

@@ -64,18 +64,20 @@ class RoleAttacks : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(keys_.made());
-    // An authority of the intruder's own, and what it makes of the governance: the same, but for the access control.
-    ASSERT_TRUE(keys_.run(
-        "mkdir -m 700 own && cd own && openssl ecparam -name prime256v1 -genkey -noout -out ca.key.pem && "
-        "openssl req -x509 -new -key ca.key.pem -sha256 -days 2 -subj /CN=intruder -out ca.cert.pem && "
-        "cat ../ca.cert.pem ca.cert.pem > both.pem && "
-        "sed 's/\\(enable_\\(read\\|write\\)_access_control>\\)true/\\1false/' ../governance.xml > governance.xml && "
-        "openssl smime -sign -in governance.xml -text -out governance.p7s -signer ca.cert.pem -inkey ca.key.pem"));
+    // An authority of the intruder's own.
+    ASSERT_TRUE(
+        keys_.run("mkdir -m 700 own && cd own && openssl ecparam -name prime256v1 -genkey -noout -out ca.key.pem && "
+                  "openssl req -x509 -new -key ca.key.pem -sha256 -days 2 -subj /CN=intruder -out ca.cert.pem && "
+                  "cat ../ca.cert.pem ca.cert.pem > both.pem"));
   }
 
   Credentials credentials(const std::string& role) const {
-    return {keys_ / "own/both.pem", keys_ / (role + ".cert.pem"), keys_ / (role + ".key.pem"),
-            keys_ / "own/governance.p7s", keys_ / (role + ".permissions.p7s")};
+    const char* may_write = role == "operator"            ? "inslab/sim/command"
+                            : role == "vehicle-simulator" ? "inslab/vehicle_state"
+                                                          : "inslab/service_status";
+    return {keys_ / "ca.cert.pem",    keys_ / (role + ".cert.pem"),        keys_ / (role + ".key.pem"),
+            keys_ / "governance.p7s", keys_ / (role + ".permissions.p7s"), may_write,
+            "inslab/sim/status"};
   }
 
   /// Makes writers of all topics, or readers.
@@ -148,14 +150,16 @@ TEST_F(RoleAttacks, AreRefusedByThePeersAsSecurityMdSays) {
                          folder_ / "set.mcap", "--security", keys_.path()});
   const Keys others;
   ASSERT_TRUE(others.made());
-  const Credentials foreign{others / "ca.cert.pem", others / "operator.cert.pem", others / "operator.key.pem",
-                            others / "governance.p7s", others / "operator.permissions.p7s"};
+  const Credentials foreign{others / "ca.cert.pem",    others / "operator.cert.pem",        others / "operator.key.pem",
+                            others / "governance.p7s", others / "operator.permissions.p7s", "inslab/sim/command",
+                            "inslab/sim/status"};
   // A role's own identity, with the permissions of another that the intruder's authority gave it.
   ASSERT_TRUE(
       keys_.run("cd own && sed 's/>CN=inslab-trajectory-server/>CN=nav-app/' "
                 "../inslab-trajectory-server.permissions.xml > own.xml && openssl smime -sign -in own.xml -text "
                 "-out own.p7s -signer ca.cert.pem -inkey ca.key.pem"));
   Credentials climber = credentials("nav-app");
+  climber.authorities = keys_ / "own/both.pem";
   climber.permissions = keys_ / "own/own.p7s";
 
   struct Stranger {
