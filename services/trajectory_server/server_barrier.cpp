@@ -62,14 +62,20 @@ std::string ServerOnBus::missing_peers() const {
   return truth_.missing_readers().empty() ? "" : "the services' readers of " + truth_.topic();
 }
 
-/// A service of this scenario that was given something else; empty when there is none.
-std::string ServerOnBus::stranger_among_services() const {
+/// A service of this scenario that was given something else; empty when there is none. One that comes now hears of this
+/// server, and leaves by itself: only one that stays counts.
+std::string ServerOnBus::stranger_among_services() {
+  constexpr time::Nanoseconds kTimeToLeave = milliseconds(1500);
   const auto required = app::required_services(scenario_);
   for (const app::Identity& member : app::members_of(context_.participant(), context_.identity().unit)) {
     if (std::find(required.begin(), required.end(), member.role()) == required.end()) continue;
     const std::string why = app::difference(context_.identity(), member);
-    if (!why.empty()) return app::words_of(member) + " does not belong to this trajectory server's run: " + why;
+    if (why.empty()) continue;
+    if (!stranger_since_) stranger_since_ = monotonic_now();
+    if (monotonic_now() - *stranger_since_ < kTimeToLeave) return "";
+    return app::words_of(member) + " does not belong to this trajectory server's run: " + why;
   }
+  stranger_since_.reset();
   return "";
 }
 

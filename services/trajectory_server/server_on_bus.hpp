@@ -53,7 +53,7 @@ class ServerOnBus {
   void tell_wait(const std::string& names);
   std::string missing_peers() const;
   bool wait_until_ready();
-  std::string stranger_among_services() const;
+  std::string stranger_among_services();
   void warn_of_other_versions();
   std::optional<int> end_run_without_server();
   int end_run_of(const ServiceStatus& orphan);
@@ -87,6 +87,7 @@ class ServerOnBus {
   time::Nanoseconds blocked_since_{0};  ///< CLOCK_MONOTONIC since no consumer gave credit; 0: not blocked
   std::uint64_t time_marks_ = 0;
   std::set<dds::ParticipantKey> told_of_version_;
+  std::optional<time::Nanoseconds> stranger_since_;  ///< CLOCK_MONOTONIC; nothing: there is none
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
   bool fault_heard_ = false;  ///< of a service, in this run
   app::Mailbox<Message> mailbox_;
