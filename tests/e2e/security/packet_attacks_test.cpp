@@ -56,13 +56,14 @@ TEST(PacketAttacks, OnASecuredSetFromWhoeverReachesTheNetworkCostItNothing) {
       sniffer.listen(known + 20);
     }
     ++round;
-    pause_between_looks();
+    // Often enough for each kind to arrive some fifty times, and no flood: that would show how busy the machine is.
+    eventually([&set] { return !set.running(); }, std::chrono::milliseconds(150));
   }
   // Exit 0 means: no sample of any stream is missing, every swap was acknowledged and is borne out by the samples.
   EXPECT_EQ(set.wait(seconds(60)), 0) << set.output();
   EXPECT_THAT(set.output(), HasSubstr("data, a heartbeat or an acknowledgement in the clear, in a set with keys"));
   EXPECT_GE(forger.participants().size(), 5u);
-  EXPECT_GT(forger.sent(), 10'000u);
+  EXPECT_GT(forger.sent(), 5'000u);
 }
 
 /// Some bytes changed, cut off, repeated or put into another's place.
@@ -118,7 +119,9 @@ TEST(PacketAttacks, OnAnOpenSetEndNoProcess) {
   constexpr int kDatagrams = 4000;
   for (int i = 0; i < kDatagrams; ++i) {
     forger.send_to_all(mutated(seeds[random() % seeds.size()], seeds[random() % seeds.size()], random));
+    if (i % 20 != 0) continue;
     forger.send_to_all(fatal_datagram());
+    pause_between_looks();  // what comes too quickly the kernel drops
   }
   EXPECT_EQ(services_of(set), services) << set.output();
   // Alive also means that they still obey.
