@@ -318,6 +318,46 @@ TEST(NavigationFilter, AlignsAtRestAndThenNavigates) {
   EXPECT_LT(nav::angle_between(solution->q_n_body, still.state().q_nb), 1e-9);
 }
 
+/// What the filter says after `seconds`; fixes come 0.1 s late.
+NavSolution in_motion(NavigationFilter& filter, Circling& truth, const Vector3& arm_b_m, double seconds) {
+  std::map<std::int64_t, GnssFix> on_its_way;
+  std::optional<NavSolution> solution;
+  for (int k = 0; k < static_cast<int>(seconds / kDt_s); ++k) {
+    const ImuSample sample = truth.next();
+    if (is_fix_time(truth)) on_its_way.emplace(truth.time_ns() + 100'000'000, truth.fix(arm_b_m));
+    solution = filter.add(sample);
+    while (!on_its_way.empty() && on_its_way.begin()->first <= truth.time_ns()) {
+      filter.add(on_its_way.begin()->second);
+      on_its_way.erase(on_its_way.begin());
+    }
+    if (solution->mode == NavMode::Navigating) break;
+  }
+  return *solution;
+}
+
+TEST(NavigationFilter, BeginsInMotionByTheChangeOfTheVelocity) {
+  NavigationParameters p;
+  p.lever_arm_b_m = Vector3(1.6, -0.3, -1.0);
+  p.gyro.bias_sigma_deg_per_h.setConstant(500.0);
+  Circling truth;
+  NavigationFilter filter(p, kGravity);
+  const NavSolution solution = in_motion(filter, truth, p.lever_arm_b_m, 30.0);
+  ASSERT_EQ(solution.mode, NavMode::Navigating) << filter.motion_refusal();
+  // The samples are perfect: what is left is the trapezoid between fixes and one rate a sample at the antenna.
+  EXPECT_LT(nav::angle_between(solution.q_n_body, truth.state().q_nb), 0.1 * units::kDeg);
+  EXPECT_LT((solution.v_n - truth.state().v_n).norm(), 0.02);
+  // The fix is up to 0.3 s old, and 10 m/s turn by 0.1 rad/s: 0.01 m beside the mean of both velocities.
+  EXPECT_LT(error_m(solution, truth), 0.05);
+  EXPECT_GE(solution.attitude_sigma_rad.z(), 0.9 * units::kDeg) << "at least what the parameters say";
+}
+
+TEST(NavigationFilter, DoesNotBeginInAStraightCruise) {
+  NavigationFilter filter({}, kGravity);
+  Circling truth(10.0, 0.0);
+  EXPECT_EQ(in_motion(filter, truth, Vector3::Zero(), 100.0).mode, NavMode::Aligning);
+  EXPECT_NE(filter.motion_refusal().find("velocity changed by"), std::string::npos) << filter.motion_refusal();
+}
+
 TEST(NavigationFilter, DoesNotLevelItselfInASteadyTurn) {
   // 4 m/s at 0.1 rad/s press sideways with 0.4 m/s^2, as steadily as a tilt of 2 deg would.
   NavigationParameters p;
