@@ -92,8 +92,8 @@ Bytes mutated(Bytes bytes, const Bytes& other, std::mt19937& random) {
 
 TEST(PacketAttacks, OnAnOpenSetEndNoProcess) {
   const TestFolder folder;
-  Process set("inslab",
-              {"run", source("config/scenarios/demo.json"), "--domain", own_domain(), "--log", folder / "set.mcap"});
+  Process set("inslab", {"run", source("tests/data/app_missing.json"), "--paused", "--domain", own_domain(), "--log",
+                         folder / "set.mcap"});
   Forger forger(domain());
   ASSERT_TRUE(eventually(
       [&] {
