@@ -13,9 +13,10 @@ note() {
   mv "$2.new" "$2"
 }
 lives() {
-  pid=
-  { read -r pid rest; } 2>/dev/null <"$1"
-  kill -0 "$pid" 2>/dev/null
+  pid= ticks= boot=
+  { read -r pid ticks boot; } 2>/dev/null <"$1"
+  [ -n "$boot" ] && [ "$boot" = "$(cat /proc/sys/kernel/random/boot_id)" ] || return 1
+  case "$(start_of "$pid")" in "Z "*) return 1 ;; *" $ticks") return 0 ;; *) return 1 ;; esac
 }
 """
 
