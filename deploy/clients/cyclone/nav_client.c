@@ -133,6 +133,8 @@ struct run_follower {
   dds_entity_t status;
   dds_time_t begun;
   dds_time_t ended; /* 0: not yet */
+  dds_time_t came;  /* when a sample came last */
+  uint64_t received;
   uint64_t truth_sent;
   bool running;
   bool told;
@@ -143,8 +145,9 @@ static void end_with(struct run_follower* run, uint64_t truth_samples) {
   run->ended = dds_time();
 }
 
-/* Takes what has come of the run's status. `next_truth` follows the newest truth sample that has come. */
-static bool is_over(struct run_follower* run, uint64_t next_truth) {
+/* Takes what has come of the run's status. `next_truth` follows the newest truth sample that has come, `received` counts
+ * the samples of all streams. */
+static bool is_over(struct run_follower* run, uint64_t next_truth, uint64_t received) {
   void* samples[1] = {NULL};
   dds_sample_info_t info;
   while (dds_take(run->status, samples, &info, 1, 1) > 0) {
@@ -162,14 +165,17 @@ static bool is_over(struct run_follower* run, uint64_t next_truth) {
   dds_get_subscription_matched_status(run->status, &matched);
   if (run->running && run->ended == 0 && matched.current_count == 0) end_with(run, 0); /* the server was killed */
   const dds_time_t now = dds_time();
+  if (received != run->received) run->came = now;
+  run->received = received;
   if (!run->running && !run->told && now - run->begun > DDS_SECS(2)) {
     run->told = true;
     fprintf(stderr, "waits for a run on domain %u%s%s\n", (unsigned)run->options.domain,
             run->options.unit == NULL ? "" : ", unit ", run->options.unit == NULL ? "" : run->options.unit);
   }
   if (run->options.seconds > 0.0 && (double)(now - run->begun) * 1e-9 > run->options.seconds) return true;
-  /* What is still on its way has this long to come, and more when it is known that it must. */
-  return run->ended != 0 && now - run->ended > (next_truth >= run->truth_sent ? DDS_MSECS(500) : DDS_SECS(3));
+  /* What is still on its way has this long to come after what came last, and more when it is known that it must. */
+  const dds_time_t last = run->came > run->ended ? run->came : run->ended;
+  return run->ended != 0 && now - last > (next_truth >= run->truth_sent ? DDS_MSECS(500) : DDS_SECS(3));
 }
 
 int main(int argc, char** argv) {
@@ -213,8 +219,8 @@ int main(int argc, char** argv) {
   inslab_v1_GnssFix fix = {0};
   bool have_fix = false;
   uint64_t published = 0;
-  struct run_follower run = {options, status, dds_time(), 0, 0, false, false};
-  while (!is_over(&run, truth.next)) {
+  struct run_follower run = {.options = options, .status = status, .begun = dds_time()};
+  while (!is_over(&run, truth.next, truth.received + imu.received + gnss.received)) {
     dds_waitset_wait(waitset, NULL, 0, DDS_MSECS(100));
     memset(samples, 0, sizeof(samples));
     int32_t n = dds_take(gnss.reader, samples, infos, kBatch, kBatch);

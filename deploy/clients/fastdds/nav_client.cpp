@@ -187,8 +187,9 @@ class RunFollower {
   RunFollower(const Options& options, DataReader& status_reader)
       : options_(options), status_reader_(status_reader), begun_(Clock::now()) {}
 
-  // Takes what has come of the run's status. `next_truth` follows the newest truth sample that has come.
-  bool is_over(std::uint64_t next_truth) {
+  // Takes what has come of the run's status. `next_truth` follows the newest truth sample that has come, `received`
+  // counts the samples of all streams.
+  bool is_over(std::uint64_t next_truth, std::uint64_t received) {
     take_all<types::SimStatus>(status_reader_, [this](const types::SimStatus& status) {
       const bool ended = status.state() >= types::RunState::RUN_FINISHED;
       running_ = running_ || !ended;
@@ -199,6 +200,8 @@ class RunFollower {
     status_reader_.get_subscription_matched_status(matched);
     if (running_ && !truth_sent_ && matched.current_count == 0) end_with(0);  // the server was killed
     const Clock::time_point now = Clock::now();
+    if (received != received_) came_ = now;
+    received_ = received;
     if (!running_ && !told_ && now - begun_ > std::chrono::seconds(2)) {
       told_ = true;
       std::fprintf(stderr, "waits for a run on domain %u%s%s\n", static_cast<unsigned>(options_.domain),
@@ -206,8 +209,9 @@ class RunFollower {
     }
     if (options_.seconds && std::chrono::duration<double>(now - begun_).count() > *options_.seconds) return true;
     if (!truth_sent_) return false;
-    // What is still on its way has this long to come, and more when it is known that it must.
-    return now - ended_ > std::chrono::milliseconds(next_truth >= *truth_sent_ ? 500 : 3000);
+    // What is still on its way has this long to come after what came last, and more when it is known that it must.
+    const auto patience = std::chrono::milliseconds(next_truth >= *truth_sent_ ? 500 : 3000);
+    return now - std::max(ended_, came_) > patience;
   }
 
  private:
@@ -221,6 +225,8 @@ class RunFollower {
   DataReader& status_reader_;
   Clock::time_point begun_;
   Clock::time_point ended_;
+  Clock::time_point came_;  // when a sample came last
+  std::uint64_t received_ = 0;
   std::optional<std::uint64_t> truth_sent_;  // in the whole run, when it has ended
   bool running_ = false;
   bool told_ = false;
@@ -261,7 +267,7 @@ int navigate_in_blocks(const Options& options) {
   Count imu, gnss;
   std::optional<types::GnssFix> fix;
   RunFollower run(options, *status_reader);
-  while (!run.is_over(std::numeric_limits<std::uint64_t>::max())) {
+  while (!run.is_over(std::numeric_limits<std::uint64_t>::max(), imu.received + gnss.received)) {
     imu_reader->wait_for_unread_message({0, 50'000'000});
     take_all<types::GnssBlock>(*gnss_reader, [&](const types::GnssBlock& block) {
       for (const types::GnssFix& sample : block.samples()) {
@@ -298,7 +304,7 @@ int navigate(const Options& options) {
   std::optional<types::GnssFix> fix;
   std::uint64_t published = 0;
   RunFollower run(options, *status_reader);
-  while (!run.is_over(truth.next)) {
+  while (!run.is_over(truth.next, truth.received + imu.received + gnss.received)) {
     imu_reader->wait_for_unread_message({0, 50'000'000});
     take_all<types::GnssFix>(*gnss_reader, [&](const types::GnssFix& sample) {
       gnss.add(sample.header().sequence_number());
