@@ -190,8 +190,10 @@ void LoggerOnBus::repeat_credits() {
   for (const auto& [topic, monitor] : streams_) {
     const auto sent = sent_.find(topic);
     // In lockstep the next block follows upon a credit; one that was sent before this process listened is sent again.
+    // At the end of a run nothing follows the last sample that would show that it is missing.
     const auto silence_ns = app::realtime_now().count() - sources_[topic].received_realtime_ns;
-    const bool silent = clock_ == ClockMode::Lockstep && silence_ns > time::Nanoseconds(milliseconds(400)).count();
+    const time::Nanoseconds patience = milliseconds(clock_ == ClockMode::Lockstep ? 400 : 1000);
+    const bool silent = (clock_ == ClockMode::Lockstep || run_ended_) && silence_ns > patience.count();
     const bool lacks = silent || monitor.first_missing() < monitor.next_sequence() ||
                        (sent != sent_.end() && monitor.next_sequence() < sent->second);
     if (lacks || run_ended_ || clock_ == ClockMode::Lockstep) give_credit(topic, monitor.first_missing(), lacks);

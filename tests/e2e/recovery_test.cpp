@@ -123,7 +123,7 @@ TEST_F(Recovery, OfAServiceThatIsKilledAtTheVeryEndNothingIsMissing) {
   const std::string reference = offline("recovery");
   for (const char* victim : {"inslab-imu-injector", "inslab-truth-logger"}) {
     Process run("inslab",
-                {"run", scenario("recovery"), "--log", log_, "--domain", own_domain(), "--rate", "4", "--overwrite"});
+                {"run", scenario("recovery"), "--log", log_, "--domain", own_domain(), "--rate", "2", "--overwrite"});
     ASSERT_TRUE(eventually([&] { return status() && status()->state == RunState::Running; }, seconds(30)));
     ASSERT_TRUE(reaches(9.8)) << run.output();
     kill_child(run, victim);
@@ -136,7 +136,7 @@ TEST_F(Recovery, OfAServiceThatIsKilledAtTheVeryEndNothingIsMissing) {
 
 TEST_F(Recovery, ServicesThatAreKilledBeforeTheRunBeginsAreStartedAgain) {
   const std::string reference = offline("recovery");
-  Process run("inslab", {"run", scenario("recovery"), "--log", log_, "--domain", own_domain(), "--rate", "10"});
+  Process run("inslab", {"run", scenario("recovery"), "--log", log_, "--domain", own_domain(), "--rate", "3"});
   kill_child_at_once(run, "inslab-trajectory-server");
   kill_child_at_once(run, "inslab-gnss-emulator");
   EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
