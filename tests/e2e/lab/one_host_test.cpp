@@ -64,7 +64,8 @@ class LabOnOneHost : public testing::Test {
 };
 
 TEST_F(LabOnOneHost, ASecondSetOfTheSameUnitIsRefusedAndTheFirstGoesOn) {
-  const std::string first = inventory("tests/data/lab.json");
+  const std::string paused = R"(, "clock": ["--paused"])";  // it is there for as long as the others need to be refused
+  const std::string first = inventory("tests/data/lab.json", paused);
   const auto run = lab("run", first);
   ASSERT_TRUE(run->prints("lab: 0.0 of 4.0 s", seconds(60))) << run->output();
   const std::string refusal = says(1, "run", inventory("tests/data/lab.json"));
@@ -72,6 +73,8 @@ TEST_F(LabOnOneHost, ASecondSetOfTheSameUnitIsRefusedAndTheFirstGoesOn) {
   EXPECT_THAT(refusal, HasSubstr("from " + std::filesystem::canonical(first).string()));
   const std::string same_log = inventory("tests/data/lab.json", R"(, "unit": "other")");
   EXPECT_THAT(says(1, "run", same_log), HasSubstr("runs/lab.mcap is written by another set: process "));
+  Process resume("inslab", {"resume", "--domain", own_domain()});
+  EXPECT_EQ(resume.wait(seconds(30)), 0) << resume.output();
   EXPECT_EQ(run->wait(seconds(60)), 0) << run->output();
   EXPECT_EQ(samples_of<ImuSample>(host() + "/runs/lab.mcap", "inslab/imu/0").size(), 400u);
 }
