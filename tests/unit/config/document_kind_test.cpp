@@ -21,7 +21,9 @@ void expect_all(const std::string& folder, DocumentKind kind) {
   for (const auto& entry : std::filesystem::directory_iterator(kConfig / folder)) {
     if (entry.path().extension() != ".json") continue;
     config::Json json = config::read_json_file(entry.path());
-    if (json.contains("$schema")) EXPECT_EQ(document_kind(json), kind) << entry.path();
+    if (json.contains("$schema")) {
+      EXPECT_EQ(document_kind(json), kind) << entry.path();
+    }
     json.erase("$schema");
     const bool is_name_alone = json.size() == 2 && json.contains("name") && json.contains("source");
     EXPECT_EQ(document_kind(json), is_name_alone ? std::nullopt : std::optional(kind))
