@@ -57,7 +57,11 @@ class Judge {
       if (k > 0) intervals_s.push_back(seconds_between(file_, k - 1, k));
     }
     const nav::PositionSpline spline(std::move(points), std::move(intervals_s), {});
-    for (std::size_t k = 0; k <= spline.pieces(); ++k) acceleration(k, curve_at(spline, k).norm(), "position");
+    for (std::size_t k = 0; k <= spline.pieces(); ++k) {
+      const nav::Vector3 of_curve = curve_at(spline, k);
+      acceleration(k, of_curve.norm(), "position");
+      largest_of_curve_ = largest_of_curve_.cwiseMax(of_curve.cwiseAbs());
+    }
   }
 
   /// What the decimals of the positions can do, beside what the motion does over a second.
@@ -68,7 +72,8 @@ class Judge {
     const nav::Vector3 of_motion = motion_over_a_second(std::max<std::size_t>(1, std::llround(1.0 / dt)));
     constexpr double kCounts = 0.1;  // m/s^2: 10 mg, which the least of IMUs feels
     for (int i = 0; i < 3; ++i) {
-      const bool is_more = by_rounding[i] > std::max(kCounts, of_motion[i]);
+      const double least = std::max(kCounts, of_motion[i]);
+      const bool is_more = by_rounding[i] > least && largest_of_curve_[i] > least;  // and the curve does have it
       figures_.rounding_m_per_s2[i] = is_more ? by_rounding[i] : 0.0;
     }
   }
@@ -191,6 +196,7 @@ class Judge {
   std::vector<nav::Vector3> window_steps_;  ///< m
   nav::Vector3 window_sum_ = nav::Vector3::Zero();
   bool contradicts_ = false;
+  nav::Vector3 largest_of_curve_ = nav::Vector3::Zero();  ///< of each axis, m/s^2
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "io/error.hpp"
 #include "io/imu_columns.hpp"
 #include "io/input_file.hpp"
+#include "io/rtklib_columns.hpp"
 #include "io/text_lines.hpp"
 #include "io/trajectory_columns.hpp"
 #include "io/trajectory_nmea.hpp"
@@ -84,6 +85,7 @@ Form form_of_text(const std::string& path) {
     const std::string_view names =
         is_comment ? line.substr(std::min(line.size(), line.find_first_not_of("#% \t"))) : line;
     if (const auto form = form_of_names(names)) return *form;
+    if (io::rtklib_columns(names)) return Form::Trajectory;
     if (is_comment) continue;
     io::split(line, line.find(',') == std::string_view::npos ? ' ' : ',', fields);
     const bool is_dated = fields.size() > 2 && fields.front().find('/') != std::string_view::npos;

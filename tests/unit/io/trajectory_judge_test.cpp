@@ -165,6 +165,11 @@ TEST(TrajectoryJudge, SaysThatTheRoundingIsMoreThanTheMotion) {
   EXPECT_EQ(coarse.y(), 0.0);
   EXPECT_NEAR(coarse.z(), 20.0, 1e-9);                                    // 2 0.1 m / (0.1 s)^2
   EXPECT_TRUE(figures_with_heights_of(4).rounding_m_per_s2.isZero(0.0));  // 0.02 m/s^2
+  // One decimal of which nothing is seen: the vehicle stays at its height.
+  TrajectoryReading level = straight();
+  for (auto& row : level.file.rows) row.v_n.reset();
+  level.step_ned_m = {0.0, 0.0, 0.1};
+  EXPECT_TRUE(judge_trajectory(level, TrajectoryLimits{}, false).rounding_m_per_s2.isZero(0.0));
 }
 
 }  // namespace
