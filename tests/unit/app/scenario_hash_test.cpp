@@ -16,7 +16,7 @@ class ScenarioHash : public testing::Test {
   void SetUp() override {
     fs::create_directories(folder_);
     write("imu.json", R"({"name": "one", "gyro": {"bias_constant_deg_per_h": [1, 0, 0]}})");
-    write("gnss.json", R"({"name": "fix", "fix_type": "fixed"})");
+    fs::copy_file(fs::path(INSLAB_SOURCE_DIR) / "config/profiles/gnss/rtk.json", folder_ / "gnss.json");
     write("scenario.json", scenario("7"));
   }
   void TearDown() override { fs::remove_all(folder_); }
