@@ -204,7 +204,7 @@ TEST_F(FileExport, EscapesWhatXmlCannotHold) {
   KmlTrack track;
   track.add({});
   track.write(path("a.kml"), "<a & b>\x01");
-  EXPECT_THAT(contents(path("a.kml")), HasSubstr("<name>&lt;a &amp; b&gt; </name>"));
+  EXPECT_THAT(contents(path("a.kml")), HasSubstr("<name>&lt;a &amp; b&gt;\\x01</name>"));
 }
 
 TEST_F(FileExport, ReadersNameLineAndColumnOfWhatTheyRefuse) {
