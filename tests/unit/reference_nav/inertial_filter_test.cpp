@@ -291,29 +291,5 @@ TEST(InertialFilter, TakesNoZeroVelocityThatItsOwnVelocityContradicts) {
   }
 }
 
-/// 0.005 m/s^2 feel like rest in every window; held by zero velocities the filter would stay behind.
-TEST(InertialFilter, TakesNoZeroVelocityWhileTheForcesAddUp) {
-  NavigationParameters p = parameters_at_every_sample();
-  p.accel.bias_sigma_mgal.setConstant(10.0);
-  p.accel.vrw_m_per_s_per_sqrt_h.setConstant(0.01);
-  const nav::NavState start{{0.5, 1.0, 0.0}, Vector3::Zero(), nav::Quaternion::Identity()};
-  Vector21 sigmas = Vector21::Zero();
-  sigmas.segment<3>(kVelocity).setConstant(0.01);
-  sigmas.segment<3>(kAttitude).setConstant(1e-5);
-  sigmas.segment<3>(kAccelBias).setConstant(1e-4);
-  InertialFilter filter(p, kGravity, start, sigmas, 0, std::nullopt);
-  ImuInterval interval;
-  interval.increments = {kDt_s * nav::omega_ie_n(0.5),
-                         kDt_s * (Vector3(0.005, 0.0, 0.0) - kGravity.g_n(start.position)), kDt_s};
-  constexpr int kWindow = 200;
-  for (int k = 0; k < 40 * kWindow; ++k) {
-    interval.end_ns = (k + 1) * kDt_ns;
-    interval.window_begins = k % kWindow == 0;
-    interval.at_rest = k % kWindow == kWindow - 1;
-    filter.advance(interval);
-  }
-  EXPECT_NEAR(filter.state().v_n.x(), 40.0 * 0.005, 0.03);
-}
-
 }  // namespace
 }  // namespace inslab::reference_nav

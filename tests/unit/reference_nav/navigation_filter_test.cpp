@@ -338,7 +338,7 @@ NavSolution in_motion(NavigationFilter& filter, Circling& truth, const Vector3& 
 TEST(NavigationFilter, BeginsInMotionByTheChangeOfTheVelocity) {
   NavigationParameters p;
   p.lever_arm_b_m = Vector3(1.6, -0.3, -1.0);
-  p.gyro.bias_sigma_deg_per_h.setConstant(500.0);
+  p.gyro.bias_sigma_deg_per_h.setConstant(20.0);
   Circling truth;
   NavigationFilter filter(p, kGravity);
   const NavSolution solution = in_motion(filter, truth, p.lever_arm_b_m, 30.0);
