@@ -136,7 +136,7 @@ TEST_F(Recovery, OfAServiceThatIsKilledAtTheVeryEndNothingIsMissing) {
 
 TEST_F(Recovery, ServicesThatAreKilledBeforeTheRunBeginsAreStartedAgain) {
   const std::string reference = offline("recovery");
-  Process run("inslab", {"run", scenario("recovery"), "--log", log_, "--domain", own_domain(), "--rate", "3"});
+  Process run("inslab", {"run", scenario("recovery"), "--log", log_, "--domain", own_domain()});
   kill_child_at_once(run, "inslab-trajectory-server");
   kill_child_at_once(run, "inslab-gnss-emulator");
   EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
