@@ -13,7 +13,7 @@ namespace {
 /// Those who are there answer an announcement at once; announcements that get lost are repeated every 100 ms at first.
 /// A discovery server passes on what it hears every half second.
 time::Nanoseconds time_to_hear(const dds::Participant& participant) {
-  return std::chrono::milliseconds(participant.options().discovery_server.empty() ? 500 : 1500);
+  return std::chrono::milliseconds(participant.options().discovery_server.empty() ? 1000 : 1500);
 }
 
 std::string refusal(const Identity& other, const std::string& reason, const std::string& advice) {

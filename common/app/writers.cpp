@@ -4,8 +4,20 @@
 
 #include "app/host.hpp"
 #include "app/set_members.hpp"
+#include "wire/topic_names.hpp"
 
 namespace inslab::app {
+
+namespace {
+
+/// What every service says of itself: left out, it changes nothing in the run, so that a service that was started by
+/// mistake does not spoil it.
+bool only_tells(const std::string& topic) {
+  return topic == wire::topic_names::kServiceStatus || topic == wire::topic_names::kCredit ||
+         topic == wire::topic_names::kProfileAck;
+}
+
+}  // namespace
 
 bool Writers::admit(const std::string& topic, const ServiceKey& role, const dds::ParticipantKey& sender) {
   constexpr std::size_t kMostIntruders = 64;
@@ -29,6 +41,10 @@ bool Writers::admit(const std::string& topic, const ServiceKey& role, const dds:
   const std::string words = topic + ": a writer that is not this set's: " + who +
                             dds::words_of(peer.value_or(dds::Peer{sender, "", "", {}})) + ": " + why +
                             "; what it sends is left out";
+  if (only_tells(topic)) {
+    spdlog::warn("{}", words);
+    return false;
+  }
   spdlog::error("{}", words);
   if (fault_.empty()) fault_ = words;
   return false;

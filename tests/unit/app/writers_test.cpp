@@ -60,6 +60,14 @@ TEST_F(WritersOfAStream, AStrangerIsAFaultAtItsFirstSampleBeforeAndAfterTheRight
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, foe));
 }
 
+TEST_F(WritersOfAStream, WhatAStrangerSaysOfItselfIsLeftOutAndSpoilsNothing) {
+  const auto foe = joins(7, std::nullopt, "foe");
+  for (const char* topic : {"inslab/service_status", "inslab/credit", "inslab/profile_ack"}) {
+    EXPECT_FALSE(writers_.admit(topic, kInjector, foe));
+  }
+  EXPECT_EQ(writers_.fault(), "");
+}
+
 TEST_F(WritersOfAStream, OfAnotherRoleUnitOrScenarioIsAFaultThatNamesIt) {
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(2, identity(kGnssEmulator, 5))));
   EXPECT_THAT(writers_.fault(), HasSubstr("inslab-gnss-emulator 0 (host bench, process 5"));
