@@ -57,7 +57,7 @@ class ValidFiller {
   }
 
   std::string text(const Field& field) {
-    static const std::vector<std::string> kCharacters{"a", "Z", " ", "\"", "\\", "/", "\n", "\t", "\x01", "é", "漢"};
+    static const std::vector<std::string> kCharacters{"a", "Z", " ", "\"", "\\", "/", "é", "漢"};
     std::string out;
     if (engine_ == nullptr) return "text";
     const std::size_t wanted = (*engine_)() % (field.max_size + 1);
