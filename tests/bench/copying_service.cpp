@@ -53,6 +53,7 @@ class CopyingInjector : public Copier {
   void take(const Credit& credit) override { outputs_.take(credit); }
   std::vector<std::uint64_t> outputs_end() const override { return outputs_.ends(); }
   bool outputs_delivered(const std::vector<std::uint64_t>& ends) const override { return outputs_.delivered(ends); }
+  bool outputs_logged() const override { return outputs_.are_logged(); }
   std::string missing_readers() const override { return outputs_.missing_readers(); }
   void report(ServiceStatus& status) const override { outputs_.report(status); }
   void flush(time::Nanoseconds deadline) override { outputs_.wait_for_acknowledgments(deadline); }
@@ -90,6 +91,7 @@ class CopyingEmulator : public Copier {
   bool outputs_delivered(const std::vector<std::uint64_t>& ends) const override {
     return fixes_.lowest_wanted() >= ends[0];
   }
+  bool outputs_logged() const override { return fixes_.is_logged(); }
   std::string missing_readers() const override { return fixes_.missing_readers(); }
   void report(ServiceStatus& status) const override { status.streams.push_back(fixes_.status()); }
   void flush(time::Nanoseconds deadline) override { fixes_.wait_for_acknowledgments(deadline); }
