@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "config/json_file.hpp"
@@ -104,12 +105,14 @@ struct DiscriminatorSetter {
   std::size_t alternatives = 0;
   std::string value_name;
   std::optional<std::uint32_t> value_number;
+  bool may_be_absent = false;  ///< what is meant then is this alternative
 
   template <class T>
   void operator()(const Field& field, T& value) {
     if constexpr (std::is_enum_v<T>) {
       if (!key.empty()) return;
       key = field.name;
+      may_be_absent = !field.is_required && static_cast<std::size_t>(value) == index;
       alternatives = EnumNames<T>::values.size();
       value = static_cast<T>(index);
       value_name = enum_name(value);
@@ -124,7 +127,7 @@ Json schema_of_struct() {
     Json alternatives = Json::array();
     for (std::size_t i = 0, count = 1; i < count; ++i) {
       T value;
-      DiscriminatorSetter setter{i, {}, 0, {}, {}};
+      DiscriminatorSetter setter{i, {}, 0, {}, {}, false};
       T::fields(value, setter);
       count = setter.alternatives;
       Json schema = schema_of_fields(value);
@@ -135,6 +138,11 @@ Json schema_of_struct() {
         fixed["const"] = setter.value_name;
       }
       schema["properties"][setter.key] = std::move(fixed);
+      Json& required = schema["required"];
+      if (!setter.may_be_absent && std::find(required.begin(), required.end(), setter.key) == required.end()) {
+        required.push_back(setter.key);
+      }
+      if (required.empty()) schema.erase("required");
       alternatives.push_back(std::move(schema));
     }
     Json schema = Json::object();
