@@ -191,8 +191,8 @@ TEST(Multirotor, FeelsItsThrustAlongMinusZAndNothingElseButDrag) {
   for (const TruthState& sample : run(loaded, 100.0)) {
     const Vector3 thrust = sample.f_v + drag_per_s * (sample.q_nv.conjugate() * sample.v_n);
     ASSERT_LT(thrust.z(), -5.0);
-    // Where it is probed the arc between two attitudes leaves the law by 5e-5 rad at most; the curve through them, which
-    // is no arc, leaves it by 2e-4, of 12 m/s^2.
+    // Where it is probed the arc between two attitudes leaves the law by 5e-5 rad at most; the curve through them,
+    // which is no arc, leaves it by 2e-4, of 12 m/s^2.
     ASSERT_LT(std::hypot(thrust.x(), thrust.y()), 2.4e-3) << seconds(sample);
     tilt_rad = std::max(tilt_rad, std::acos(nav::matrix_from_quaternion(sample.q_nv)(2, 2)));
   }
