@@ -128,8 +128,8 @@ TEST_P(VehicleClasses, MoveAsAnIndependentIntegrationOfTheirRateAndForce) {
   using LongQuaternion = Eigen::Quaternion<long double>;
   const nav::Gravity gravity;
   const scenario::LoadedScenario loaded = GetParam().load();
-  // Joints of the jerk lie inside steps and cost h^2/24 of its jump each, 1e-6 m/s for 1 m/s^3 and 5 ms.
-  const double rate_hz = loaded.scenario.duration_s < 500.0 ? 800.0 : 400.0;
+  // Joints of the jerk lie inside steps and cost h^2/24 of its jump each, 1e-7 m/s for 1 m/s^3 and 1.25 ms.
+  const double rate_hz = loaded.scenario.duration_s < 500.0 ? 1600.0 : 400.0;
   const long double step_s = 2.0L / rate_hz;  // the rates are by the step
   const auto truth = run(loaded, rate_hz);
   const nav::Vector3 start_e = nav::ecef_from_geodetic(position(truth.front()));
@@ -191,9 +191,9 @@ TEST(Multirotor, FeelsItsThrustAlongMinusZAndNothingElseButDrag) {
   for (const TruthState& sample : run(loaded, 100.0)) {
     const Vector3 thrust = sample.f_v + drag_per_s * (sample.q_nv.conjugate() * sample.v_n);
     ASSERT_LT(thrust.z(), -5.0);
-    // Where it is probed the arc between two attitudes leaves the law by 5e-5 rad at most; the curve through them,
-    // which is no arc, leaves it by 2e-4, of 12 m/s^2.
-    ASSERT_LT(std::hypot(thrust.x(), thrust.y()), 2.4e-3) << seconds(sample);
+    // Where it is probed the arc between two attitudes leaves the law by 1e-4 rad at most. The curve is smoother than
+    // an arc, and at the ends of a ramp the law has a kink, which the curve rounds: thrice that, of 12 m/s^2.
+    ASSERT_LT(std::hypot(thrust.x(), thrust.y()), 3e-4 * 12.0) << seconds(sample);
     tilt_rad = std::max(tilt_rad, std::acos(nav::matrix_from_quaternion(sample.q_nv)(2, 2)));
   }
   EXPECT_GT(tilt_rad, 12.0 * kRadPerDeg);
@@ -262,7 +262,7 @@ TEST(FixedWing, FeelsNoSideForceInTheAirAndKeepsItsWingsLevelOnTheGround) {
       ASSERT_NEAR(rpy(sample).roll_rad, 0.0, 1e-4) << seconds(sample);
     }
     if (sample.v_n.norm() < 1.25 * 30.0) continue;
-    ASSERT_NEAR(sample.f_v.y(), 0.0, 2e-4 * 12.0) << seconds(sample);
+    ASSERT_NEAR(sample.f_v.y(), 0.0, 3e-4 * 12.0) << seconds(sample);
     bank_rad = std::max(bank_rad, std::abs(rpy(sample).roll_rad));
     const double climb_rad = std::asin(-sample.v_n.z() / sample.v_n.norm());
     // The angle of attack lies in the banked plane, so pitch is below the sum of both.
