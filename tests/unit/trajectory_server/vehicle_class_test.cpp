@@ -187,15 +187,16 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, VehicleClasses,
 TEST(Multirotor, FeelsItsThrustAlongMinusZAndNothingElseButDrag) {
   const scenario::LoadedScenario loaded = drone();
   const double drag_per_s = loaded.scenario.trajectory.attitude_from_path.drag_per_s;
-  double tilt_rad = 0.0;
+  double tilt_rad = 0.0, off_axis_m_per_s2 = 0.0;
   for (const TruthState& sample : run(loaded, 100.0)) {
     const Vector3 thrust = sample.f_v + drag_per_s * (sample.q_nv.conjugate() * sample.v_n);
     ASSERT_LT(thrust.z(), -5.0);
-    // Where it is probed the arc between two attitudes leaves the law by 1e-4 rad at most. The curve is smoother than
-    // an arc, and at the ends of a ramp the law has a kink, which the curve rounds: thrice that, of 12 m/s^2.
-    ASSERT_LT(std::hypot(thrust.x(), thrust.y()), 3e-4 * 12.0) << seconds(sample);
+    off_axis_m_per_s2 = std::max(off_axis_m_per_s2, std::hypot(thrust.x(), thrust.y()));
     tilt_rad = std::max(tilt_rad, std::acos(nav::matrix_from_quaternion(sample.q_nv)(2, 2)));
   }
+  // Where it is probed the arc between two attitudes leaves the law by 1e-4 rad at most. The curve is smoother than
+  // an arc, and at the ends of a ramp the law has a kink, which the curve rounds: thrice that, of 12 m/s^2.
+  EXPECT_LT(off_axis_m_per_s2, 3e-4 * 12.0);
   EXPECT_GT(tilt_rad, 12.0 * kRadPerDeg);
   EXPECT_LT(tilt_rad, 30.0 * kRadPerDeg);
 }
@@ -256,19 +257,20 @@ TEST(Ship, LiesAtTheQuayRollingAndKeepsItsNoseOnTheTrack) {
 }
 
 TEST(FixedWing, FeelsNoSideForceInTheAirAndKeepsItsWingsLevelOnTheGround) {
-  double bank_rad = 0.0;
+  double bank_rad = 0.0, side_m_per_s2 = 0.0;
   for (const TruthState& sample : run(aeroplane(), 50.0)) {
     if (sample.v_n.norm() < 30.0) {
       ASSERT_NEAR(rpy(sample).roll_rad, 0.0, 1e-4) << seconds(sample);
     }
     if (sample.v_n.norm() < 1.25 * 30.0) continue;
-    ASSERT_NEAR(sample.f_v.y(), 0.0, 3e-4 * 12.0) << seconds(sample);
+    side_m_per_s2 = std::max(side_m_per_s2, std::abs(sample.f_v.y()));
     bank_rad = std::max(bank_rad, std::abs(rpy(sample).roll_rad));
     const double climb_rad = std::asin(-sample.v_n.z() / sample.v_n.norm());
     // The angle of attack lies in the banked plane, so pitch is below the sum of both.
     ASSERT_LT(rpy(sample).pitch_rad, climb_rad + 4.0 * kRadPerDeg + 1e-3);
     ASSERT_GT(rpy(sample).pitch_rad, climb_rad + 4.0 * kRadPerDeg * std::cos(rpy(sample).roll_rad) - 5e-3);
   }
+  EXPECT_LT(side_m_per_s2, 3e-4 * 12.0);
   EXPECT_GT(bank_rad, 10.0 * kRadPerDeg);
   EXPECT_LT(bank_rad, 59.0 * kRadPerDeg) << "or the limit would have cut it";
 }
