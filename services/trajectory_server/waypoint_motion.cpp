@@ -123,7 +123,7 @@ class ClassAttitude final : public AttitudeLaw {
   }
 
  private:
-  static constexpr double kOffArc_rad = 1e-4;
+  static constexpr double kOffArc_rad = 2e-5;
   static constexpr double kPointsOfPeriod = 64.0;
 
   bool sways() const {

@@ -136,6 +136,8 @@ struct run_follower {
   dds_time_t came;  /* when a sample came last */
   uint64_t received;
   uint64_t truth_sent;
+  uint64_t truth_at_end; /* as the newest status says */
+  bool end_heard;        /* the newest status is of a run's end */
   bool running;
   bool told;
 };
@@ -155,12 +157,16 @@ static bool is_over(struct run_follower* run, uint64_t next_truth, uint64_t rece
     if (info.valid_data) {
       const bool ended = status->state >= inslab_v1_RUN_FINISHED;
       run->running = run->running || !ended;
-      /* The end of a run that was over before this app came is not the end that it waits for. */
-      if (ended && run->running && run->ended == 0) end_with(run, status->truth_samples);
+      run->end_heard = ended;
+      run->truth_at_end = status->truth_samples;
     }
     dds_return_loan(run->status, samples, 1);
     samples[0] = NULL;
   }
+  /* The end of a run that was over before this app came is not the end that it waits for. A short run may be over before
+   * its status was read; its samples tell that it was there. */
+  run->running = run->running || received > 0;
+  if (run->end_heard && run->running && run->ended == 0) end_with(run, run->truth_at_end);
   dds_subscription_matched_status_t matched = {0};
   dds_get_subscription_matched_status(run->status, &matched);
   if (run->running && run->ended == 0 && matched.current_count == 0) end_with(run, 0); /* the server was killed */

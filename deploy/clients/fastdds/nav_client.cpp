@@ -193,9 +193,12 @@ class RunFollower {
     take_all<types::SimStatus>(status_reader_, [this](const types::SimStatus& status) {
       const bool ended = status.state() >= types::RunState::RUN_FINISHED;
       running_ = running_ || !ended;
-      // The end of a run that was over before this app came is not the end that it waits for.
-      if (ended && running_ && !truth_sent_) end_with(status.truth_samples());
+      end_heard_ = ended ? std::optional<std::uint64_t>(status.truth_samples()) : std::nullopt;
     });
+    // The end of a run that was over before this app came is not the end that it waits for. A short run may be over
+    // before its status was read; its samples tell that it was there.
+    running_ = running_ || received > 0;
+    if (end_heard_ && running_ && !truth_sent_) end_with(*end_heard_);
     SubscriptionMatchedStatus matched;
     status_reader_.get_subscription_matched_status(matched);
     if (running_ && !truth_sent_ && matched.current_count == 0) end_with(0);  // the server was killed
@@ -227,6 +230,7 @@ class RunFollower {
   Clock::time_point ended_;
   Clock::time_point came_;  // when a sample came last
   std::uint64_t received_ = 0;
+  std::optional<std::uint64_t> end_heard_;   // the newest status is of a run's end: its truth samples
   std::optional<std::uint64_t> truth_sent_;  // in the whole run, when it has ended
   bool running_ = false;
   bool told_ = false;
