@@ -11,6 +11,7 @@
 #include "io/text_lines.hpp"
 #include "samples/units.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::cli {
 namespace {
@@ -34,7 +35,7 @@ class DictionaryReader {
       if (!known) {
         skip_value();
       } else if (!values.emplace(key, product()).second) {
-        fail("'" + key + "' is given twice");
+        fail(text::quoted(key) + " is given twice");
       }
       skip_blanks();
       if (peek() == ',')
@@ -207,7 +208,7 @@ class Conversion {
     values_ = DictionaryReader(file, import_text(file)).read();
     for (const auto& [key, value] : values_) {
       if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys)) {
-        throw io::ReadError(file + ": '" + key + "' is not a key of gnss-ins-sim");
+        throw io::ReadError(file + ": " + text::quoted(key) + " is not a key of gnss-ins-sim");
       }
     }
   }
