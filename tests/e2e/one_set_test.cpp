@@ -119,6 +119,8 @@ TEST_F(OneSet, OfTwoThatStartTogetherOneRuns) {
 TEST_F(OneSet, AServiceWithAnotherScenarioIsNamedBeforeTheRun) {
   const std::string other = other_scenario();
   const auto odd = start("inslab-imu-injector", other);
+  // As long as it looks around it would refuse itself, and nobody had to name it.
+  ASSERT_TRUE(odd->prints("waits for the trajectory server", seconds(20))) << odd->output();
   const auto log = start("inslab-truth-logger", scenario(), {"--log", log_});
   const auto imu3 = start("inslab-imu-injector", scenario(), {"--sensor", "3"});
   const auto gnss = start("inslab-gnss-emulator", scenario());
