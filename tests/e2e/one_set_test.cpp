@@ -89,11 +89,13 @@ TEST_F(OneSet, ASecondOneAndAnyServiceOfItIsRefusedAndTheFirstGoesOnToTheBit) {
   late.push_back(start("inslab-imu-injector", other));
   late.push_back(start("inslab-gnss-emulator", scenario()));
   late.push_back(start("inslab-truth-logger", scenario(), {"--log", folder_ / "third.mcap"}));
+  // They come together, so that one of them may be told of another of them.
   for (const auto& process : late) {
     EXPECT_EQ(process->wait(seconds(20)), kCannotStart) << process->output();
-    EXPECT_THAT(last_line(*process),
-                ContainsRegex("inslab-[a-z-]+ 0 \\(host [^,]+, process [0-9]+, since .* UTC, scenario 'short'\\) runs "
-                              "(here already|another set)"));
+    EXPECT_THAT(
+        last_line(*process),
+        ContainsRegex("inslab-[a-z-]+ 0 \\(host [^,]+, process [0-9]+, since .* UTC, scenario '(short|other)'\\) "
+                      "runs (here already|another set)"));
     EXPECT_THAT(last_line(*process), HasSubstr("another --unit or --domain"));
   }
   EXPECT_FALSE(std::filesystem::exists(second_log));
