@@ -11,7 +11,7 @@ namespace inslab::trajectory {
 ///
 /// Nose along the track: the nose follows the line, at rest too; yaw stays as it is where the line is vertical; the
 /// vehicle banks as it turns; attitudes are 2 deg and 10 s apart at most. The other classes: attitudes so near that
-/// half-way and at the quarters the arc between two leaves the class's own by at most 1e-4 rad, and 1 s apart at most.
+/// half-way and at the quarters the arc between two leaves the class's own by at most 2e-5 rad, and 1 s apart at most.
 /// `gravity` is what the thrust of a multirotor and the wings of an aircraft bear.
 ///
 /// Throws std::invalid_argument, naming the JSON path, when the waypoints break a rule, and std::domain_error, naming
