@@ -279,10 +279,11 @@ class Joiner {
     }
   }
 
-  /// Uses up what is complete; without `all` the last second stays, for stragglers of the other topics.
+  /// Uses up what is complete; without `all` the last seconds stay, for stragglers of the other topics: what is sent
+  /// again to a logger that was killed comes seconds late.
   void join(bool all) {
     if (truths_.empty()) return;
-    const std::int64_t limit = truths_.rbegin()->first.second - (all ? 0 : 1'000'000'000);
+    const std::int64_t limit = truths_.rbegin()->first.second - (all ? 0 : kStragglers_ns);
     drain(samples_, limit, [this](const Key& key, const ImuSample& sample) {
       const auto perfect = imu_truths_.find(key);
       const auto vehicle = truths_.find({0, key.second});
@@ -297,6 +298,8 @@ class Joiner {
     drain(imu_truths_, limit, [](const Key&, const ImuTruth&) {});
     drain(truths_, limit, [](const Key&, const TruthState&) {});
   }
+  static constexpr std::int64_t kStragglers_ns = 15'000'000'000;
+
   template <class T, class Use>
   static void drain(std::map<Key, T>& kept, std::int64_t limit, const Use& use) {
     for (auto it = kept.begin(); it != kept.end();) {
