@@ -22,8 +22,11 @@ std::string text_of(const std::string& path) {
   return text.str();
 }
 
-std::vector<std::string> study_in(const std::string& folder, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words{"montecarlo", source("tests/data/reference_nav.json"), "-n", "4", "-o", folder};
+constexpr const char* kAtRest = "tests/data/reference_nav_at_rest.json";
+
+std::vector<std::string> study_in(const std::string& folder, const std::vector<std::string>& more = {},
+                                  const char* scenario = "tests/data/reference_nav.json") {
+  std::vector<std::string> words{"montecarlo", source(scenario), "-n", "4", "-o", folder};
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
@@ -74,12 +77,12 @@ TEST(Montecarlo, PartsAreSummarisedOnceAllAreThere) {
 
 TEST(Montecarlo, ARunThatFailsIsNamedWithItsReason) {
   const TestFolder folder;
-  // A minute of alignment in ten seconds.
+  // A minute of alignment in ten seconds; without motion there is no other beginning.
   std::ofstream(folder / "patient.json") << R"({"name": "patient", "initial": {"attitude": "static_alignment"}})";
   const auto [code, text] =
-      inslab(study_in(folder / "failed", {"--parameters", folder / "patient.json", "--draw-start"}));
+      inslab(study_in(folder / "failed", {"--parameters", folder / "patient.json", "--draw-start"}, kAtRest));
   EXPECT_EQ(code, 0) << text;  // it begins at the truth
-  const auto [failed, said] = inslab(study_in(folder / "failing", {"--parameters", folder / "patient.json"}));
+  const auto [failed, said] = inslab(study_in(folder / "failing", {"--parameters", folder / "patient.json"}, kAtRest));
   EXPECT_EQ(failed, 1);
   EXPECT_THAT(said, HasSubstr("FAILED  run 3, seed 8: no solution was scored: "));
 }

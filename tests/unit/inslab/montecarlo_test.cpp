@@ -213,7 +213,7 @@ TEST_F(Montecarlo, ARunSaysWhatTheFilterBelievedAtItsInstants) {
 }
 
 TEST_F(Montecarlo, AFilterThatNeverBeginsIsTheRunsFailure) {
-  Study s = study();
+  Study s = load_study(source("tests/data/reference_nav_at_rest.json"), "", false, "1");
   s.loaded.scenario.reference_nav->parameters.clear();  // a static alignment of a minute, in ten seconds
   const auto result = single_run(s, 0, never);
   ASSERT_TRUE(result);
