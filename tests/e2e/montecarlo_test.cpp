@@ -94,7 +94,7 @@ TEST(Montecarlo, ARunWhoseProcessIsKilledIsNamedAndDoneAgain) {
       "montecarlo", source("config/scenarios/vehicle.json"), "-n", "1", "--draw-start", "-o", folder / "study"};
   Process study("inslab", words);
   std::vector<pid_t> runs;
-  ASSERT_TRUE(eventually([&] { return !(runs = children_named(study.pid(), "inslab")).empty(); }, seconds(60)));
+  ASSERT_TRUE(eventually([&] { return !(runs = children_named(study.pid(), "inslab-study")).empty(); }, seconds(60)));
   kill(runs.front(), SIGKILL);
   EXPECT_EQ(study.wait(seconds(60)), 1);
   EXPECT_THAT(study.output(), HasSubstr("vehicle: 0 of 1 runs, seeds 20261123 to 20261123\n"
