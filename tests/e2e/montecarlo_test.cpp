@@ -98,7 +98,7 @@ TEST(Montecarlo, ARunWhoseProcessIsKilledIsNamedAndDoneAgain) {
   kill(runs.front(), SIGKILL);
   EXPECT_EQ(study.wait(seconds(60)), 1);
   EXPECT_THAT(study.output(), HasSubstr("vehicle: 0 of 1 runs, seeds 20261123 to 20261123\n"
-                                        "FAILED  run 0, seed 20261123: inslab was ended by signal 9 (Killed)\n"));
+                                        "FAILED  run 0, seed 20261123: inslab-study was ended by signal 9 (Killed)\n"));
   const auto [code, text] = inslab(words);
   EXPECT_EQ(code, 0) << text;
   EXPECT_THAT(text, HasSubstr("vehicle: 1 of 1 runs"));
