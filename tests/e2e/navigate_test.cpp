@@ -204,10 +204,12 @@ TEST_F(Navigate, RefusesParametersNamingFileAndPath) {
 }
 
 TEST_F(Navigate, SaysWhyThereIsNoSolutionAndFails) {
-  // A car that drives cannot be aligned at rest.
+  // Ten seconds of rest are too few to align, and there is no motion to begin by.
+  run({"simulate", source("tests/data/reference_nav_at_rest.json"), "-o", *folder_ / "."});
   const std::string parameters =
-      file_with("static.json", R"({"name": "static", "initial": {"attitude": "static_alignment", "alignment_s": 8}})");
-  EXPECT_THAT(run({"navigate", log(), "--parameters", parameters, "-o", *folder_ / "none"}, 1),
+      file_with("static.json", R"({"name": "static", "initial": {"attitude": "static_alignment"}})");
+  const std::string at_rest = *folder_ / "reference_nav_at_rest.mcap";
+  EXPECT_THAT(run({"navigate", at_rest, "--parameters", parameters, "-o", *folder_ / "none"}, 1),
               HasSubstr("inslab navigate: no solution: "));
 }
 
