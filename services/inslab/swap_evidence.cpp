@@ -257,8 +257,9 @@ class Joiner {
     if (type == wire::WireType<ImuSample>::name) keep(message, samples_);
     if (type == wire::WireType<ImuTruth>::name) keep(message, imu_truths_);
     if (type == wire::WireType<GnssFix>::name) keep(message, fixes_);
-    constexpr std::size_t kPause = 4096;
-    if (truths_.size() >= kPause) join(false);
+    if (truths_.size() < next_join_) return;
+    join(false);
+    next_join_ = truths_.size() + kPause;
   }
   void finish() { join(true); }
 
@@ -313,6 +314,8 @@ class Joiner {
   }
 
   SwapWindowsOfLog& windows_;
+  static constexpr std::size_t kPause = 4096;  ///< truth samples from one joining to the next
+  std::size_t next_join_ = kPause;
   std::map<Key, TruthState> truths_;
   std::map<Key, ImuSample> samples_;
   std::map<Key, ImuTruth> imu_truths_;

@@ -94,7 +94,7 @@ TEST_F(OneSet, ASecondOneAndAnyServiceOfItIsRefusedAndTheFirstGoesOnToTheBit) {
     EXPECT_EQ(process->wait(seconds(20)), kCannotStart) << process->output();
     EXPECT_THAT(
         last_line(*process),
-        ContainsRegex("inslab-[a-z-]+ 0 \\(host [^,]+, process [0-9]+, since .* UTC, scenario '(short|other)'\\) "
+        ContainsRegex("inslab-[a-z-]+ [0-9]+ \\(host [^,]+, process [0-9]+, since .* UTC, scenario '(short|other)'\\) "
                       "runs (here already|another set)"));
     EXPECT_THAT(last_line(*process), HasSubstr("another --unit or --domain"));
   }

@@ -167,13 +167,15 @@ struct Count {
   std::uint64_t missing = 0;
 
   void add(std::uint64_t sequence) {
-    ++received;
     if (sequence >= next) {
       missing += sequence - next;
       next = sequence + 1;
     } else if (missing > 0) {
       --missing;
+    } else {
+      return;  // it has come before, and was sent again for somebody else
     }
+    ++received;
   }
   bool print(const char* topic) const {
     std::printf("%s: %" PRIu64 " samples, %" PRIu64 " missing\n", topic, received, missing);
