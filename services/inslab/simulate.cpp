@@ -55,9 +55,13 @@ time::Nanoseconds run_to_end(OfflineRun& run, const scenario::LoadedScenario& lo
   Progress progress(loaded.scenario.name, duration);
   constexpr int kStepsBetweenLooks = 4096;
   bool more = true;
-  while (more) {
-    for (int i = 0; i < kStepsBetweenLooks && more; ++i) more = run.step();
-    progress.show(run.sim_time());
+  try {
+    while (more) {
+      for (int i = 0; i < kStepsBetweenLooks && more; ++i) more = run.step();
+      progress.show(run.sim_time());
+    }
+  } catch (const std::domain_error& error) {  // a motion that leaves its domain: when and in which segment, not whose
+    throw std::domain_error(loaded.file.string() + ": " + error.what());
   }
   return run.sim_time();
 }

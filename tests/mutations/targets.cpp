@@ -43,7 +43,11 @@ void run_scenario(const std::string& path) {
   if (loaded.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) return;
   Nothing nothing;
   cli::OfflineRun run(loaded, loaded.start(time::Nanoseconds(1'800'000'000'000'000'000)), RunId{}, nothing);
-  for (int i = 0; i < kSteps && run.step(); ++i) continue;
+  try {
+    for (int i = 0; i < kSteps && run.step(); ++i) continue;
+  } catch (const std::domain_error& error) {  // as inslab simulate says it
+    throw std::domain_error(path + ": " + error.what());
+  }
 }
 
 void read_profile(const std::string& path, const std::string& what) {
