@@ -2,6 +2,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
+#include "app/last_word.hpp"
 #include "app/service_names.hpp"
 #include "app/shutdown.hpp"
 #include "samples/profile_rules.hpp"
@@ -298,7 +299,7 @@ int TruthFollower::fail(const std::string& reason) {
   spdlog::error("{}", reason);
   board_.enter(ServiceState::Fault, reason);
   board_.flush(seconds(2));
-  return kFailed;
+  return after_the_last_word(kFailed);
 }
 
 int TruthFollower::follow() {
@@ -340,7 +341,8 @@ int TruthFollower::end() {
   }
   board_.flush(seconds(2));
   checkpoint_.forget();
-  return (complete && context_.writers().fault().empty()) || left_no_run ? kOk : kFailed;
+  const bool good = (complete && context_.writers().fault().empty()) || left_no_run;
+  return after_the_last_word(good ? kOk : kFailed);
 }
 
 }  // namespace inslab::app

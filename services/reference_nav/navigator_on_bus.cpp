@@ -1,6 +1,7 @@
 #include "services/reference_nav/navigator_on_bus.hpp"
 
 #include "app/exit_code.hpp"
+#include "app/last_word.hpp"
 #include "app/service_names.hpp"
 #include "app/shutdown.hpp"
 #include "services/reference_nav/app_setup.hpp"
@@ -183,7 +184,7 @@ int NavigatorOnBus::end() {
   board_.enter(failure.empty() ? ServiceState::Finished : ServiceState::Fault,
                failure.empty() && by_signal ? "ended by a signal before a run" : failure);
   board_.flush(seconds(2));
-  return failure.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed;
+  return app::after_the_last_word(failure.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed);
 }
 
 }  // namespace inslab::reference_nav

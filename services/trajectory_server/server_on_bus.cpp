@@ -6,6 +6,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
+#include "app/last_word.hpp"
 #include "app/service_names.hpp"
 #include "app/shutdown.hpp"
 #include "app/stamp.hpp"
@@ -279,7 +280,7 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   board_.flush(seconds(2));
   spdlog::info("{}: {} truth samples, {} overruns, largest lag {:.3f} ms{}", enum_name(state), source_->taken(),
                status_.overruns, status_.lag_max_s * 1e3, message.empty() ? "" : ": " + message);
-  return good ? app::kOk : app::kFailed;
+  return app::after_the_last_word(good ? app::kOk : app::kFailed);
 }
 
 int ServerOnBus::run() {

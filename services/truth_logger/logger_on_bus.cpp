@@ -4,6 +4,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
+#include "app/last_word.hpp"
 #include "app/service_names.hpp"
 #include "app/shutdown.hpp"
 #include "io/error.hpp"
@@ -403,7 +404,7 @@ int LoggerOnBus::end() {
   board_.flush(seconds(2));
   spdlog::info("log {} ({:.1f} MB)", log_.path(), static_cast<double>(log_.file().file_size()) * 1e-6);
   if (!failure_.empty()) spdlog::error("{}", failure_);
-  return failure_.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed;
+  return app::after_the_last_word(failure_.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed);
 }
 
 }  // namespace inslab::logger
