@@ -50,7 +50,7 @@ class BenchTools : public testing::Test {
     set_ =
         std::make_unique<Process>("inslab", std::vector<std::string>{"run", source("tests/data/storm.json"), "--log",
                                                                      *folder_ / "live.mcap", "--domain", own_domain()});
-    ASSERT_TRUE(set_->prints("storm: 0.0 of", seconds(60))) << set_->output();
+    ASSERT_TRUE(set_->prints(" of 3600.0 s", seconds(60))) << set_->output();
   }
   static void TearDownTestSuite() {
     set_->send(SIGTERM);

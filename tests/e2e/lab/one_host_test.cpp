@@ -67,7 +67,7 @@ TEST_F(LabOnOneHost, ASecondSetOfTheSameUnitIsRefusedAndTheFirstGoesOn) {
   const std::string paused = R"(, "clock": ["--paused"])";  // it is there for as long as the others need to be refused
   const std::string first = inventory("tests/data/lab.json", paused);
   const auto run = lab("run", first);
-  ASSERT_TRUE(run->prints("lab: 0.0 of 4.0 s", seconds(60))) << run->output();
+  ASSERT_TRUE(run->prints(" of 4.0 s", seconds(60))) << run->output();
   const std::string refusal = says(1, "run", inventory("tests/data/lab.json"));
   EXPECT_THAT(refusal, HasSubstr("here: truth-logger runs already: process "));
   EXPECT_THAT(refusal, HasSubstr("from " + std::filesystem::canonical(first).string()));
