@@ -15,12 +15,10 @@ namespace inslab::app {
 
 namespace {
 
-constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-
 time::Nanoseconds read_clock(clockid_t clock) {
   timespec now{};
   clock_gettime(clock, &now);
-  return time::Nanoseconds(static_cast<std::int64_t>(now.tv_sec) * kNsPerSecond + now.tv_nsec);
+  return time::Nanoseconds(static_cast<std::int64_t>(now.tv_sec) * time::kNsPerSecond + now.tv_nsec);
 }
 
 }  // namespace
@@ -34,7 +32,7 @@ void sleep_until(time::Nanoseconds deadline) {
   constexpr time::Nanoseconds kSpin(80'000);
   const std::int64_t wake = (deadline - kSpin).count();
   if (wake > monotonic_now().count()) {
-    const timespec until{static_cast<time_t>(wake / kNsPerSecond), static_cast<long>(wake % kNsPerSecond)};
+    const timespec until{static_cast<time_t>(wake / time::kNsPerSecond), static_cast<long>(wake % time::kNsPerSecond)};
     if (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) return;
   }
   while (monotonic_now() < deadline) {
@@ -138,7 +136,7 @@ std::string cpu_features() {
 namespace {
 
 std::string utc(time::Nanoseconds realtime, const char* format) {
-  const std::time_t seconds = realtime.count() / kNsPerSecond;
+  const std::time_t seconds = realtime.count() / time::kNsPerSecond;
   std::tm parts{};
   gmtime_r(&seconds, &parts);
   char text[32];

@@ -8,6 +8,8 @@
 
 namespace inslab::io {
 
+using Bytes = std::vector<std::uint8_t>;
+
 /// Appends little-endian numbers and length-prefixed strings to a buffer.
 class ByteWriter {
  public:

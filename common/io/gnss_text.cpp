@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::io {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "io/text_lines.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::io {
 

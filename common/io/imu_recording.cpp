@@ -11,7 +11,7 @@
 #include "io/imu_columns.hpp"
 #include "io/log_topic.hpp"
 #include "io/text_lines.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 #include "wire/topic_names.hpp"
 
 namespace inslab::io {

@@ -4,7 +4,7 @@
 
 #include "io/text_writer.hpp"
 #include "io/xml_text.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::io {
 

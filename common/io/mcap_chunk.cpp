@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
+#include "io/byte_writer.hpp"
+
 namespace inslab::io::mcap {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
 
 Bytes decompress(const std::string& place, const std::uint8_t* data, std::size_t size, std::size_t expected_size) {
   // What the frame says of itself is asked first, so that a lying chunk allocates nothing.

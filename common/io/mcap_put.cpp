@@ -4,8 +4,6 @@
 
 namespace inslab::io::mcap {
 
-using Bytes = std::vector<std::uint8_t>;
-
 void put_header(const std::string& profile, const std::string& library, Bytes& out) {
   ByteWriter writer(out);
   out.insert(out.end(), kMagic.begin(), kMagic.end());

@@ -15,8 +15,6 @@
 namespace inslab::io {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
 constexpr std::string_view kCompression = mcap::kCompression;
 // Chunk: three 8-byte numbers, CRC, compression, length of the records.
 constexpr std::size_t kChunkHeadSize = mcap::kRecordHeadSize + 3 * 8 + 4 + 4 + kCompression.size() + 8;

@@ -1,6 +1,6 @@
 #include "io/nav_text.hpp"
 
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::io {
 

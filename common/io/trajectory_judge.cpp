@@ -7,7 +7,7 @@
 
 #include "nav/position_spline.hpp"
 #include "samples/limits.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::io {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "samples/limits.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::io {
 

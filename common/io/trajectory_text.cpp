@@ -9,7 +9,7 @@
 #include "io/text_lines.hpp"
 #include "io/trajectory_rows.hpp"
 #include "samples/limits.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::io {
 

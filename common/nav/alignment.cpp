@@ -6,13 +6,11 @@
 
 #include "nav/attitude.hpp"
 #include "nav/wgs84.hpp"
+#include "units/units.hpp"
 
 namespace inslab::nav {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kDegPerRad = 180.0 / kPi;
 
 std::optional<std::string> moved(const StaticMeans& means, double gravity_m_per_s2, const AlignmentLimits& limits) {
   std::ostringstream why;
@@ -37,16 +35,16 @@ std::optional<std::string> moved(const StaticMeans& means, double gravity_m_per_
 std::variant<Matrix3, std::string> coarse_alignment(const StaticMeans& means, double latitude_rad,
                                                     double gravity_m_per_s2, const AlignmentLimits& limits) {
   std::ostringstream why;
-  if (!(90.0 - std::abs(latitude_rad) * kDegPerRad > limits.pole_distance_deg)) {
-    why << "latitude " << latitude_rad * kDegPerRad << " deg is within " << limits.pole_distance_deg
+  if (!(90.0 - std::abs(latitude_rad) * units::kDegPerRad > limits.pole_distance_deg)) {
+    why << "latitude " << latitude_rad * units::kDegPerRad << " deg is within " << limits.pole_distance_deg
         << " deg of a pole: gravity and the Earth's rate are parallel there";
     return why.str();
   }
   if (const auto reason = moved(means, gravity_m_per_s2, limits)) return *reason;
   const double rate = means.omega_ib_b.norm();
   if (std::abs(rate - wgs84::omega_e_rad_per_s) > limits.rate_ratio * wgs84::omega_e_rad_per_s) {
-    why << "the mean rate is " << rate * kDegPerRad * 3600.0 << " deg/h, the Earth's "
-        << wgs84::omega_e_rad_per_s * kDegPerRad * 3600.0 << ": the gyros' bias swamps it, or the IMU turned";
+    why << "the mean rate is " << rate * units::kDegPerRad * 3600.0 << " deg/h, the Earth's "
+        << wgs84::omega_e_rad_per_s * units::kDegPerRad * 3600.0 << ": the gyros' bias swamps it, or the IMU turned";
     return why.str();
   }
   const Vector3 down_b = -means.f_b.normalized();

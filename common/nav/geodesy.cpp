@@ -5,13 +5,11 @@
 #include <stdexcept>
 
 #include "nav/wgs84.hpp"
+#include "units/units.hpp"
 
 namespace inslab::nav {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kRadPerDeg = kPi / 180.0;
 
 /// How a point of a meridian plane moves, in m: away from the axis and along it, when its latitude changes by
 /// `dlatitude_rad` and its height by `dheight_m`. Differences of sines are written as products, so that a small change
@@ -53,15 +51,15 @@ constexpr Real kE2 = kF * (2.0L - kF);
 }  // namespace
 
 bool in_domain(const Geodetic& position) {
-  return std::abs(position.latitude_rad) <= kMaxLatitudeDeg * kRadPerDeg && position.height_m >= kMinHeightM &&
+  return std::abs(position.latitude_rad) <= kMaxLatitudeDeg * units::kDeg && position.height_m >= kMinHeightM &&
          position.height_m <= kMaxHeightM && std::isfinite(position.longitude_rad);
 }
 
 void check_domain(const Geodetic& position) {
   if (in_domain(position)) return;
-  if (!(std::abs(position.latitude_rad) <= kMaxLatitudeDeg * kRadPerDeg)) {
+  if (!(std::abs(position.latitude_rad) <= kMaxLatitudeDeg * units::kDeg)) {
     throw std::domain_error(
-        out_of_domain("latitude", position.latitude_rad / kRadPerDeg, "deg", -kMaxLatitudeDeg, kMaxLatitudeDeg));
+        out_of_domain("latitude", position.latitude_rad / units::kDeg, "deg", -kMaxLatitudeDeg, kMaxLatitudeDeg));
   }
   if (!std::isfinite(position.longitude_rad)) throw std::domain_error("longitude is not a finite number");
   throw std::domain_error(out_of_domain("height", position.height_m, "m", kMinHeightM, kMaxHeightM));
@@ -167,8 +165,8 @@ Vector3 omega_en_n(const Geodetic& position, const Vector3& v_n) {
 }
 
 double wrapped_to_pi(double angle_rad) {
-  if (std::abs(angle_rad) <= kPi) return angle_rad;
-  return std::remainder(angle_rad, 2.0 * kPi);
+  if (std::abs(angle_rad) <= units::kPi) return angle_rad;
+  return std::remainder(angle_rad, 2.0 * units::kPi);
 }
 
 }  // namespace inslab::nav

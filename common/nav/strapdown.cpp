@@ -5,16 +5,15 @@
 
 #include "nav/attitude.hpp"
 #include "nav/wgs84.hpp"
+#include "units/units.hpp"
 
 namespace inslab::nav {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// Takes n coordinates to e coordinates: thesis (2-42).
 Quaternion q_en_at(const Geodetic& position) {
-  const double half = -0.25 * kPi - 0.5 * position.latitude_rad;
+  const double half = -0.25 * units::kPi - 0.5 * position.latitude_rad;
   const double c = std::cos(half), s = std::sin(half);
   const double c_lon = std::cos(0.5 * position.longitude_rad), s_lon = std::sin(0.5 * position.longitude_rad);
   return Quaternion(c * c_lon, -s * s_lon, s * c_lon, c * s_lon);
@@ -170,7 +169,7 @@ NavState Strapdown::state() const { return {position(), v_n_, q_nb()}; }
 
 Geodetic Strapdown::position() const {
   const Quaternion q = q_en_.value();
-  return {2.0 * std::atan2(std::hypot(q.x(), q.y()), std::hypot(q.w(), q.z())) - 0.5 * kPi,
+  return {2.0 * std::atan2(std::hypot(q.x(), q.y()), std::hypot(q.w(), q.z())) - 0.5 * units::kPi,
           wrapped_to_pi(2.0 * std::atan2(q.z(), q.w())), height_m_.value()};
 }
 

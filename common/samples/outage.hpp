@@ -2,7 +2,7 @@
 
 #include "nav/geodesy.hpp"
 #include "samples/field.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab {
 inline namespace samples {

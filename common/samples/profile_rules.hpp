@@ -9,9 +9,9 @@
 #include "samples/imu_error_profile.hpp"
 #include "samples/installation_profile.hpp"
 #include "samples/limits.hpp"
-#include "samples/units.hpp"
 #include "samples/vibration_profile.hpp"
 #include "samples/violation.hpp"
+#include "units/units.hpp"
 
 /// Rules of profiles that span several fields; the limits of single fields stand in their declarations. Each function
 /// returns the first rule broken, or nothing.

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "scenario/waypoint_route.hpp"
+#include "units/units.hpp"
 
 namespace inslab::scenario {
 
@@ -66,7 +67,6 @@ std::optional<Violation> yaw_violation(const Trajectory& trajectory) {
 /// A path that leans a multirotor further than it can.
 std::optional<Violation> tilt_violation(const Trajectory& trajectory) {
   constexpr double kG_m_per_s2 = 9.80665;
-  constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
   const VehicleAttitude& attitude = trajectory.attitude_from_path;
   if (attitude.vehicle_class != VehicleClass::Multirotor) return std::nullopt;
   const WaypointRoute route(trajectory.waypoints, route_options(trajectory));
@@ -77,7 +77,8 @@ std::optional<Violation> tilt_violation(const Trajectory& trajectory) {
       // The piece's own axes are level but for its length over the Earth's radius.
       const nav::Vector3 thrust =
           piece.acceleration_k(part * span_s) + attitude.drag_per_s * piece.velocity_k(part * span_s);
-      const double tilt_deg = kDegPerRad * std::atan2(std::hypot(thrust.x(), thrust.y()), kG_m_per_s2 - thrust.z());
+      const double tilt_deg =
+          units::kDegPerRad * std::atan2(std::hypot(thrust.x(), thrust.y()), kG_m_per_s2 - thrust.z());
       if (tilt_deg <= attitude.max_tilt_deg) continue;
       std::ostringstream why;
       why.precision(4);

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "units/units.hpp"
+
 namespace inslab::scenario {
 
 namespace {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 constexpr double kClosest_m = 1.0;
 constexpr double kFarthest_m = 500e3;
 constexpr double kLongest_s = 1e9;
@@ -19,7 +20,7 @@ constexpr double kRampPeak = 1.875;
 constexpr double kShortestCruise_s = 0.01;
 
 nav::Geodetic position(const Waypoint& waypoint) {
-  return {waypoint.latitude_deg * kRadPerDeg, nav::wrapped_to_pi(waypoint.longitude_deg * kRadPerDeg),
+  return {waypoint.latitude_deg * units::kDeg, nav::wrapped_to_pi(waypoint.longitude_deg * units::kDeg),
           waypoint.height_m};
 }
 

@@ -2,13 +2,13 @@
 
 #include <cstdio>
 
+#include "units/units.hpp"
+
 namespace inslab::score {
 
 namespace {
 
 using scenario::Metric;
-
-constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 
 std::string number(double value) {
   char text[32];
@@ -78,7 +78,7 @@ std::optional<double> figure_of_the_run(const Scorer& scorer, Metric metric) {
 std::optional<double> figure_of(const ErrorStatistics& errors, Metric metric) {
   if (errors.count() == 0) return std::nullopt;
   const Vector3 position = errors.position().rms(errors.count());
-  const Vector3 phi = errors.phi().rms(errors.count()) * kDegPerRad;
+  const Vector3 phi = errors.phi().rms(errors.count()) * units::kDegPerRad;
   switch (metric) {
     case Metric::HorizontalRms:
       return position.head<2>().norm();

@@ -1,7 +1,7 @@
 #include "score/mountings.hpp"
 
 #include "nav/attitude.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::score {
 

@@ -8,7 +8,6 @@ namespace inslab::time {
 
 namespace {
 
-constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 constexpr std::int64_t kNsPerWeek = 604'800 * kNsPerSecond;
 constexpr std::int64_t kGpsEpochUnixSeconds = 315'964'800;  // 1980-01-06T00:00:00Z
 

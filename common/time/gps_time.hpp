@@ -9,7 +9,10 @@ namespace inslab::time {
 using Nanoseconds = std::chrono::nanoseconds;
 
 /// Seconds as double, for the models; exact to 1e-16 relative.
-constexpr double to_seconds(Nanoseconds t) { return static_cast<double>(t.count()) * 1e-9; }
+inline constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+
+constexpr double to_seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
+constexpr double to_seconds(Nanoseconds t) { return to_seconds(t.count()); }
 
 /// Nearest nanosecond of `seconds`. Throws std::invalid_argument when it is not finite or beyond 292 years.
 Nanoseconds from_seconds(double seconds);

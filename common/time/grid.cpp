@@ -11,7 +11,6 @@ namespace inslab::time {
 
 namespace {
 
-constexpr Whole kNsPerSecond = 1'000'000'000;
 constexpr Whole kLongest_s = 9'000'000'000;               // as far as nanoseconds of 64 bits reach
 constexpr Whole kLargest = static_cast<Whole>(1) << 120;  // over 2^63 samples that is longer still
 
@@ -41,7 +40,7 @@ std::optional<Period> common(const Period& a, const Period& b) {
 /// How many instants round(k 1e9 seconds/samples) lie after 0 and not after `t_ns`.
 Whole count_until(const Period& period, std::int64_t t_ns) {
   const Whole above = (2 * static_cast<Whole>(t_ns) + 1) * period.samples;
-  const Whole below = 2 * kNsPerSecond * period.seconds;
+  const Whole below = 2 * static_cast<Whole>(kNsPerSecond) * period.seconds;
   return (above + below - 1) / below - 1;
 }
 

@@ -10,8 +10,6 @@ namespace inslab::time {
 
 namespace {
 
-constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-
 struct Fraction {
   std::int64_t numerator;
   std::int64_t denominator;

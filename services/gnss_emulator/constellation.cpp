@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "nav/wgs84.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::gnss {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "samples/profile_rules.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::gnss {
 namespace {

@@ -1,7 +1,7 @@
 #include "services/imu_error_injector/installation.hpp"
 
 #include "nav/attitude.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::imu {
 namespace {

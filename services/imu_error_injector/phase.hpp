@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 /// Phases and integrals of sinusoids of sim time.
 namespace inslab::imu {

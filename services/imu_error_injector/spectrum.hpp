@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "samples/units.hpp"
 #include "samples/vibration_profile.hpp"
+#include "units/units.hpp"
 
 namespace inslab::imu {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "samples/imu_error_profile.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::imu {
 

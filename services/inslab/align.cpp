@@ -15,11 +15,11 @@
 #include "services/inslab/align/recording.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/tell.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr std::size_t kBadLinesShown = 5;
 constexpr std::size_t kPlottedBins = 2000;
 
@@ -33,7 +33,7 @@ struct AlignOptions {
 
 std::string spread_line(const std::string& name, const align::Spread& spread) {
   if (spread.count < 2) return fmt::format("{:<12} {:>9}  too few solutions for a spread\n", name, spread.count);
-  const nav::Vector3 mean = spread.mean_rad * kDegPerRad, sigma = spread.sigma_rad * kDegPerRad;
+  const nav::Vector3 mean = spread.mean_rad * units::kDegPerRad, sigma = spread.sigma_rad * units::kDegPerRad;
   return fmt::format("{:<12} {:>9}  {:>10.4f} {:>10.4f} {:>10.4f}  {:>9.4f} {:>9.4f} {:>9.4f}\n", name, spread.count,
                      mean.x(), mean.y(), mean.z() - 360.0 * std::floor(mean.z() / 360.0), sigma.x(), sigma.y(),
                      sigma.z());
@@ -47,8 +47,8 @@ std::string report(const align::AlignedRecording& aligned) {
   text += spread_line("per sample", result.epochs) + spread_line("per second", result.seconds);
   if (result.whole) {
     text += fmt::format("{:<12} {:>9}  {:>10.4f} {:>10.4f} {:>10.4f}\n", "whole span", 1,
-                        result.whole->roll_rad * kDegPerRad, result.whole->pitch_rad * kDegPerRad,
-                        result.whole->yaw_rad * kDegPerRad);
+                        result.whole->roll_rad * units::kDegPerRad, result.whole->pitch_rad * units::kDegPerRad,
+                        result.whole->yaw_rad * units::kDegPerRad);
   }
   text += "\nYaw from north towards east, in [0, 360).\n";
   return text;
@@ -72,7 +72,7 @@ io::Picture picture_of(const align::AlignmentResult& result, const std::string& 
       const nav::RollPitchYaw& rpy = result.each_second[k];
       const nav::Vector3 angles(rpy.roll_rad, rpy.pitch_rad, rpy.yaw_rad);
       curve.x.push_back(static_cast<double>(k + 1));
-      curve.y.push_back(nav::wrapped_to_pi(angles[i] - result.seconds.mean_rad[i]) * kDegPerRad);
+      curve.y.push_back(nav::wrapped_to_pi(angles[i] - result.seconds.mean_rad[i]) * units::kDegPerRad);
     }
     io::Panel panel;
     panel.x_label = i == 2 ? "time (s)" : "";

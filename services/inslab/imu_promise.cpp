@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "samples/units.hpp"
 #include "services/imu_error_injector/spectrum.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
 

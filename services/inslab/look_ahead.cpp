@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "app/host.hpp"
-#include "samples/units.hpp"
 #include "services/inslab/offline_run.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
 

@@ -8,12 +8,12 @@
 #include <stdexcept>
 
 #include "io/log_topic.hpp"
-#include "samples/units.hpp"
 #include "services/inslab/live_run.hpp"
 #include "services/inslab/offline_run.hpp"
 #include "services/inslab/scenario_folder.hpp"
 #include "services/inslab/verify/navigation.hpp"
 #include "services/inslab/verify/outage_figures.hpp"
+#include "units/units.hpp"
 #include "wire/cdr.hpp"
 #include "wire/topic_names.hpp"
 

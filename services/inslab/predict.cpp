@@ -16,11 +16,11 @@
 #include "services/inslab/offline_run.hpp"
 #include "services/inslab/predict/expected_errors.hpp"
 #include "services/inslab/tell.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr std::size_t kTableRows = 12;
 
 struct PredictOptions {
@@ -39,7 +39,8 @@ predict::PredictedError start_of(const PredictOptions& options) {
   predict::PredictedError start;
   start.position_n_m.setConstant(options.position_m);
   start.velocity_n_m_per_s.setConstant(options.velocity_m_per_s);
-  start.attitude_n_rad << options.tilt_deg / kDegPerRad, options.tilt_deg / kDegPerRad, options.yaw_deg / kDegPerRad;
+  start.attitude_n_rad << options.tilt_deg / units::kDegPerRad, options.tilt_deg / units::kDegPerRad,
+      options.yaw_deg / units::kDegPerRad;
   return start;
 }
 
@@ -116,7 +117,7 @@ Prediction predicted(const scenario::LoadedScenario& loaded, const PredictOption
 using Figures = std::array<double, 10>;
 
 Figures figures(const predict::PredictedError& error) {
-  const nav::Vector3 attitude_deg = error.attitude_n_rad * kDegPerRad;
+  const nav::Vector3 attitude_deg = error.attitude_n_rad * units::kDegPerRad;
   const nav::Vector3 &r = error.position_n_m, &v = error.velocity_n_m_per_s;
   return {error.time_s, r.x(), r.y(), r.z(), v.x(), v.y(), v.z(), attitude_deg.x(), attitude_deg.y(), attitude_deg.z()};
 }

@@ -6,12 +6,12 @@
 #include <map>
 
 #include "services/inslab/report_limits.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr std::size_t kMostPoints = 40000;
 constexpr std::size_t kBins = 400;  // of a curve over time
 constexpr const char* kErrorStyle = "lines linecolor rgb '#1f5fa8'";
@@ -22,7 +22,7 @@ constexpr const char* kAxes[] = {"north", "east", "down"};
 /// Position m, velocity m/s, phi deg.
 Vector3 expected_of(const predict::PredictedError& error, std::size_t which) {
   if (which == 0) return error.position_n_m;
-  return which == 1 ? error.velocity_n_m_per_s : Vector3(error.attitude_n_rad * kDegPerRad);
+  return which == 1 ? error.velocity_n_m_per_s : Vector3(error.attitude_n_rad * units::kDegPerRad);
 }
 
 double extent_of(const std::vector<double>& values) {
@@ -81,8 +81,9 @@ void ErrorCurves::add(const score::ScoredSolution& scored) {
   points_.push_back(
       {static_cast<double>(scored.sim_time_ns) * 1e-9,
        scored.in_outage,
-       {scored.error.position_ned_m, scored.error.velocity_ned_m_per_s, scored.error.phi_rad * kDegPerRad},
-       {solution.position_sigma_ned_m, solution.velocity_sigma_ned_m_per_s, solution.attitude_sigma_rad * kDegPerRad},
+       {scored.error.position_ned_m, scored.error.velocity_ned_m_per_s, scored.error.phi_rad * units::kDegPerRad},
+       {solution.position_sigma_ned_m, solution.velocity_sigma_ned_m_per_s,
+        solution.attitude_sigma_rad * units::kDegPerRad},
        scored.truth.position});
   if (points_.size() < kMostPoints) return;
   for (std::size_t i = 0; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];

@@ -10,14 +10,13 @@
 #include "score/score_text.hpp"
 #include "services/inslab/report_limits.hpp"
 #include "services/inslab/swap_intervals.hpp"
+#include "time/gps_time.hpp"
 
 namespace inslab::cli {
 
 namespace {
 
 using scenario::Metric;
-
-double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
 
 /// Four digits, without an exponent where a person would write none.
 std::string shown(double value) {
@@ -116,10 +115,10 @@ PageTable outages_table(const LogScore& score, const Expectation& expectation) {
     table.caption += " To expect: 1 sigma of " + expectation.of + " at the end; horizontal: north and east together.";
   }
   for (const score::OutageDrift& outage : score.scorer.outages()) {
-    std::vector<Cell> row{fmt::format("{:.2f}", seconds(outage.begin_ns)),
-                          fmt::format("{:.2f}", seconds(outage.end_ns - outage.begin_ns)), shown(outage.horizontal_m),
-                          shown(outage.vertical_m)};
-    const predict::PredictedError* expected = expectation.before(seconds(outage.end_ns));
+    std::vector<Cell> row{fmt::format("{:.2f}", time::to_seconds(outage.begin_ns)),
+                          fmt::format("{:.2f}", time::to_seconds(outage.end_ns - outage.begin_ns)),
+                          shown(outage.horizontal_m), shown(outage.vertical_m)};
+    const predict::PredictedError* expected = expectation.before(time::to_seconds(outage.end_ns));
     if (has_expectation) {
       row.push_back(expected == nullptr ? "-" : shown(expected->position_n_m.head<2>().norm()));
       row.push_back(expected == nullptr ? "-" : shown(expected->position_n_m.z()));
@@ -183,9 +182,10 @@ PageTable profiles_table(const LogSummary& summary) {
   for (const ProfileInUse& entry : summary.profiles) {
     const std::string& name = name_of(entry.profile);
     if (entry.apply_at_ns < 0 && name.empty()) continue;  // the scenario names none
-    table.rows.push_back({name.empty() ? "(no name)" : name, sensor_name(target_of(entry.profile)),
-                          std::string(enum_name(kind_of(entry.profile))),
-                          entry.apply_at_ns < 0 ? "the start" : fmt::format("{:.3f}", seconds(entry.apply_at_ns))});
+    table.rows.push_back(
+        {name.empty() ? "(no name)" : name, sensor_name(target_of(entry.profile)),
+         std::string(enum_name(kind_of(entry.profile))),
+         entry.apply_at_ns < 0 ? "the start" : fmt::format("{:.3f}", time::to_seconds(entry.apply_at_ns))});
   }
   return table;
 }
@@ -206,7 +206,7 @@ PageTable swaps_table(const std::vector<SwapEvidence>& swaps) {
   for (const SwapEvidence& swap : swaps) {
     const std::string name =
         fmt::format("{}: {} '{}' for {} from {:.3f} s on{}", ++number, enum_name(swap.ack.kind), swap.profile_name,
-                    sensor_name(swap.ack.target), seconds(swap.ack.apply_time_ns),
+                    sensor_name(swap.ack.target), time::to_seconds(swap.ack.apply_time_ns),
                     swap.first_sample_holds ? "" : "; its first sample is not the acknowledged one");
     const Cell first{name, swap.first_sample_holds ? Tone::Plain : Tone::Bad};
     if (swap.lines.empty()) table.rows.push_back({first, "nothing measured: " + swap.why_nothing, "", "", "", "", ""});

@@ -7,6 +7,7 @@
 
 #include "score/score_text.hpp"
 #include "services/inslab/swap_intervals.hpp"
+#include "time/gps_time.hpp"
 
 namespace inslab::cli {
 
@@ -18,11 +19,9 @@ using scenario::Phase;
 constexpr double kStands_m_per_s = 0.05;
 constexpr double kTurns_deg_per_s = 1.0;
 
-double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
-
 std::string outage_words(const Moment& moment, const LogScore& score) {
   for (const score::OutageDrift& outage : score.scorer.outages()) {
-    const double begin_s = seconds(outage.begin_ns), end_s = seconds(outage.end_ns);
+    const double begin_s = time::to_seconds(outage.begin_ns), end_s = time::to_seconds(outage.end_ns);
     if (moment.time_s < begin_s || moment.time_s > end_s) continue;
     return fmt::format(", {:.2f} s after the last fix (outage from {:.2f} s to {:.2f} s)", moment.time_s - begin_s,
                        begin_s, end_s);

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "io/log_topic.hpp"
-#include "samples/units.hpp"
 #include "services/inslab/imu_promise.hpp"
 #include "services/inslab/swap_window.hpp"
+#include "units/units.hpp"
 #include "wire/cdr.hpp"
 #include "wire/wire_type.hpp"
 

@@ -7,6 +7,7 @@
 #include "io/error.hpp"
 #include "io/mcap_reader.hpp"
 #include "services/trajectory_server/truth_source.hpp"
+#include "units/units.hpp"
 #include "wire/cdr.hpp"
 #include "wire/topic_names.hpp"
 #include "wire/wire_type.hpp"
@@ -15,7 +16,6 @@ namespace inslab::cli {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr std::size_t kMostPoints = 40000;
 constexpr std::size_t kBins = 140;            // of a curve over time: a pixel or two each
 constexpr double kFinestTrack = 1.0 / 600.0;  // of the track's extent: a pixel
@@ -102,9 +102,10 @@ io::Panel Track::attitude_panel() const {
   panel.title = "attitude";
   panel.x_label = "time (s)";
   panel.y_label = "deg";
-  panel.curves.push_back(over_time("roll", [](const Point& point) { return point.rpy.roll_rad * kDegPerRad; }));
-  panel.curves.push_back(over_time("pitch", [](const Point& point) { return point.rpy.pitch_rad * kDegPerRad; }));
-  panel.curves.push_back(over_time("yaw", [](const Point& point) { return point.rpy.yaw_rad * kDegPerRad; }));
+  panel.curves.push_back(over_time("roll", [](const Point& point) { return point.rpy.roll_rad * units::kDegPerRad; }));
+  panel.curves.push_back(
+      over_time("pitch", [](const Point& point) { return point.rpy.pitch_rad * units::kDegPerRad; }));
+  panel.curves.push_back(over_time("yaw", [](const Point& point) { return point.rpy.yaw_rad * units::kDegPerRad; }));
   for (io::Curve& curve : panel.curves) curve = thinned_angle(curve);
   return panel;
 }

@@ -3,15 +3,9 @@
 #include <cmath>
 
 #include "nav/attitude.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
-
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kDegPerRad = 180.0 / kPi;
-
-}  // namespace
 
 void WorstMoment::add(const score::ScoredSolution& scored) {
   const double time_s = static_cast<double>(scored.sim_time_ns) * 1e-9;
@@ -19,7 +13,7 @@ void WorstMoment::add(const score::ScoredSolution& scored) {
   const double elapsed_s = time_s - last_time_s_;
   double turn_rate_deg_per_s = 0.0;
   if (last_yaw_rad_ && elapsed_s > 0.0) {
-    turn_rate_deg_per_s = std::remainder(yaw_rad - *last_yaw_rad_, 2.0 * kPi) * kDegPerRad / elapsed_s;
+    turn_rate_deg_per_s = std::remainder(yaw_rad - *last_yaw_rad_, 2.0 * units::kPi) * units::kDegPerRad / elapsed_s;
   }
   last_time_s_ = time_s;
   last_yaw_rad_ = yaw_rad;

@@ -6,7 +6,7 @@
 #include "nav/attitude.hpp"
 #include "nav/error_model.hpp"
 #include "nav/wgs84.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::reference_nav {
 

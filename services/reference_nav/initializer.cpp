@@ -7,7 +7,7 @@
 #include "nav/alignment.hpp"
 #include "nav/attitude.hpp"
 #include "nav/geodesy.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::reference_nav {
 

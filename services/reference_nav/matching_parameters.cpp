@@ -1,7 +1,7 @@
 #include "services/reference_nav/matching_parameters.hpp"
 
 #include "nav/attitude.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::reference_nav {
 

@@ -8,7 +8,8 @@
 
 #include "nav/attitude.hpp"
 #include "nav/geodesy.hpp"
-#include "samples/units.hpp"
+#include "time/gps_time.hpp"
+#include "units/units.hpp"
 
 namespace inslab::reference_nav {
 
@@ -22,7 +23,7 @@ constexpr std::size_t kFewestMatches = 5;
 constexpr double kLeastChange_m_per_s = 1.0;
 constexpr double kSurely = 10.0;
 // What a filter of small angles can begin with.
-constexpr double kMostHeading_rad = 5.0 * units::kDeg;
+constexpr double kMostHeadingSigma_rad = 5.0 * units::kDeg;
 constexpr double kMostTilt_rad = 3.0 * units::kDeg;
 // Mean square of the residuals over what they should be; beyond it something is not as modelled.
 constexpr double kWorstFit = 4.0;
@@ -34,8 +35,6 @@ constexpr double kG_m_per_s2 = 9.80665;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 using Matrix3x12 = Eigen::Matrix<double, 3, 12>;
-
-double seconds(std::int64_t ns) { return 1e-9 * static_cast<double>(ns); }
 
 }  // namespace
 
@@ -73,7 +72,7 @@ void MotionAlignment::add(const ImuSample& sample) {
 }
 
 void MotionAlignment::integrate(const ImuSample& sample) {
-  const double dt_s = seconds(sample.interval_ns);
+  const double dt_s = time::to_seconds(sample.interval_ns);
   Integrals next = past_.back();
   next.time_ns = sample.header.sim_time_ns;
   next.omega_ib_b = sample.dtheta_b / dt_s;
@@ -93,7 +92,7 @@ void MotionAlignment::integrate(const ImuSample& sample) {
   next.q_n0n = (next.q_n0n * nav::quaternion_from_rotation_vector(turn_n)).normalized();
   past_.push_back(next);
   const double kept_s = parameters_.max_latency_s + dt_s;
-  while (past_.size() > 2 && seconds(next.time_ns - past_[1].time_ns) > kept_s) past_.pop_front();
+  while (past_.size() > 2 && time::to_seconds(next.time_ns - past_[1].time_ns) > kept_s) past_.pop_front();
 }
 
 /// Between the samples the integrals go on in proportion.
@@ -104,7 +103,7 @@ std::optional<MotionAlignment::Integrals> MotionAlignment::at(std::int64_t time_
   if (after->time_ns == time_ns) return *after;
   if (after == past_.begin()) return std::nullopt;
   const Integrals &a = *std::prev(after), &b = *after;
-  const double x = seconds(time_ns - a.time_ns) / seconds(b.time_ns - a.time_ns);
+  const double x = time::to_seconds(time_ns - a.time_ns) / time::to_seconds(b.time_ns - a.time_ns);
   Integrals between = b;
   between.time_ns = time_ns;
   between.q_b0b = a.q_b0b.slerp(x, b.q_b0b);
@@ -124,7 +123,8 @@ void MotionAlignment::take_waiting_fixes() {
     const GnssFix fix = waiting_.front();
     waiting_.pop_front();
     const std::int64_t time_ns = fix.header.sim_time_ns;
-    if (!matches_.empty() && seconds(time_ns - matches_.back().at.time_ns) < kBetweenMatches_s - kMatchTolerance_s) {
+    if (!matches_.empty() &&
+        time::to_seconds(time_ns - matches_.back().at.time_ns) < kBetweenMatches_s - kMatchTolerance_s) {
       continue;
     }
     const std::optional<Integrals> then = at(time_ns);
@@ -251,7 +251,7 @@ void MotionAlignment::solve() {
       (velocity_now * covariance * velocity_now.transpose()).diagonal().cwiseMax(0.0).cwiseSqrt();
   if (fit > kWorstFit) {
     why << "the receiver's velocities do not fit the IMU's forces: " << std::sqrt(fit) << " times their sigmas";
-  } else if (!(result.attitude_sigma_rad.z() <= kMostHeading_rad &&
+  } else if (!(result.attitude_sigma_rad.z() <= kMostHeadingSigma_rad &&
                result.attitude_sigma_rad.head<2>().maxCoeff() <= kMostTilt_rad)) {
     why << "motion leaves heading unsure by " << result.attitude_sigma_rad.z() / units::kDeg << " deg and tilt by "
         << result.attitude_sigma_rad.head<2>().maxCoeff() / units::kDeg << " deg";

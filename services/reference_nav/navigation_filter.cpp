@@ -4,14 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "time/gps_time.hpp"
+
 namespace inslab::reference_nav {
 
 namespace {
 
 constexpr std::int64_t kRounding_ns = 1000;  // times of text files are rounded
 constexpr double kKeepEvery_s = 0.02;
-
-double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
 
 bool usable(const GnssFix& fix) {
   const auto is_sigma = [](const Vector3& sigma) { return sigma.allFinite() && sigma.minCoeff() >= 0.0; };
@@ -22,7 +22,7 @@ bool usable(const GnssFix& fix) {
 
 /// Splits off the first part of an interval, up to `time_ns`; `interval` becomes the rest.
 ImuInterval split_off(ImuInterval& interval, std::int64_t begin_ns, std::int64_t time_ns) {
-  const double fraction = seconds(time_ns - begin_ns) / seconds(interval.end_ns - begin_ns);
+  const double fraction = time::to_seconds(time_ns - begin_ns) / time::to_seconds(interval.end_ns - begin_ns);
   ImuInterval first = interval;
   first.end_ns = time_ns;
   first.at_rest = first.moves = false;
@@ -66,7 +66,7 @@ void NavigationFilter::restart() {
 
 /// What the IMU said, or what it last said where it said nothing.
 ImuInterval NavigationFilter::interval_of(const ImuSample& sample, bool gyro_valid, bool accel_valid) {
-  const double dt_s = seconds(sample.interval_ns);
+  const double dt_s = time::to_seconds(sample.interval_ns);
   ImuInterval interval;
   interval.end_ns = sample.header.sim_time_ns;
   interval.increments.dt_s = dt_s;
@@ -105,7 +105,7 @@ std::optional<NavSolution> NavigationFilter::add(const ImuSample& sample) {
       return solution(sample);
     }
     if (const auto beginning = initializer_.add(sample)) {
-      begin(*beginning, nav::ImuIncrements{sample.dtheta_b, sample.dv_b, seconds(sample.interval_ns)});
+      begin(*beginning, nav::ImuIncrements{sample.dtheta_b, sample.dv_b, time::to_seconds(sample.interval_ns)});
     }
     interval_of(sample, true, true);
     has_measured_ = true;
@@ -127,7 +127,7 @@ std::optional<NavSolution> NavigationFilter::add(const ImuSample& sample) {
 void NavigationFilter::bridge(std::int64_t to_ns) {
   ++counts_.imu_gaps;
   rest_.restart();
-  if (!has_measured_ || seconds(to_ns - filter_->time_ns()) > parameters_.coasting.max_gap_s) {
+  if (!has_measured_ || time::to_seconds(to_ns - filter_->time_ns()) > parameters_.coasting.max_gap_s) {
     restart();
     return;
   }
@@ -135,7 +135,7 @@ void NavigationFilter::bridge(std::int64_t to_ns) {
   while (filter_->time_ns() < to_ns) {
     ImuInterval interval;
     interval.end_ns = std::min(to_ns, filter_->time_ns() + step_ns);
-    const double dt_s = seconds(interval.end_ns - filter_->time_ns());
+    const double dt_s = time::to_seconds(interval.end_ns - filter_->time_ns());
     interval.increments = {dt_s * last_rate_b_, dt_s * last_force_b_, dt_s};
     interval.rate_held_over_s = rate_held_over_s_ += dt_s;
     interval.force_held_over_s = force_held_over_s_ += dt_s;
@@ -187,7 +187,7 @@ void NavigationFilter::add(const GnssFix& fix) {
     return;
   }
   const std::int64_t time_ns = fix.header.sim_time_ns;
-  if (seconds(time_ns - filter_->time_ns()) > kMaxAhead_s) {
+  if (time::to_seconds(time_ns - filter_->time_ns()) > kMaxAhead_s) {
     ++counts_.fixes_too_early;
     return;
   }
@@ -221,12 +221,14 @@ void NavigationFilter::repeat_from(std::int64_t fix_time_ns) {
 }
 
 void NavigationFilter::keep_state() {
-  if (past_.empty() || seconds(filter_->time_ns() - past_.back().time_ns()) >= kKeepEvery_s) past_.push_back(*filter_);
+  if (past_.empty() || time::to_seconds(filter_->time_ns() - past_.back().time_ns()) >= kKeepEvery_s)
+    past_.push_back(*filter_);
 }
 
 void NavigationFilter::forget_old() {
   const std::int64_t now_ns = filter_->time_ns();
-  while (past_.size() > 1 && seconds(now_ns - past_[1].time_ns()) >= parameters_.max_latency_s) past_.pop_front();
+  while (past_.size() > 1 && time::to_seconds(now_ns - past_[1].time_ns()) >= parameters_.max_latency_s)
+    past_.pop_front();
   const std::int64_t oldest_ns = past_.empty() ? now_ns : past_.front().time_ns();
   while (!intervals_.empty() && intervals_.front().end_ns <= oldest_ns) intervals_.pop_front();
   while (!fixes_.empty() && fixes_.front().fix.header.sim_time_ns <= oldest_ns) fixes_.pop_front();
@@ -251,7 +253,7 @@ NavSolution NavigationFilter::solution(const ImuSample& sample) const {
   }
   const nav::NavState state = filter_->state();
   const Vector21 sigmas = filter_->covariance().matrix().diagonal().cwiseMax(0.0).cwiseSqrt();
-  const bool coasts = seconds(filter_->time_ns() - filter_->last_accepted_ns()) > parameters_.coasting_after_s;
+  const bool coasts = time::to_seconds(filter_->time_ns() - filter_->last_accepted_ns()) > parameters_.coasting_after_s;
   solution.mode = coasts ? NavMode::Coasting : NavMode::Navigating;
   solution.latitude_rad = state.position.latitude_rad;
   solution.longitude_rad = state.position.longitude_rad;

@@ -1,6 +1,6 @@
 #include "services/reference_nav/rest_detector.hpp"
 
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::reference_nav {
 

@@ -8,12 +8,13 @@
 #include "nav/attitude.hpp"
 #include "samples/limits.hpp"
 #include "samples/plain_text.hpp"
+#include "services/trajectory_server/checked_trajectory.hpp"
+#include "units/units.hpp"
 
 namespace inslab::trajectory {
 
 namespace {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 constexpr time::Nanoseconds kLongestLead = std::chrono::seconds(1);
 constexpr double kNormTolerance = 1e-3;  // a quaternion of floats passes
 
@@ -30,23 +31,14 @@ constexpr std::array<Node, 3> kNodes{
 
 time::Nanoseconds milliseconds(double value) { return time::from_seconds(value * 1e-3); }
 
-const scenario::Trajectory& checked(const scenario::Trajectory& trajectory) {
-  if (const auto broken = scenario::violation(trajectory)) {
-    throw std::invalid_argument("trajectory." + broken->path + " " + broken->reason);
-  }
-  nav::check_domain({trajectory.initial.latitude_deg * kRadPerDeg, trajectory.initial.longitude_deg * kRadPerDeg,
-                     trajectory.initial.height_m});
-  return trajectory;
-}
-
 /// The vehicle at its time 0, moving on a straight line.
 VehicleKnot initial_knot(const scenario::InitialState& initial, time::Nanoseconds time) {
   VehicleKnot knot;
   knot.time = time;
-  knot.position = {initial.latitude_deg * kRadPerDeg, nav::wrapped_to_pi(initial.longitude_deg * kRadPerDeg),
+  knot.position = {initial.latitude_deg * units::kDeg, nav::wrapped_to_pi(initial.longitude_deg * units::kDeg),
                    initial.height_m};
   knot.q_nv = nav::quaternion_from_rpy(
-      {initial.roll_deg * kRadPerDeg, initial.pitch_deg * kRadPerDeg, initial.yaw_deg * kRadPerDeg});
+      {initial.roll_deg * units::kDeg, initial.pitch_deg * units::kDeg, initial.yaw_deg * units::kDeg});
   knot.v_n = knot.q_nv * Vector3(initial.speed_m_per_s, 0.0, 0.0);
   return knot;
 }

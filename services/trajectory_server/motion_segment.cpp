@@ -4,11 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include "units/units.hpp"
+
 namespace inslab::trajectory {
 
 namespace {
-
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 
 // Simpson's rule on a vector that turns by 0.02 rad errs by 0.02^4/2880 = 6e-11 of it.
 constexpr double kLargestTurnPerStep_rad = 0.02;
@@ -32,15 +32,15 @@ std::optional<MotionProfile> profile_of(const scenario::Motion& motion, double d
     case MotionType::RampAccel:
       return RampProfile(motion.from_m_per_s2, motion.to_m_per_s2, duration_s);
     case MotionType::Turn:
-      return TurnProfile(motion.angle_deg * kRadPerDeg, duration_s, motion.ramp_fraction);
+      return TurnProfile(motion.angle_deg * units::kDeg, duration_s, motion.ramp_fraction);
     case MotionType::ConstantRate:
-      return ConstantProfile(motion.rate_deg_per_s * kRadPerDeg);
+      return ConstantProfile(motion.rate_deg_per_s * units::kDeg);
     case MotionType::SineRate:
-      return SinusoidProfile(Phase::Sine, motion.amplitude_deg_per_s * kRadPerDeg, motion.period_s);
+      return SinusoidProfile(Phase::Sine, motion.amplitude_deg_per_s * units::kDeg, motion.period_s);
     case MotionType::CosineRate:
-      return SinusoidProfile(Phase::Cosine, motion.amplitude_deg_per_s * kRadPerDeg, motion.period_s);
+      return SinusoidProfile(Phase::Cosine, motion.amplitude_deg_per_s * units::kDeg, motion.period_s);
     case MotionType::RampRate:
-      return RampProfile(motion.from_deg_per_s * kRadPerDeg, motion.to_deg_per_s * kRadPerDeg, duration_s);
+      return RampProfile(motion.from_deg_per_s * units::kDeg, motion.to_deg_per_s * units::kDeg, duration_s);
   }
   return std::nullopt;
 }

@@ -8,29 +8,20 @@
 
 #include "nav/attitude.hpp"
 #include "services/trajectory_server/ballistic_flight.hpp"
+#include "services/trajectory_server/checked_trajectory.hpp"
+#include "units/units.hpp"
 
 namespace inslab::trajectory {
 
 namespace {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
-
-const scenario::Trajectory& checked(const scenario::Trajectory& trajectory) {
-  if (const auto broken = scenario::violation(trajectory)) {
-    throw std::invalid_argument("trajectory." + broken->path + " " + broken->reason);
-  }
-  nav::check_domain({trajectory.initial.latitude_deg * kRadPerDeg, trajectory.initial.longitude_deg * kRadPerDeg,
-                     trajectory.initial.height_m});
-  return trajectory;
-}
-
 VehicleMotion vehicle_at_start(const scenario::Trajectory& trajectory) {
   const scenario::InitialState& initial = trajectory.initial;
   const scenario::GravityOptions& gravity = trajectory.gravity;
-  return VehicleMotion({initial.latitude_deg * kRadPerDeg, initial.longitude_deg * kRadPerDeg, initial.height_m},
+  return VehicleMotion({initial.latitude_deg * units::kDeg, initial.longitude_deg * units::kDeg, initial.height_m},
                        Vector3(initial.speed_m_per_s, 0.0, 0.0),
-                       nav::quaternion_from_rpy({initial.roll_deg * kRadPerDeg, initial.pitch_deg * kRadPerDeg,
-                                                 initial.yaw_deg * kRadPerDeg}),
+                       nav::quaternion_from_rpy({initial.roll_deg * units::kDeg, initial.pitch_deg * units::kDeg,
+                                                 initial.yaw_deg * units::kDeg}),
                        nav::Gravity(gravity.model, {gravity.disturbance_mgal, gravity.deflection_north_arcsec,
                                                     gravity.deflection_east_arcsec}));
 }

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "units/units.hpp"
+
 namespace inslab::trajectory {
 
 namespace {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 constexpr double kG_m_per_s2 = 9.80665;
 
 double horizontal(const nav::Vector3& v_n) { return std::hypot(v_n.x(), v_n.y()); }
@@ -38,7 +39,7 @@ std::vector<nav::RollPitchYaw> attitudes_along(const std::vector<PathMotion>& mo
   for (const PathMotion& motion : motions) {
     if (moves(motion)) held = heading(motion);
     attitudes.push_back(held);
-    if (moves(motion)) attitudes.back().roll_rad = bank_of_turn_rad(motion, options.max_bank_deg * kRadPerDeg);
+    if (moves(motion)) attitudes.back().roll_rad = bank_of_turn_rad(motion, options.max_bank_deg * units::kDeg);
   }
   return attitudes;
 }

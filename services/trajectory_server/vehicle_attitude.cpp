@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "nav/attitude.hpp"
+#include "units/units.hpp"
 
 namespace inslab::trajectory {
 
 namespace {
-
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 
 /// From 0 to 1 with no rate and no acceleration at either end.
 double smooth_step(double x) {
@@ -60,12 +59,12 @@ double share_of_flight(double speed_m_per_s, double lift_off_speed_m_per_s) {
 }
 
 YawSchedule::YawSchedule(const std::vector<scenario::Waypoint>& waypoints, const scenario::WaypointRoute& route) {
-  first_rad_ = kRadPerDeg * waypoints.front().yaw_deg.value_or(0.0);
+  first_rad_ = units::kDeg * waypoints.front().yaw_deg.value_or(0.0);
   double yaw_rad = first_rad_;
   for (std::size_t k = 1; k < waypoints.size(); ++k) {
     if (!waypoints[k].yaw_deg) continue;
     const bool waits = waypoints[k].wait_s > 0.0;
-    const double change_rad = nav::wrapped_to_pi(kRadPerDeg * *waypoints[k].yaw_deg - yaw_rad);
+    const double change_rad = nav::wrapped_to_pi(units::kDeg * *waypoints[k].yaw_deg - yaw_rad);
     const time::Nanoseconds start = waits ? route.arrival(k) : route.departure(k - 1);
     const time::Nanoseconds end = waits ? start + time::from_seconds(waypoints[k].wait_s) : route.arrival(k);
     turns_.push_back({start, end, yaw_rad, change_rad});

@@ -8,6 +8,7 @@
 
 #include "nav/attitude.hpp"
 #include "nav/wgs84.hpp"
+#include "units/units.hpp"
 
 namespace inslab::trajectory {
 
@@ -17,8 +18,7 @@ constexpr double kLongestStep_s = 5e-3;
 // The middle of a step is placed with the radii of curvature of its start: over 2 m that errs by 1e-7 m in the place
 // and 2e-14 m in the step.
 constexpr double kLongestStep_m = 2.0;
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kRoundingOfPi = 1.2246467991473532e-16;  // pi - kPi
+constexpr double kRoundingOfPi = 1.2246467991473532e-16;  // pi - units::kPi
 // Below this a difference of rates is rounding (a sine after whole periods), not a jump.
 constexpr double kJump_rad_per_s = 1e-12;
 // Gravity turns a vehicle of this speed by up to 10 rad/s; at rest the direction of its velocity means nothing.
@@ -237,9 +237,9 @@ void VehicleMotion::add_to_position(const Vector3& change) {
   latitude_rad_.add(change.x());
   longitude_rad_.add(change.y());
   height_m_.add(change.z());
-  if (std::abs(longitude_rad_.value()) > kPi) {
+  if (std::abs(longitude_rad_.value()) > units::kPi) {
     const double turn = longitude_rad_.value() > 0.0 ? -2.0 : 2.0;
-    longitude_rad_.add(turn * kPi);
+    longitude_rad_.add(turn * units::kPi);
     longitude_rad_.add(turn * kRoundingOfPi);
   }
 }

@@ -10,14 +10,13 @@
 #include "scenario/waypoint_route.hpp"
 #include "services/trajectory_server/path_attitude.hpp"
 #include "services/trajectory_server/vehicle_attitude.hpp"
+#include "units/units.hpp"
 
 namespace inslab::trajectory {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kRadPerDeg = kPi / 180.0;
-constexpr double kFarthest_rad = 2.0 * kRadPerDeg;
+constexpr double kFarthest_rad = 2.0 * units::kDeg;
 constexpr time::Nanoseconds kFarthest{10000000000};
 constexpr time::Nanoseconds kNearest{10000000};
 constexpr time::Nanoseconds kFirstOfWait{100000000};
@@ -134,15 +133,15 @@ class ClassAttitude final : public AttitudeLaw {
   nav::Matrix3 C_nv(const PathInstant& here, time::Nanoseconds instant) const {
     const double t_s = time::to_seconds(instant);
     const auto wave = [&](double amplitude_deg, double period_s) {
-      return kRadPerDeg * amplitude_deg * std::sin(2.0 * kPi * t_s / period_s);
+      return units::kDeg * amplitude_deg * std::sin(2.0 * units::kPi * t_s / period_s);
     };
     switch (attitude_.vehicle_class) {
       case scenario::VehicleClass::Multirotor:
         return attitude_of_thrust(here.f_n + attitude_.drag_per_s * here.v_n, yaw_.at(instant));
       case scenario::VehicleClass::FixedWing:
-        return attitude_of_lift(here, kRadPerDeg * attitude_.max_bank_deg,
+        return attitude_of_lift(here, units::kDeg * attitude_.max_bank_deg,
                                 share_of_flight(here.v_n.norm(), attitude_.lift_off_speed_m_per_s),
-                                kRadPerDeg * attitude_.angle_of_attack_deg);
+                                units::kDeg * attitude_.angle_of_attack_deg);
       case scenario::VehicleClass::Ship:
       case scenario::VehicleClass::NoseAlongTrack:
         break;
@@ -195,7 +194,7 @@ class AttitudeSampler {
     }
     if (t1 - t0 <= kNearest && nav::angle_between(q0, q1) > kJump_rad) {
       std::ostringstream why;
-      why << "the nose turns by " << nav::angle_between(q0, q1) / kRadPerDeg << " deg within "
+      why << "the nose turns by " << nav::angle_between(q0, q1) / units::kDeg << " deg within "
           << time::to_seconds(t1 - t0) << " s at " << time::to_seconds(t0) << " s, on the way from waypoint "
           << piece.index << ": a vehicle that follows its nose cannot; expected a smoother path, or "
           << "attitude_from_path.vehicle_class multirotor for one that climbs from its pad";
@@ -226,7 +225,7 @@ std::unique_ptr<AttitudeLaw> law_of(const scenario::Trajectory& trajectory, cons
                                     const nav::Gravity& gravity) {
   const scenario::VehicleAttitude& attitude = trajectory.attitude_from_path;
   if (attitude.vehicle_class == scenario::VehicleClass::NoseAlongTrack) {
-    return std::make_unique<NoseAlongTrack>(attitude.max_bank_deg * kRadPerDeg);
+    return std::make_unique<NoseAlongTrack>(attitude.max_bank_deg * units::kDeg);
   }
   return std::make_unique<ClassAttitude>(trajectory, route, gravity);
 }

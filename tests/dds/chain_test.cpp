@@ -11,7 +11,7 @@ namespace inslab::dds {
 
 void PrintTo(Transport transport, std::ostream* out) { *out << (transport == Transport::Udp ? "udp" : "shm"); }
 
-namespace {
+namespace chain_test {
 
 using std::chrono::seconds;
 
@@ -227,5 +227,5 @@ TEST_P(Chain, UnitsDoNotHearEachOther) {
 INSTANTIATE_TEST_SUITE_P(Transports, Chain, testing::Values(Transport::Udp, Transport::Shm),
                          [](const auto& instance) { return instance.param == Transport::Udp ? "Udp" : "Shm"; });
 
-}  // namespace
+}  // namespace chain_test
 }  // namespace inslab::dds

@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace inslab::dds {
-namespace {
+namespace datagram_guard_test {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -223,5 +223,5 @@ TEST(DatagramGuard, EveryFaultHasItsWords) {
   }
 }
 
-}  // namespace
+}  // namespace datagram_guard_test
 }  // namespace inslab::dds

@@ -6,7 +6,7 @@
 #include "dds/wire_findings.hpp"
 
 namespace inslab::dds {
-namespace {
+namespace endpoint_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -187,5 +187,5 @@ TEST(WireFindings, TellAnAppThatBelongsToNoUnit) {
   EXPECT_EQ(found[0].cure, "in 'app' set PARTITION of the reader to 'truck', the unit's name (--unit)");
 }
 
-}  // namespace
+}  // namespace endpoint_test
 }  // namespace inslab::dds

@@ -11,7 +11,7 @@
 #include "tests/unit/samples/spoiled_fields.hpp"
 
 namespace inslab::dds {
-namespace {
+namespace hostile_writer_test {
 
 template <class T>
 class HostileWriter : public testing::Test {
@@ -115,5 +115,5 @@ TYPED_TEST(HostileWriter, CostsNothingElseAndIsCounted) {
   EXPECT_TRUE(this->survives(attacks));
 }
 
-}  // namespace
+}  // namespace hostile_writer_test
 }  // namespace inslab::dds

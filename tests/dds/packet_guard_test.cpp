@@ -13,7 +13,7 @@
 #include "dds/writer.hpp"
 
 namespace inslab::dds {
-namespace {
+namespace packet_guard_test {
 
 using Message = std::vector<unsigned char>;
 
@@ -80,5 +80,5 @@ TEST(SharedMemory, ThatIsTooSmallIsSaidBeforeAnythingRunsShortOfIt) {
   EXPECT_NE(shortage.find("--transport udp"), std::string::npos) << shortage;
 }
 
-}  // namespace
+}  // namespace packet_guard_test
 }  // namespace inslab::dds

@@ -14,7 +14,7 @@
 #include "tests/dds/keys.hpp"
 
 namespace inslab::dds {
-namespace {
+namespace security_files_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -232,5 +232,5 @@ TEST_F(SecurityFilesOf, GrantWhatSecurityMdSays) {
   EXPECT_EQ(documented, expected);
 }
 
-}  // namespace
+}  // namespace security_files_test
 }  // namespace inslab::dds

@@ -12,7 +12,7 @@
 #include "tests/dds/keys.hpp"
 
 namespace inslab::dds {
-namespace {
+namespace security_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -126,5 +126,5 @@ TEST_F(Security, APeerOfAnotherAuthorityIsNotHeard) {
   EXPECT_EQ(intruding.matched_readers(), 0);
 }
 
-}  // namespace
+}  // namespace security_test
 }  // namespace inslab::dds

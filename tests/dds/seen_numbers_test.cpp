@@ -6,7 +6,7 @@
 #include <set>
 
 namespace inslab::dds {
-namespace {
+namespace seen_numbers_test {
 
 constexpr SeenSamples::Writer kFirst{1};
 constexpr SeenSamples::Writer kSecond{2};
@@ -79,5 +79,5 @@ TEST(SeenSamples, ForgetsOfTooManyWritersTheOneThatWasSilentForLongest) {
   EXPECT_TRUE(seen.insert(SeenSamples::Writer{3, 0, 0}, 1));
 }
 
-}  // namespace
+}  // namespace seen_numbers_test
 }  // namespace inslab::dds

@@ -19,7 +19,7 @@
 #include "tests/dds/keys.hpp"
 
 namespace inslab::dds {
-namespace {
+namespace topic_table_test {
 
 constexpr std::uint32_t kSensor = 3;
 
@@ -191,5 +191,5 @@ TEST(KeysOfUnits, HoldInThoseAlone) {
 
 TEST(KeysOfUnits, AreNotMadeForAPattern) { EXPECT_FALSE(Keys("'*'").made()); }
 
-}  // namespace
+}  // namespace topic_table_test
 }  // namespace inslab::dds

@@ -16,7 +16,7 @@
 #include "wire/idl_writer.hpp"
 
 namespace inslab::dds {
-namespace {
+namespace type_adapter_test {
 
 /// Fills every field with a value of its own, so that a field out of order or of the wrong width cannot hide.
 class Filler {
@@ -149,5 +149,5 @@ TYPED_TEST(Codec, AdapterTakesNameSizeAndKeyFromTheGeneratedType) {
   EXPECT_EQ(fast_dds::name_of(adapter), wire::WireType<typename TypeParam::PlainType>::name);
 }
 
-}  // namespace
+}  // namespace type_adapter_test
 }  // namespace inslab::dds

@@ -9,7 +9,7 @@
 #include "dds/writer.hpp"
 
 namespace inslab::dds {
-namespace {
+namespace units_test {
 
 ParticipantOptions options(const std::string& name, const std::string& unit) {
   ParticipantOptions options;
@@ -68,5 +68,5 @@ TEST(Units, DoNotObeyAWriterWhosePartitionIsAPattern) {
   EXPECT_EQ(of_stranger, 0);
 }
 
-}  // namespace
+}  // namespace units_test
 }  // namespace inslab::dds

@@ -16,7 +16,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace bench_tools_test {
 
 using std::chrono::seconds;
 using testing::ContainsRegex;
@@ -263,5 +263,5 @@ TEST(Doctor, FindsTheSegmentsOfAKilledProcessAndLeavesThoseOfALivingOne) {
   EXPECT_EQ(hears.wait(seconds(30)), 0) << hears.output();
 }
 
-}  // namespace
+}  // namespace bench_tools_test
 }  // namespace inslab::e2e

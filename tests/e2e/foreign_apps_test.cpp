@@ -12,7 +12,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace foreign_apps_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -193,5 +193,5 @@ TEST(StoppedSubscriber, CostsTheOtherReadersNothing) {
   stuck.send(SIGKILL);
 }
 
-}  // namespace
+}  // namespace foreign_apps_test
 }  // namespace inslab::e2e

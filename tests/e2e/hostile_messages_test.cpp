@@ -13,7 +13,7 @@
 #include "tests/unit/samples/spoiled_fields.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace hostile_messages_test {
 
 using std::chrono::seconds;
 
@@ -106,5 +106,5 @@ TEST(HostileMessages, EndNoServiceAndAreCounted) {
   EXPECT_GT(refused["inslab-trajectory-server"], 0U);
 }
 
-}  // namespace
+}  // namespace hostile_messages_test
 }  // namespace inslab::e2e

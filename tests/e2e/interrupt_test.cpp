@@ -13,7 +13,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace interrupt_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -113,5 +113,5 @@ TEST(Interrupt, CommandsOnALogLeaveNothingHalf) {
   }
 }
 
-}  // namespace
+}  // namespace interrupt_test
 }  // namespace inslab::e2e

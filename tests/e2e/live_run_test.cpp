@@ -5,7 +5,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace live_run_test {
 
 using std::chrono::seconds;
 using testing::ContainsRegex;
@@ -177,5 +177,5 @@ TEST(OutputFiles, NoFormatReplacesTheLogThatItReadsAndNoResultIsReplacedUnasked)
   EXPECT_TRUE(io::McapReader(log).closed_properly());
 }
 
-}  // namespace
+}  // namespace live_run_test
 }  // namespace inslab::e2e

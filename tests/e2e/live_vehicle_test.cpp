@@ -7,7 +7,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace live_vehicle_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -109,5 +109,5 @@ TEST_F(LiveVehicle, CannotBeSimulatedOfflineWithoutTheLogOfALiveRun) {
   EXPECT_THAT(offline.output(), HasSubstr("to repeat a live run give its log, --vehicle LOG"));
 }
 
-}  // namespace
+}  // namespace live_vehicle_test
 }  // namespace inslab::e2e

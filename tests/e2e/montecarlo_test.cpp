@@ -11,7 +11,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace montecarlo_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -172,5 +172,5 @@ TEST(Montecarlo, AJobArrayOfSlurmGivesTheSameSummary) {
   EXPECT_THAT(text_of(array + "/slurm/task_2.log"), HasSubstr(" of 2 runs done"));
 }
 
-}  // namespace
+}  // namespace montecarlo_test
 }  // namespace inslab::e2e

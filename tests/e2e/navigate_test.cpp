@@ -7,12 +7,12 @@
 #include <fstream>
 #include <sstream>
 
-#include "samples/units.hpp"
 #include "tests/e2e/logged_samples.hpp"
 #include "tests/e2e/process.hpp"
+#include "units/units.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace navigate_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -213,5 +213,5 @@ TEST_F(Navigate, SaysWhyThereIsNoSolutionAndFails) {
               HasSubstr("inslab navigate: no solution: "));
 }
 
-}  // namespace
+}  // namespace navigate_test
 }  // namespace inslab::e2e

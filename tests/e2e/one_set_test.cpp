@@ -17,7 +17,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace one_set_test {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -232,5 +232,5 @@ TEST_F(OneSet, AJournalEntryIsJudgedWhereItIsObeyed) {
   EXPECT_EQ(injector->wait(seconds(10)), 0) << injector->output();
 }
 
-}  // namespace
+}  // namespace one_set_test
 }  // namespace inslab::e2e

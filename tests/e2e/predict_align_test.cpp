@@ -10,7 +10,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace predict_align_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -201,5 +201,5 @@ TEST_F(Align, SaysWhyARealReceiversFileGivesNoAttitude) {
   expect_refusal(folder + "propak6_ins_INSPVAXA_derived.asc", "other messages (INSPVAXA)", site);
 }
 
-}  // namespace
+}  // namespace predict_align_test
 }  // namespace inslab::e2e

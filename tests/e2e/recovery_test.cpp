@@ -14,7 +14,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace recovery_test {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -271,5 +271,5 @@ TEST_F(Recovery, AKilledReferenceNavigationAppAnswersAgainInLockstepToo) {
   EXPECT_EQ(solutions.back().mode, NavMode::Aligning);
 }
 
-}  // namespace
+}  // namespace recovery_test
 }  // namespace inslab::e2e

@@ -7,7 +7,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace reference_nav_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -60,5 +60,5 @@ TEST(ReferenceNav, TakesPartInASecuredSetAsTheAppUnderTest) {
   EXPECT_EQ(solutions_of(folder / "secured.mcap").size(), kImuSamples);
 }
 
-}  // namespace
+}  // namespace reference_nav_test
 }  // namespace inslab::e2e

@@ -11,7 +11,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace score_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -112,5 +112,5 @@ TEST(Score, ALateAppFailsTheRun) {
   EXPECT_THAT(text_of(junit), HasSubstr("is above 1\"/>"));
 }
 
-}  // namespace
+}  // namespace score_test
 }  // namespace inslab::e2e

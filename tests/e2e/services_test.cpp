@@ -7,7 +7,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace services_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -163,5 +163,5 @@ TEST_F(Services, SwapByHandIsAcknowledgedOrRejectedWithItsField) {
   EXPECT_EQ(truth->wait(seconds(30)), 0) << truth->output();
 }
 
-}  // namespace
+}  // namespace services_test
 }  // namespace inslab::e2e

@@ -7,7 +7,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace soak_test {
 
 using std::chrono::seconds;
 using testing::ContainsRegex;
@@ -44,5 +44,5 @@ TEST(Soak, LongerThanItsScenarioIsRefused) {
   EXPECT_THAT(run.output(), HasSubstr("lasts 24 h; 25 h were asked for"));
 }
 
-}  // namespace
+}  // namespace soak_test
 }  // namespace inslab::e2e

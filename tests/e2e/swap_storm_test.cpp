@@ -18,7 +18,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace swap_storm_test {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -215,5 +215,5 @@ TEST(SwapStorm, OfAHundredASecondLosesNoSampleAndNoAnswer) {
                    [](const auto& s) { return s.revisions.installation; });
 }
 
-}  // namespace
+}  // namespace swap_storm_test
 }  // namespace inslab::e2e

@@ -7,7 +7,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace time_modes_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -105,5 +105,5 @@ TEST_F(TimeModes, RefusedCommandsSayWhyAndExitWithThree) {
   EXPECT_EQ(run->wait(seconds(60)), 0) << run->output();
 }
 
-}  // namespace
+}  // namespace time_modes_test
 }  // namespace inslab::e2e

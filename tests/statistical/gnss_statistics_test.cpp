@@ -8,7 +8,7 @@
 #include "services/gnss_emulator/model.hpp"
 
 namespace inslab::gnss {
-namespace {
+namespace gnss_statistics_test {
 
 /// Errors of every epoch, north east down of position (m) and of velocity (m/s).
 std::array<std::vector<double>, 6> errors_of(const GnssErrorProfile& profile, std::uint64_t seed, std::int64_t epochs) {
@@ -70,5 +70,5 @@ TEST(GnssStatistics, ErrorsAreWhiteAndIndependentOfEachOther) {
   }
 }
 
-}  // namespace
+}  // namespace gnss_statistics_test
 }  // namespace inslab::gnss

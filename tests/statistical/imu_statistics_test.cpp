@@ -11,7 +11,7 @@
 /// independent estimates, and the tolerance is 4 standard errors from their own spread. (With 48 estimates that is
 /// exceeded by chance at 2e-4 a point.)
 namespace inslab::imu {
-namespace {
+namespace imu_statistics_test {
 
 using allan::allan_variance;
 using allan::overlapped_allan_variance;
@@ -126,5 +126,5 @@ TEST(ImuStatistics, TurnOnBiasesSpreadOverRunsAsTheirSigma) {
   EXPECT_NEAR(sum / 1500.0, expected, 4.0 * std::sqrt(2.0 / 1500.0) * expected);
 }
 
-}  // namespace
+}  // namespace imu_statistics_test
 }  // namespace inslab::imu

@@ -18,7 +18,7 @@
 /// |r| <= z sqrt(1.5/n) for all of them with probability 0.999 when erfc(z/sqrt(2)) = 0.001/m. Two series that share
 /// numbers, at the same index or at neighbours', have |r| of 1/2 or more.
 namespace inslab {
-namespace {
+namespace stream_independence_test {
 
 struct Series {
   std::string name;
@@ -271,5 +271,5 @@ TEST(StreamIndependence, AUnitWithoutANameHasTheScenariosSeedAndOthersTheirOwn) 
   EXPECT_EQ(seed_of_unit("alpha"), seed_of_unit("alpha"));
 }
 
-}  // namespace
+}  // namespace stream_independence_test
 }  // namespace inslab

@@ -4,7 +4,7 @@
 
 /// The code of `inslab verify allan`, on runs short enough for every day; its whole table is in docs/allan.md.
 namespace inslab::verify {
-namespace {
+namespace verify_allan_test {
 
 void quiet(const std::string&) {}
 
@@ -46,5 +46,5 @@ TEST(VerifyAllan, FewerRecordsMayBeFurtherOffAndSixtyAsTheRuleSays) {
   EXPECT_EQ(allowed_outside(1200), 24);
 }
 
-}  // namespace
+}  // namespace verify_allan_test
 }  // namespace inslab::verify

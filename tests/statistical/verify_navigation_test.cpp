@@ -4,7 +4,7 @@
 #include "services/inslab/verify/town_drive.hpp"
 
 namespace inslab::verify {
-namespace {
+namespace verify_navigation_test {
 
 TEST(VerifyNavigation, FiltersThatMatchTheirImusKnowHowWrongTheyAreAfterAnOutageToo) {
   const Table table = honesty_table(100);
@@ -36,5 +36,5 @@ TEST(VerifyNavigation, ARecordedDriveIsTheDriveUpToTheRecordersErrors) {
   EXPECT_GT(nav::ned_from(file->rows.front().position, file->rows.back().position).norm(), 100.0);
 }
 
-}  // namespace
+}  // namespace verify_navigation_test
 }  // namespace inslab::verify

@@ -8,14 +8,13 @@
 #include "io/error.hpp"
 #include "io/imu_recording.hpp"
 #include "nav/gravity.hpp"
+#include "units/units.hpp"
 
 namespace inslab::align {
 namespace {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
-
 StaticAlignment alignment(double dt_s, const RecordingOptions& options) {
-  const nav::Geodetic site{options.latitude_deg * kRadPerDeg, 0.0, options.height_m};
+  const nav::Geodetic site{options.latitude_deg * units::kDeg, 0.0, options.height_m};
   return StaticAlignment(dt_s, site.latitude_rad, nav::Gravity().g_n(site).norm(), options.limits);
 }
 

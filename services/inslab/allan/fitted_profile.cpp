@@ -9,7 +9,7 @@
 #include "samples/limits.hpp"
 #include "samples/plain_text.hpp"
 #include "samples/profile_rules.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
 namespace {

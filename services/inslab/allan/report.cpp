@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "samples/units.hpp"
 #include "services/inslab/allan/fitted_profile.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
 namespace {

@@ -2,10 +2,11 @@
 
 #include <Eigen/Cholesky>
 
-#include "samples/units.hpp"
 #include "score/acceptance.hpp"
 #include "services/inslab/drawn_start.hpp"
 #include "services/inslab/offline_run.hpp"
+#include "time/gps_time.hpp"
+#include "units/units.hpp"
 
 namespace inslab::montecarlo {
 
@@ -15,8 +16,6 @@ namespace ref = reference_nav;
 
 /// A scenario that starts "now" must say the same whenever it is run.
 constexpr time::Nanoseconds kNow{std::chrono::seconds(1795600000)};
-
-double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
 
 /// Hands everything to the scorer, and at the study's instants keeps the covariance until the scorer has the error.
 class ScoringSink : public cli::RunSink {
@@ -69,7 +68,7 @@ class ScoringSink : public cli::RunSink {
     for (const score::OutageDrift& outage : scorer_.outages()) {
       if (outage.solutions == 0) continue;
       result.outages.push_back(
-          {seconds(outage.begin_ns), seconds(outage.end_ns), outage.horizontal_m, outage.vertical_m});
+          {time::to_seconds(outage.begin_ns), time::to_seconds(outage.end_ns), outage.horizontal_m, outage.vertical_m});
     }
     for (const score::Verdict& verdict : score::judge(scorer_, study_.loaded.scenario.acceptance)) {
       result.acceptance.push_back(
@@ -113,7 +112,7 @@ class ScoringSink : public cli::RunSink {
     Vector9 e;
     e << error.position_ned_m, error.velocity_ned_m_per_s, error.phi_rad;
     const Vector9 sigma = belief.P.diagonal().cwiseSqrt();
-    instants_.push_back({belief.number, seconds(belief.sim_time_ns), error.position_ned_m, sigma.head<3>(),
+    instants_.push_back({belief.number, time::to_seconds(belief.sim_time_ns), error.position_ned_m, sigma.head<3>(),
                          error.velocity_ned_m_per_s, sigma.segment<3>(3), error.phi_rad / units::kDeg,
                          sigma.tail<3>() / units::kDeg, e.dot(belief.P.llt().solve(e))});
   }

@@ -2,7 +2,7 @@
 
 #include "io/unfinished.hpp"
 #include "nav/attitude.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
 

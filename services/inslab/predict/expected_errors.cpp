@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "nav/attitude.hpp"
-#include "samples/units.hpp"
 #include "services/imu_error_injector/temperature.hpp"
+#include "units/units.hpp"
 
 namespace inslab::predict {
 namespace {

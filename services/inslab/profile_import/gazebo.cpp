@@ -8,9 +8,9 @@
 #include "io/error.hpp"
 #include "io/text_lines.hpp"
 #include "samples/plain_text.hpp"
-#include "samples/units.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
 #include "text/shown.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
 namespace {

@@ -9,9 +9,9 @@
 #include "config/input_limits.hpp"
 #include "io/error.hpp"
 #include "io/text_lines.hpp"
-#include "samples/units.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
 #include "text/shown.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
 namespace {

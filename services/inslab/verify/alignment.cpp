@@ -15,26 +15,26 @@
 #include "services/inslab/align/recording.hpp"
 #include "services/inslab/verify/catalogue.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr double kLatitudeDeg = 30.53;
 constexpr double kRateHz = 200.0;
 constexpr int kDuration_s = 1800;
 constexpr std::uint32_t kIsa100c = 26;
 const time::GpsTime kStart{2300, 0};
-const nav::RollPitchYaw kAttitude{1.0 / kDegPerRad, -2.0 / kDegPerRad, 45.0 / kDegPerRad};
+const nav::RollPitchYaw kAttitude{1.0 / units::kDegPerRad, -2.0 / units::kDegPerRad, 45.0 / units::kDegPerRad};
 constexpr std::array<const char*, 3> kNames{"roll", "pitch", "yaw"};
 
 scenario::Trajectory at_rest() {
   scenario::Trajectory trajectory;
   trajectory.initial.latitude_deg = kLatitudeDeg;
   trajectory.initial.longitude_deg = 114.35;
-  trajectory.initial.roll_deg = kAttitude.roll_rad * kDegPerRad;
-  trajectory.initial.pitch_deg = kAttitude.pitch_rad * kDegPerRad;
-  trajectory.initial.yaw_deg = kAttitude.yaw_rad * kDegPerRad;
+  trajectory.initial.roll_deg = kAttitude.roll_rad * units::kDegPerRad;
+  trajectory.initial.pitch_deg = kAttitude.pitch_rad * units::kDegPerRad;
+  trajectory.initial.yaw_deg = kAttitude.yaw_rad * units::kDegPerRad;
   scenario::Segment rest;
   rest.duration_s = kDuration_s;
   trajectory.segments.push_back(rest);
@@ -70,7 +70,7 @@ Run align_run(std::uint64_t seed) {
   imu::ImuModel imu({seed, 0, rate, gravity, catalogue_profile<ImuErrorProfile>("imu/span100c"), VibrationProfile{},
                      InstallationProfile{}});
   imu.measure(truth.current());
-  const nav::Geodetic site{kLatitudeDeg / kDegPerRad, 0.0, 0.0};
+  const nav::Geodetic site{kLatitudeDeg / units::kDegPerRad, 0.0, 0.0};
   align::StaticAlignment direct(rate.period_s(), site.latitude_rad, gravity.g_n(site).norm(), {});
   const PassingPath path;
   io::NovatelImuFormatter format(kIsa100c, io::NovatelAxes::RightForwardUp);
@@ -101,10 +101,10 @@ Table spread_table(const align::AlignmentResult& result) {
   const std::array<double, 3> quieter{std::sqrt(kRateHz), std::sqrt(kRateHz), 14.6};
   for (int i = 0; i < 3; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const double epoch_deg = result.epochs.sigma_rad[i] * kDegPerRad;
+    const double epoch_deg = result.epochs.sigma_rad[i] * units::kDegPerRad;
     table.rows.push_back(ratio_row(fmt::format("{}, per sample", kNames[at]), epoch_deg, lab_deg[at], 0.05));
-    table.rows.push_back(ratio_row(fmt::format("{}, per second", kNames[at]), result.seconds.sigma_rad[i] * kDegPerRad,
-                                   epoch_deg / quieter[at], 0.08));
+    table.rows.push_back(ratio_row(fmt::format("{}, per second", kNames[at]),
+                                   result.seconds.sigma_rad[i] * units::kDegPerRad, epoch_deg / quieter[at], 0.08));
   }
   table.notes = {
       "Per sample against the lab report's table; per second against those of the samples over sqrt(200), "
@@ -115,7 +115,8 @@ Table spread_table(const align::AlignmentResult& result) {
 /// Half a count of all the span's increments turns yaw by this, rad: over the horizontal rate of the Earth, and twice
 /// that for the tilt's part, which is far smaller.
 double yaw_of_a_count_rad() {
-  const double horizontal_rad = nav::wgs84::omega_e_rad_per_s * std::cos(kLatitudeDeg / kDegPerRad) * kDuration_s;
+  const double horizontal_rad =
+      nav::wgs84::omega_e_rad_per_s * std::cos(kLatitudeDeg / units::kDegPerRad) * kDuration_s;
   return io::find_novatel_imu_type(kIsa100c)->rad_per_count / horizontal_rad;
 }
 
@@ -135,11 +136,12 @@ Table whole_table(const Run& run) {
     const double apart = std::abs(nav::wrapped_to_pi(read[i] - found[i]));
     const bool is_yaw = i == 2;
     table.rows.push_back(
-        {{kNames[i], fmt::format("{:.4f}", truth[i] * kDegPerRad), fmt::format("{:.4f}", found[i] * kDegPerRad),
-          fmt::format("{:.4f}", read[i] * kDegPerRad), fmt::format("{:.1e}", apart * kDegPerRad),
-          fmt::format("{:.1e}", yaw_of_a_count_rad() * kDegPerRad)},
+        {{kNames[i], fmt::format("{:.4f}", truth[i] * units::kDegPerRad),
+          fmt::format("{:.4f}", found[i] * units::kDegPerRad), fmt::format("{:.4f}", read[i] * units::kDegPerRad),
+          fmt::format("{:.1e}", apart * units::kDegPerRad),
+          fmt::format("{:.1e}", yaw_of_a_count_rad() * units::kDegPerRad)},
          apart <= yaw_of_a_count_rad() &&
-             (!is_yaw || std::abs(nav::wrapped_to_pi(found[i] - truth[i])) * kDegPerRad <= kYawLimitDeg)});
+             (!is_yaw || std::abs(nav::wrapped_to_pi(found[i] - truth[i])) * units::kDegPerRad <= kYawLimitDeg)});
   }
   table.notes = {
       fmt::format("Yaw within {} deg of the truth. Apart: by no more than a count of the gyro over the whole "

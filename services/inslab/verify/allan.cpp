@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "samples/units.hpp"
 #include "services/inslab/verify/still_imu.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 namespace {

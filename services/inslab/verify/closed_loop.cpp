@@ -13,12 +13,12 @@
 #include "services/inslab/verify/spline_loop.hpp"
 #include "services/trajectory_server/file_states.hpp"
 #include "services/trajectory_server/inverse_mechanization_model.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr double kVelocityLimit_m_per_s = 1e-5;
 constexpr double kAttitudeLimit_deg = 1e-6;
 constexpr double kSmallestPositionLimit_m = 3e-5;
@@ -85,7 +85,7 @@ Table inverse_mechanization_table(const std::string& title, const std::vector<Lo
   for (const LoopCase& one : cases) {
     const auto file = rows_as_written(one.trajectory, one.name, kRate, one.duration);
     const DeviationFigures found = close_file_loop(file, gravity_of(one.trajectory), kRate);
-    const double limit_m = position_limit_m(one), attitude_deg = found.attitude_max_rad * kDegPerRad;
+    const double limit_m = position_limit_m(one), attitude_deg = found.attitude_max_rad * units::kDegPerRad;
     const bool held = found.position_rms_m <= limit_m &&
                       (found.settled() || found.position_last_third_rms_m <= limit_m) &&
                       found.velocity_max_m_per_s <= kVelocityLimit_m_per_s && attitude_deg <= kAttitudeLimit_deg;
@@ -139,7 +139,7 @@ Table contradiction_table(const std::vector<std::shared_ptr<const io::Trajectory
   for (const auto& file : files) {
     const DeviationFigures found = close_file_loop(file, nav::Gravity(), kRate);
     const double bound_m = 1.01 * bound_of(file, feedback_per_s) + 1e-3;
-    const double attitude_deg = found.attitude_max_rad * kDegPerRad;
+    const double attitude_deg = found.attitude_max_rad * units::kDegPerRad;
     table.rows.push_back(
         {{file->name, std::to_string(file->rows.size()), minutes(file->rows.back().time), figure(found.position_rms_m),
           figure(found.position_max_m), figure(bound_m), figure(found.position_middle_third_rms_m),

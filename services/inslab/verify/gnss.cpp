@@ -7,10 +7,10 @@
 
 #include "allan/confidence.hpp"
 #include "nav/geodesy.hpp"
-#include "samples/units.hpp"
 #include "services/inslab/offline_run.hpp"
 #include "services/inslab/verify/allan.hpp"
 #include "services/inslab/verify/estimates.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 

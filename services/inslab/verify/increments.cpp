@@ -7,13 +7,14 @@
 
 #include "nav/attitude.hpp"
 #include "nav/strapdown.hpp"
+#include "samples/nav_state.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr std::array<double, 3> kRates_hz{200.0, 400.0, 1000.0};
 constexpr double kPeriod_s = 0.5;  ///< of the motions
 constexpr double kOrderTolerance = 0.1;
@@ -60,10 +61,6 @@ nav::ImuIncrements increments_of(const TruthState& truth, Algorithm algorithm) {
   return {truth.dtheta_v, truth.dv_v, dt_s};
 }
 
-nav::NavState state_of(const TruthState& truth) {
-  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nv};
-}
-
 struct Errors {
   double position_m = 0.0;
   double velocity_m_per_s = 0.0;
@@ -78,7 +75,7 @@ Errors mechanize(const scenario::Trajectory& motion, Algorithm algorithm, double
   const int per_period = static_cast<int>(std::lround(kPeriod_s * rate_hz));
   TruthState truth = model.current();
   for (int k = 0; k < per_period; ++k) truth = model.advance();
-  nav::Strapdown strapdown(state_of(truth), nav::Gravity(motion.gravity.model),
+  nav::Strapdown strapdown(nav_state(truth), nav::Gravity(motion.gravity.model),
                            {algorithm == Algorithm::FullRotationTerm}, increments_of(truth, algorithm));
   Errors sum;
   const int periods = static_cast<int>(duration_s / kPeriod_s);
@@ -87,7 +84,7 @@ Errors mechanize(const scenario::Trajectory& motion, Algorithm algorithm, double
       truth = model.advance();
       strapdown.advance(increments_of(truth, algorithm));
     }
-    const nav::NavState found = strapdown.state(), expected = state_of(truth);
+    const nav::NavState found = strapdown.state(), expected = nav_state(truth);
     sum.position_m += nav::ned_from(expected.position, found.position).squaredNorm();
     sum.velocity_m_per_s += (found.v_n - expected.v_n).squaredNorm();
     sum.attitude_rad += std::pow(nav::angle_between(found.q_nb, expected.q_nb), 2.0);
@@ -148,7 +145,7 @@ std::vector<Table> increments(double duration_s) {
     const auto pick = [](const std::array<Errors, 3>& errors, double Errors::*member, double unit) {
       return std::array<double, 3>{unit * (errors[0].*member), unit * (errors[1].*member), unit * (errors[2].*member)};
     };
-    attitude.rows.push_back(row(one.name, pick(in_coning, &Errors::attitude_rad, kDegPerRad),
+    attitude.rows.push_back(row(one.name, pick(in_coning, &Errors::attitude_rad, units::kDegPerRad),
                                 one.algorithm == Algorithm::RateTimesInterval ? 1 : 4));
     motion.rows.push_back(row("velocity, " + one.name, pick(in_sculling, &Errors::velocity_m_per_s, 1.0), one.order));
     motion.rows.push_back(row("position, " + one.name, pick(in_sculling, &Errors::position_m, 1.0), one.order));

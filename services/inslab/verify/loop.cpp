@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "samples/nav_state.hpp"
 #include "services/imu_error_injector/model.hpp"
 #include "services/inslab/verify/written_rows.hpp"
 #include "services/trajectory_server/inverse_mechanization_model.hpp"
@@ -19,10 +20,6 @@ void write(WrittenRows& rows, const TruthState& truth) {
   row.v_n = truth.v_n;
   row.rpy = nav::rpy_from_quaternion(truth.q_nv);
   rows.add({truth.header.gps_week, truth.header.gps_time_of_week_ns}, row);
-}
-
-nav::NavState state_of(const TruthState& truth) {
-  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nv};
 }
 
 imu::ImuModel perfect_imu(const nav::Gravity& gravity, const time::Rate& rate) {
@@ -49,7 +46,7 @@ DeviationFigures close_loop(trajectory::TruthModel& truth, const nav::Gravity& g
                             const std::function<nav::NavState(const TruthState&)>& expected) {
   imu::ImuModel imu = perfect_imu(gravity, rate);
   imu.measure(truth.current());
-  nav::Strapdown strapdown(state_of(truth.current()), gravity, options);
+  nav::Strapdown strapdown(nav_state(truth.current()), gravity, options);
   Deviation deviation(steps);
   for (std::uint64_t k = 0; k < steps; ++k) {
     const TruthState now = truth.advance();

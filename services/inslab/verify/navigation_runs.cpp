@@ -6,12 +6,13 @@
 
 #include "nav/attitude.hpp"
 #include "random/stream.hpp"
-#include "samples/units.hpp"
+#include "samples/nav_state.hpp"
 #include "services/inslab/drawn_start.hpp"
 #include "services/inslab/offline_run.hpp"
 #include "services/inslab/verify/catalogue.hpp"
 #include "services/inslab/verify/loop.hpp"
 #include "services/reference_nav/matching_parameters.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 
@@ -21,10 +22,6 @@ namespace ref = reference_nav;
 
 constexpr const char* kImuPlace = "installation/imu_trunk";
 constexpr const char* kAntennaPlace = "installation/antenna_roof";
-
-nav::NavState state_of(const ImuTruth& truth) {
-  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb};
-}
 
 /// delta r, delta v, phi of an estimate.
 Eigen::Matrix<double, 9, 1> errors_of(const nav::NavState& estimate, const nav::NavState& truth) {
@@ -61,8 +58,8 @@ class Scored {
       return;
     }
     filter_.add(sample);
-    score_.add(sample.header.sim_time_ns, filter_.filter()->state(), state_of(truth));
-    consistency(sample.header.sim_time_ns, state_of(truth));
+    score_.add(sample.header.sim_time_ns, filter_.filter()->state(), nav_state(truth));
+    consistency(sample.header.sim_time_ns, nav_state(truth));
   }
   void gnss(GnssFix fix) {
     if (!begun_) return;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "samples/units.hpp"
 #include "services/inslab/verify/catalogue.hpp"
 #include "services/inslab/verify/town_drive.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 

@@ -8,16 +8,15 @@
 #include <stdexcept>
 
 #include "nav/wgs84.hpp"
-#include "samples/units.hpp"
 #include "services/inslab/verify/catalogue.hpp"
 #include "services/inslab/verify/propagation_runs.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 namespace {
 
 using predict::Vertical;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMetresPerNauticalMile = 1852.0;
 constexpr int kHours4_s = 4 * 3600;
 constexpr int kEvery_s = 10;
@@ -25,7 +24,7 @@ constexpr int kEvery_s = 10;
 double gravity_m_per_s2() { return nav::Gravity().g_n(resting_place()).z(); }
 double meridian_m() { return nav::wgs84::meridian_radius_m(resting_place().latitude_rad); }
 double schuler_rad_per_s() { return std::sqrt(gravity_m_per_s2() / meridian_m()); }
-double schuler_period_s() { return 2.0 * kPi / schuler_rad_per_s(); }
+double schuler_period_s() { return 2.0 * units::kPi / schuler_rad_per_s(); }
 
 /// One source of the lecture's figure 2 and its term of (68).
 struct Source {

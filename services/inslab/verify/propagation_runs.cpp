@@ -5,13 +5,14 @@
 #include "nav/attitude.hpp"
 #include "nav/error_model.hpp"
 #include "nav/wgs84.hpp"
+#include "samples/nav_state.hpp"
 #include "services/imu_error_injector/model.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 namespace {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 constexpr double kLatitudeDeg = 30.0, kLongitudeDeg = 114.0;
 constexpr double kPredictionStep_s = 1.0;
 const time::GpsTime kStart{2300, 0};
@@ -26,13 +27,9 @@ scenario::Trajectory at_rest(int duration_s) {
   return trajectory;
 }
 
-nav::NavState state_of(const TruthState& truth) {
-  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nv};
-}
-
-double metres_per_rad_north() { return nav::wgs84::meridian_radius_m(kLatitudeDeg * kRadPerDeg); }
+double metres_per_rad_north() { return nav::wgs84::meridian_radius_m(kLatitudeDeg * units::kDeg); }
 double metres_per_rad_east() {
-  return nav::wgs84::transverse_radius_m(kLatitudeDeg * kRadPerDeg) * std::cos(kLatitudeDeg * kRadPerDeg);
+  return nav::wgs84::transverse_radius_m(kLatitudeDeg * units::kDeg) * std::cos(kLatitudeDeg * units::kDeg);
 }
 
 nav::NavState with_error(nav::NavState state, const ErrorState& x) {
@@ -60,7 +57,7 @@ ErrorState error_of(const nav::NavState& found, const nav::NavState& truth) {
 
 }  // namespace
 
-nav::Geodetic resting_place() { return {kLatitudeDeg * kRadPerDeg, kLongitudeDeg * kRadPerDeg, 0.0}; }
+nav::Geodetic resting_place() { return {kLatitudeDeg * units::kDeg, kLongitudeDeg * units::kDeg, 0.0}; }
 
 std::vector<ErrorState> navigate_at_rest(const RestingRun& run, int every_s) {
   const time::Rate rate(kRestingRateHz);
@@ -68,7 +65,7 @@ std::vector<ErrorState> navigate_at_rest(const RestingRun& run, int every_s) {
   trajectory::MotionTableModel truth(at_rest(run.duration_s), rate, kStart);
   imu::ImuModel imu = imu_of(run);
   imu.measure(truth.current());
-  nav::Strapdown strapdown(with_error(state_of(truth.current()), run.start), gravity, {});
+  nav::Strapdown strapdown(with_error(nav_state(truth.current()), run.start), gravity, {});
   std::vector<ErrorState> errors{run.start};
   const int steps_between = static_cast<int>(std::lround(every_s * kRestingRateHz));
   for (int k = 1; k <= run.duration_s / every_s * steps_between; ++k) {
@@ -76,7 +73,7 @@ std::vector<ErrorState> navigate_at_rest(const RestingRun& run, int every_s) {
     const ImuSample sample = imu.measure(now)->sample;
     strapdown.advance({sample.dtheta_b, sample.dv_b, rate.period_s()});
     if (run.vertical == predict::Vertical::Held) strapdown.hold_vertical(now.height_m, now.v_n.z());
-    if (k % steps_between == 0) errors.push_back(error_of(strapdown.state(), state_of(now)));
+    if (k % steps_between == 0) errors.push_back(error_of(strapdown.state(), nav_state(now)));
   }
   return errors;
 }

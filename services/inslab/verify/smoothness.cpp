@@ -9,12 +9,12 @@
 #include "nav/geodesy.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
 #include "time/rate.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr std::size_t kWindow = 6;
 
 /// The sample at a joint after the ones before it, newest first.
@@ -46,9 +46,9 @@ void add_joint(const Window& window, JointJumps& largest) {
   const Eigen::Vector4d q = five([&](const TruthState& t) {
     return (t.q_nv.coeffs().dot(now.q_nv.coeffs()) < 0.0 ? -1.0 : 1.0) * t.q_nv.coeffs();
   });
-  add(largest.attitude_deg, 2.0 * kDegPerRad * (now.q_nv.conjugate() * Quaternion(q)).vec().norm());
+  add(largest.attitude_deg, 2.0 * units::kDegPerRad * (now.q_nv.conjugate() * Quaternion(q)).vec().norm());
   add(largest.rate_deg_per_s,
-      kDegPerRad * (five([](const TruthState& t) { return t.omega_iv_v; }) - now.omega_iv_v).norm());
+      units::kDegPerRad * (five([](const TruthState& t) { return t.omega_iv_v; }) - now.omega_iv_v).norm());
   add(largest.specific_force_m_per_s2, (five([](const TruthState& t) { return t.f_v; }) - now.f_v).norm());
 }
 

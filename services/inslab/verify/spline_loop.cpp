@@ -4,25 +4,22 @@
 
 #include <algorithm>
 
+#include "samples/nav_state.hpp"
 #include "services/inslab/verify/loop.hpp"
 #include "services/trajectory_server/row_motion.hpp"
 #include "services/trajectory_server/smooth_model.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 
 namespace {
 
-constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 constexpr double kLimit_m = 1e-3;
 // Latitude and longitude in doubles place a point to 3e-9 m.
 constexpr double kOnRow_m = 1e-8;
 // A parabola reaches the bound, but for its rounding.
 constexpr double kRounding = 1e-9;
 const time::Rate kRate(200.0);
-
-nav::NavState state_of(const TruthState& truth) {
-  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nv};
-}
 
 /// Holds the rows that the truth's grid meets against the truth.
 class RowsPassed {
@@ -33,7 +30,7 @@ class RowsPassed {
     const time::Nanoseconds now(truth.header.sim_time_ns);
     while (row_ < file_.rows.size() && file_.rows[row_].time < now) ++row_;
     if (row_ == file_.rows.size() || file_.rows[row_].time != now) return;
-    const nav::NavState here = state_of(truth);
+    const nav::NavState here = nav_state(truth);
     largest_m_ = std::max(largest_m_, nav::ned_from(file_.rows[row_].position, here.position).norm());
     ++met_;
   }
@@ -63,7 +60,7 @@ SplineLoop close_spline_loop(const io::TrajectoryFile& file, const nav::Gravity&
   const auto steps = static_cast<std::uint64_t>(file.rows.back().time / kRate.period());
   loop.mechanized = close_loop(truth, gravity, options, kRate, steps, [&rows](const TruthState& now) {
     rows.see(now);
-    return state_of(now);
+    return nav_state(now);
   });
   loop.off_rows_m = rows.largest_m();
   loop.rows_met = rows.met();
@@ -121,7 +118,7 @@ Table spline_table(const std::string& title, const std::vector<LoopCase>& cases,
     table.rows.push_back(
         {{one.name, std::to_string(file->rows.size()), minutes(*file), figure(full.off_rows_m),
           figure(full.mechanized.position_max_m), figure(kLimit_m), figure(printed.mechanized.position_max_m),
-          figure(full.mechanized.velocity_max_m_per_s), figure(full.mechanized.attitude_max_rad * kDegPerRad)},
+          figure(full.mechanized.velocity_max_m_per_s), figure(full.mechanized.attitude_max_rad * units::kDegPerRad)},
          full.rows_met == file->rows.size() && full.off_rows_m <= kOnRow_m &&
              full.mechanized.position_max_m <= kLimit_m});
   }
@@ -142,7 +139,7 @@ Table spline_file_table(const std::vector<std::shared_ptr<const io::TrajectoryFi
     table.rows.push_back(
         {{file->name, std::to_string(file->rows.size()), minutes(*file), figure(swing.largest_m), figure(swing.bound_m),
           figure(full.mechanized.position_max_m), figure(printed.mechanized.position_max_m),
-          figure(full.mechanized.attitude_max_rad * kDegPerRad)},
+          figure(full.mechanized.attitude_max_rad * units::kDegPerRad)},
          swing.largest_m <= swing.bound_m && full.off_rows_m <= kOnRow_m});
   }
   return table;

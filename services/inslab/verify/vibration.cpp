@@ -8,14 +8,15 @@
 
 #include "nav/attitude.hpp"
 #include "nav/strapdown.hpp"
+#include "samples/nav_state.hpp"
 #include "services/imu_error_injector/model.hpp"
+#include "units/units.hpp"
 
 namespace inslab::verify {
 namespace {
 
 constexpr std::int64_t kPeriodNs = 5000000;
 constexpr double kDt = 5e-3;
-constexpr double kPi = units::kPi;
 const nav::Geodetic kPlace{30.0 * units::kDeg, 114.0 * units::kDeg, 20.0};
 
 /// What the trajectory server says of a vehicle at rest, level, its nose to the north.
@@ -45,14 +46,10 @@ void shake(const VibrationProfile& vibration, std::uint64_t seed, double duratio
   }
 }
 
-nav::NavState pose_of(const ImuTruth& truth) {
-  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb};
-}
-
 VibrationProfile profile_of(const TwoAxisMotion& motion, VibrationDomain domain) {
   VibrationProfile profile;
   profile.domain = domain;
-  const double rate_deg_per_s = motion.theta_rad / units::kDeg * 2.0 * kPi * motion.frequency_hz;
+  const double rate_deg_per_s = motion.theta_rad / units::kDeg * 2.0 * units::kPi * motion.frequency_hz;
   const bool coning = motion.a_m_per_s2 == 0.0;
   // Coning: rates cos and sin, angles sin and -cos. Sculling: rate cos about x, so angle sin; force sin along y.
   profile.angular.push_back(
@@ -67,7 +64,7 @@ class Periodogram {
   static constexpr int kSegment = 1024;
 
   void add(double rate) {
-    const double window = 0.5 - 0.5 * std::cos(2.0 * kPi * static_cast<double>(samples_.size()) / kSegment);
+    const double window = 0.5 - 0.5 * std::cos(2.0 * units::kPi * static_cast<double>(samples_.size()) / kSegment);
     samples_.emplace_back(window * rate);
     if (samples_.size() < kSegment) return;
     std::vector<std::complex<double>> spectrum;
@@ -93,7 +90,7 @@ double density_of_means(const imu::Spectrum& spectrum, int axis, double frequenc
   double sum = 0.0;
   for (int m = -50; m <= 50; ++m) {
     const double image_hz = std::abs(frequency_hz + m / kDt);
-    const double x = kPi * image_hz * kDt;
+    const double x = units::kPi * image_hz * kDt;
     sum += spectrum.density(axis, image_hz) * std::pow(std::sin(x) / x, 2);
   }
   return sum;
@@ -209,7 +206,7 @@ SinusoidResult verify_sinusoid(double frequency_hz) {
 }
 
 double two_sample_residual(const TwoAxisMotion& motion, double dt_s) {
-  const double x = 2.0 * kPi * motion.frequency_hz * dt_s;
+  const double x = 2.0 * units::kPi * motion.frequency_hz * dt_s;
   const double half = std::sin(0.5 * x);
   const double lost = 0.5 * (x - std::sin(x)) - half * half * std::sin(x) / 3.0;
   if (motion.a_m_per_s2 == 0.0) return motion.theta_rad * motion.theta_rad / dt_s * lost;
@@ -217,7 +214,7 @@ double two_sample_residual(const TwoAxisMotion& motion, double dt_s) {
 }
 
 double pretended_drift(const TwoAxisMotion& motion) {
-  if (motion.a_m_per_s2 == 0.0) return motion.theta_rad * motion.theta_rad * kPi * motion.frequency_hz;
+  if (motion.a_m_per_s2 == 0.0) return motion.theta_rad * motion.theta_rad * units::kPi * motion.frequency_hz;
   const double g = nav::Gravity().g_n(kPlace).z();
   return 0.5 * motion.theta_rad * motion.a_m_per_s2 + 0.25 * g * motion.theta_rad * motion.theta_rad;
 }
@@ -229,7 +226,7 @@ double measured_drift(const TwoAxisMotion& motion, VibrationDomain domain, doubl
   Vector3 turn_start, turn_rad, v_start, v_m_per_s;
   shake(profile_of(motion, domain), 1, duration_s + kDt, [&](const imu::ImuModel::Output& output) {
     const nav::ImuIncrements increments{output.sample.dtheta_b, output.sample.dv_b, kDt};
-    const nav::NavState truth = pose_of(output.truth);
+    const nav::NavState truth = nav_state(output.truth);
     const bool starts = !strapdown;
     if (starts) {
       strapdown.emplace(truth, nav::Gravity(), options, increments);

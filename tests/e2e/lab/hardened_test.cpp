@@ -11,7 +11,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace hardened_test {
 
 using std::chrono::seconds;
 using testing::ContainsRegex;
@@ -83,5 +83,5 @@ TEST_F(LabUnits, AreExposedLessThanThreeOfTen) {
   }
 }
 
-}  // namespace
+}  // namespace hardened_test
 }  // namespace inslab::e2e

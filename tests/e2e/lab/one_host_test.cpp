@@ -12,7 +12,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace one_host_test {
 
 using std::chrono::seconds;
 using testing::ContainsRegex;
@@ -139,5 +139,5 @@ TEST_F(LabOnOneHost, StartedItGoesOnWithoutTheLabUntilItIsStopped) {
   EXPECT_THAT(says(0, "status", file), Not(HasSubstr("  running")));
 }
 
-}  // namespace
+}  // namespace one_host_test
 }  // namespace inslab::e2e

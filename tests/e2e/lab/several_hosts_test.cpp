@@ -14,7 +14,7 @@
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace several_hosts_test {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -224,5 +224,5 @@ TEST(LabInventory, OfTheExampleIsGood) {
   EXPECT_EQ(lab.wait(seconds(20)), 0) << lab.output();
 }
 
-}  // namespace
+}  // namespace several_hosts_test
 }  // namespace inslab::e2e

@@ -10,7 +10,7 @@
 #include "tests/e2e/security/forged_packets.hpp"
 
 namespace inslab::e2e {
-namespace {
+namespace packet_attacks_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -148,5 +148,5 @@ TEST(PacketAttacks, OnAnOpenSetEndNoProcess) {
   EXPECT_THAT(set.output(), Not(HasSubstr("ended by signal 11")));
 }
 
-}  // namespace
+}  // namespace packet_attacks_test
 }  // namespace inslab::e2e

@@ -8,7 +8,7 @@
 #include "tests/unit/allan/simulated_noise.hpp"
 
 namespace inslab::allan {
-namespace {
+namespace allan_stream_test {
 
 /// The definition: half the mean square of the difference of the mean rates of two neighbouring clusters, clusters
 /// beginning at every `stride`-th sample. Quadratic in time, and shares no line with what it checks.
@@ -106,5 +106,5 @@ TEST(AllanStream, RefusesSizesAndIntervalsThatAreNone) {
   EXPECT_THROW(AllanStream(0.0, {1}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace allan_stream_test
 }  // namespace inslab::allan

@@ -5,7 +5,7 @@
 #include "tests/unit/allan/simulated_noise.hpp"
 
 namespace inslab::allan {
-namespace {
+namespace confidence_test {
 
 TEST(Confidence, QuantilesOfChiSquareAreThoseOfTheTables) {
   // Abramowitz and Stegun, table 26.8.
@@ -63,5 +63,5 @@ TEST(Confidence, QuantilesOfNothingAreRefused) {
   EXPECT_THROW(chi_square_quantile(0.5, 0.0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace confidence_test
 }  // namespace inslab::allan

@@ -7,7 +7,7 @@
 #include "tests/unit/allan/simulated_noise.hpp"
 
 namespace inslab::allan {
-namespace {
+namespace fit_test {
 
 Likelihood simulated(const NoiseModel& model, double dt_s, std::uint64_t seed, std::size_t count) {
   Record record(dt_s);
@@ -100,5 +100,5 @@ TEST(Fit, AnEndThatTheRecordDoesNotBoundIsInfinite) {
   EXPECT_TRUE(std::isinf(likelihood_interval(log_of(record), found, Parameter::GmCorrelationTime, 0.99).high));
 }
 
-}  // namespace
+}  // namespace fit_test
 }  // namespace inslab::allan

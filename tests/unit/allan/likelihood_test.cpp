@@ -7,7 +7,7 @@
 #include "tests/unit/allan/simulated_noise.hpp"
 
 namespace inslab::allan {
-namespace {
+namespace likelihood_test {
 
 /// Logarithm of the Gaussian density of the differences of neighbouring clusters, from their whole covariance matrix:
 /// what a likelihood restricted to contrasts is, but for a constant that no model changes.
@@ -78,5 +78,5 @@ TEST(Likelihood, AConstantBiasChangesNothing) {
   EXPECT_NEAR(Likelihood(plain).log(model), Likelihood(biased).log(model), 1e-9);
 }
 
-}  // namespace
+}  // namespace likelihood_test
 }  // namespace inslab::allan

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace inslab::allan {
-namespace {
+namespace noise_model_test {
 
 NoiseModel gauss_markov(double sigma, double correlation_time_s) {
   NoiseModel model;
@@ -74,5 +74,5 @@ TEST(NoiseModel, SecondDifferencesHaveTheAllanVariance) {
   }
 }
 
-}  // namespace
+}  // namespace noise_model_test
 }  // namespace inslab::allan

@@ -13,7 +13,7 @@
 /// "Handbook of Frequency Stability Analysis", NIST SP 1065, section 12.4, and what Stable32 1.60 says of the second
 /// (its file PHASE.DAT).
 namespace inslab::allan {
-namespace {
+namespace published_vectors_test {
 
 /// n[0] = 1234567890, n[i+1] = 16807 n[i] mod 2^31 - 1; frequencies n[i]/(2^31 - 1) at 1 Hz (SP 1065, 12.4).
 std::vector<double> nbs_frequencies() {
@@ -103,5 +103,5 @@ TEST(PublishedAllanVectors, EveryFactorOfStable32sFileWhereItIsThere) {
   EXPECT_GT(rows, 100);
 }
 
-}  // namespace
+}  // namespace published_vectors_test
 }  // namespace inslab::allan

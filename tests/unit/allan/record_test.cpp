@@ -7,7 +7,7 @@
 #include "tests/unit/allan/simulated_noise.hpp"
 
 namespace inslab::allan {
-namespace {
+namespace record_test {
 
 std::vector<double> numbers(std::size_t count) {
   return test::simulated_increments({1.0, 0.0, 0.0, 0.0, 0.0, 0.0}, 0.5, 5, count);
@@ -59,5 +59,5 @@ TEST(Record, RefusesAnOddNumberOfClusters) {
   EXPECT_THROW(Record(-1.0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace record_test
 }  // namespace inslab::allan

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::app {
-namespace {
+namespace credit_ledger_test {
 
 const RunId kRun{{1}};
 
@@ -52,5 +52,5 @@ TEST(CreditLedger, AConsumerThatIsStartedAgainMayGoBack) {
   EXPECT_EQ(ledger.lowest(), 10U);
 }
 
-}  // namespace
+}  // namespace credit_ledger_test
 }  // namespace inslab::app

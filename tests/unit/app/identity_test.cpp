@@ -8,7 +8,7 @@
 #include "app/host.hpp"
 
 namespace inslab::app {
-namespace {
+namespace identity_test {
 
 using testing::HasSubstr;
 
@@ -104,5 +104,5 @@ TEST(RunIdText, ReadsBack) {
   EXPECT_FALSE(run_id_of(std::string(31, '0') + "g"));
 }
 
-}  // namespace
+}  // namespace identity_test
 }  // namespace inslab::app

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace inslab::app {
-namespace {
+namespace latency_histogram_test {
 
 TEST(LatencyHistogram, HasNothingToSayOfNothing) {
   const LatencyHistogram histogram;
@@ -47,5 +47,5 @@ TEST(LatencyHistogram, CountsWhatLiesOutsideInTheBinAtThatEnd) {
   EXPECT_EQ(histogram.max_s(), 1e9);
 }
 
-}  // namespace
+}  // namespace latency_histogram_test
 }  // namespace inslab::app

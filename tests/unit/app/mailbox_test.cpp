@@ -6,7 +6,7 @@
 #include <thread>
 
 namespace inslab::app {
-namespace {
+namespace mailbox_test {
 
 using namespace std::chrono_literals;
 
@@ -67,5 +67,5 @@ TEST(Mailbox, KeepsEachSendersOrderAndLosesNothingBetweenThreads) {
   EXPECT_EQ(mailbox.dropped(), 0U);
 }
 
-}  // namespace
+}  // namespace mailbox_test
 }  // namespace inslab::app

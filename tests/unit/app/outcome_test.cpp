@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::app {
-namespace {
+namespace outcome_test {
 
 TEST(Outcome, TheWorseOfTwoIsTheWorseThingThatHappened) {
   const Outcome good{kOk, "44 of 44 checks held"}, limit{kNotAccepted, "FAIL: 1 of 2"}, check{kFailed, "2 lost"},
@@ -21,5 +21,5 @@ TEST(Outcome, SaysItsExitCodeAndWhy) {
   EXPECT_EQ(Outcome({kNotAccepted, "FAIL: 1 of 2"}).words(), "result: NOT ACCEPTED, exit code 4: FAIL: 1 of 2");
 }
 
-}  // namespace
+}  // namespace outcome_test
 }  // namespace inslab::app

@@ -7,7 +7,7 @@
 #include <fstream>
 
 namespace inslab::app {
-namespace {
+namespace scenario_hash_test {
 
 namespace fs = std::filesystem;
 
@@ -58,5 +58,5 @@ TEST_F(ScenarioHash, IsTheSameWhereTheTrajectorysRowsAreNotRead) {
             scenario_hash(scenario::load(file, "", scenario::TrajectoryRows::LeaveOut)));
 }
 
-}  // namespace
+}  // namespace scenario_hash_test
 }  // namespace inslab::app

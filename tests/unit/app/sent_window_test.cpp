@@ -5,7 +5,7 @@
 #include "samples/gnss_fix.hpp"
 
 namespace inslab::app {
-namespace {
+namespace sent_window_test {
 
 SentWindow<GnssFix> window_with(std::size_t capacity, std::uint64_t first, std::uint64_t end) {
   SentWindow<GnssFix> window(capacity);
@@ -44,5 +44,5 @@ TEST(SentWindow, ForgetsWhatNobodyWantsAgain) {
   EXPECT_TRUE(window.empty());
 }
 
-}  // namespace
+}  // namespace sent_window_test
 }  // namespace inslab::app

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace inslab::app {
-namespace {
+namespace stream_monitor_test {
 
 StreamHeader header(std::uint64_t sequence, std::uint8_t run = 1) {
   StreamHeader h;
@@ -105,5 +105,5 @@ TEST(StreamMonitor, CountsWhatIsSent) {
   EXPECT_EQ(monitor.status().direction, StreamDirection::Out);
 }
 
-}  // namespace
+}  // namespace stream_monitor_test
 }  // namespace inslab::app

@@ -6,7 +6,7 @@
 #include "app/host.hpp"
 
 namespace inslab::app {
-namespace {
+namespace writers_test {
 
 using testing::HasSubstr;
 
@@ -114,5 +114,5 @@ TEST_F(WritersOfAStream, TopicsAndClaimsHaveTheirServices) {
   EXPECT_EQ(writer_of(ack), (ServiceKey{kTrajectoryServer, 0u}));
 }
 
-}  // namespace
+}  // namespace writers_test
 }  // namespace inslab::app

@@ -10,7 +10,7 @@
 #include "services/reference_nav/parameters_file.hpp"
 
 namespace inslab::scenario {
-namespace {
+namespace document_kind_test {
 
 using ::testing::HasSubstr;
 
@@ -87,5 +87,5 @@ TEST(ProfileKindWords, AreThoseOfScenariosAndTwoShortOnes) {
   for (const std::string& word : profile_kind_words()) EXPECT_TRUE(profile_kind_named(word)) << word;
 }
 
-}  // namespace
+}  // namespace document_kind_test
 }  // namespace inslab::scenario

@@ -8,7 +8,7 @@
 
 /// Walks the declarations of every file: no field is named here, so a new one is tested from the day it is declared.
 namespace inslab {
-namespace {
+namespace field_limits_test {
 
 using config::Json;
 
@@ -112,5 +112,5 @@ TEST(FieldLimits, OfAnUnsigned64BitNumberAreItsOwn) {
   EXPECT_THROW(read(text), config::Error);
 }
 
-}  // namespace
+}  // namespace field_limits_test
 }  // namespace inslab

@@ -8,7 +8,7 @@
 #include <string>
 
 namespace inslab::config {
-namespace {
+namespace input_limits_test {
 
 /// "4,000,000"
 std::string with_commas(std::uint64_t number) {
@@ -34,5 +34,5 @@ TEST(InputLimits, AreThoseOfTheDocumentation) {
   for (const std::string& row : rows) EXPECT_THAT(docs, testing::HasSubstr(row));
 }
 
-}  // namespace
+}  // namespace input_limits_test
 }  // namespace inslab::config

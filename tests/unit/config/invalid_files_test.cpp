@@ -11,7 +11,7 @@
 
 /// config/invalid holds files that break one rule each, and expected.json what must be said of them.
 namespace inslab {
-namespace {
+namespace invalid_files_test {
 
 const std::filesystem::path kFolder = std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "invalid";
 
@@ -78,5 +78,5 @@ TEST(Scenario, RefusesASensorItDoesNotHave) {
   EXPECT_THROW(loaded.gnss_number(7), config::Error);
 }
 
-}  // namespace
+}  // namespace invalid_files_test
 }  // namespace inslab

@@ -9,7 +9,7 @@
 #include "text/shown.hpp"
 
 namespace inslab::config {
-namespace {
+namespace json_file_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -118,5 +118,5 @@ TEST_F(JsonFile, AFileThatIsNotThereIsNamedAsItWasLookedFor) {
 
 TEST(JsonText, BytesThatAreNoUtf8AreRefused) { EXPECT_THROW(parse_json("{\"a\": \"\xff\xfe\"}", "file.json"), Error); }
 
-}  // namespace
+}  // namespace json_file_test
 }  // namespace inslab::config

@@ -6,7 +6,7 @@
 #include "scenario/scenario.hpp"
 
 namespace inslab::config {
-namespace {
+namespace json_reader_test {
 
 std::string nearest(const std::string& key, const std::vector<std::string>& known) {
   return detail::nearest_key(key, known);
@@ -103,5 +103,5 @@ TEST(JsonReader, DoesNotTakeAWholeNumberGivenAsAFraction) {
             "f: number: is a number; expected a whole number");
 }
 
-}  // namespace
+}  // namespace json_reader_test
 }  // namespace inslab::config

@@ -8,7 +8,7 @@
 #include "tests/unit/samples/number_fields.hpp"
 
 namespace inslab {
-namespace {
+namespace round_trip_test {
 
 /// Clears what files do not hold, as reading one leaves it.
 template <class Profile>
@@ -39,5 +39,5 @@ TYPED_TEST(RoundTrip, ThroughJsonTextKeepsEveryBitOfRandomValues) {
   }
 }
 
-}  // namespace
+}  // namespace round_trip_test
 }  // namespace inslab

@@ -10,7 +10,7 @@
 
 /// The scenarios and profiles that come with the product.
 namespace inslab {
-namespace {
+namespace valid_files_test {
 
 const std::filesystem::path kConfig = std::filesystem::path(INSLAB_SOURCE_DIR) / "config";
 
@@ -79,5 +79,5 @@ TEST(ValidFiles, EveryFilterReadsAndSurvivesARoundTrip) {
   }
 }
 
-}  // namespace
+}  // namespace valid_files_test
 }  // namespace inslab

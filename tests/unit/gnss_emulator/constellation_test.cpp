@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "nav/wgs84.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::gnss {
-namespace {
+namespace constellation_test {
 
 using units::kDeg;
 
@@ -114,5 +114,5 @@ TEST(Constellation, OfGpsMeetsThePublishedAvailabilityOfItsGeometry) {
   EXPECT_GE(worst, 0.88);
 }
 
-}  // namespace
+}  // namespace constellation_test
 }  // namespace inslab::gnss

@@ -10,7 +10,7 @@
 #include "tests/unit/gnss_emulator/receiver.hpp"
 
 namespace inslab::gnss {
-namespace {
+namespace model_test {
 
 using namespace test;
 
@@ -217,5 +217,5 @@ TEST(GnssModel, RefusesWhatBreaksARule) {
   EXPECT_THROW(GnssModel{unknown}, std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace model_test
 }  // namespace inslab::gnss

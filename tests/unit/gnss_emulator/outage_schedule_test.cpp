@@ -6,10 +6,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::gnss {
-namespace {
+namespace outage_schedule_test {
 
 using units::kDeg;
 
@@ -80,5 +80,5 @@ TEST(OutageSchedule, RefusesWhatCannotBe) {
   EXPECT_THROW(OutageSchedule({}, {{"nowhere", 10.0, {}}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace outage_schedule_test
 }  // namespace inslab::gnss

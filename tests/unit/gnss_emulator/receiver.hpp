@@ -4,14 +4,13 @@
 
 #include "nav/attitude.hpp"
 #include "nav/geodesy.hpp"
-#include "samples/units.hpp"
 #include "services/gnss_emulator/model.hpp"
+#include "units/units.hpp"
 
 /// A receiver under test, and vehicles to put it on.
 namespace inslab::gnss::test {
 
 inline constexpr std::int64_t kTruthNs = 5000000;
-inline constexpr double kRadPerDeg = units::kDeg;
 
 /// A vehicle that turns about a fixed axis of v at `rate_v` (relative to e) while its reference point rests in e.
 inline TruthState spinning(std::int64_t time_ns, const Vector3& rate_v, const Quaternion& q_nv_at_start) {

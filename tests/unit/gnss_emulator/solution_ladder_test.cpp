@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace inslab::gnss {
-namespace {
+namespace solution_ladder_test {
 
 LesserSolution rung(FixType type, double lasts_s, double mean_time_between_falls_s = 0.0) {
   LesserSolution solution;
@@ -152,5 +152,5 @@ TEST(SolutionLadder, ASwapInAnOutageFindsNoSignals) {
   EXPECT_EQ(climb.next(), 0);
 }
 
-}  // namespace
+}  // namespace solution_ladder_test
 }  // namespace inslab::gnss

@@ -6,7 +6,7 @@
 
 /// Gauss-Markov errors, kinds of solution, areas without signals, satellites and drifts of the whole receiver.
 namespace inslab::gnss {
-namespace {
+namespace solution_test {
 
 using namespace test;
 
@@ -197,5 +197,5 @@ TEST(GnssModel, ADriftEndsAt100Km) {
   EXPECT_LT((position_error_ned(*fix, at_rest(0)) - Vector3(60000.0, 80000.0, 0.0)).norm(), 1e-7);
 }
 
-}  // namespace
+}  // namespace solution_test
 }  // namespace inslab::gnss

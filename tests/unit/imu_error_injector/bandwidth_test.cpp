@@ -5,10 +5,11 @@
 #include <cmath>
 #include <complex>
 
-namespace inslab::imu {
-namespace {
+#include "units/units.hpp"
 
-constexpr double kPi = 3.14159265358979323846;
+namespace inslab::imu {
+namespace bandwidth_test {
+
 constexpr double kDt = 0.001;
 
 Bandwidth made(FilterOrder order, double bandwidth_hz) {
@@ -29,7 +30,7 @@ double step_increment(FilterOrder order, double bandwidth_hz, int n) {
 
 TEST(Bandwidth, FirstOrderIntegratesItsStepResponse) {
   // y = 1 - exp(-w t); integral over ((n-1) dt, n dt].
-  const double w = 2.0 * kPi * 20.0;
+  const double w = 2.0 * units::kPi * 20.0;
   for (const int n : {1, 5, 50}) {
     const double t0 = (n - 1) * kDt, t1 = n * kDt;
     const double exact = kDt + (std::exp(-w * t1) - std::exp(-w * t0)) / w;
@@ -39,7 +40,7 @@ TEST(Bandwidth, FirstOrderIntegratesItsStepResponse) {
 
 TEST(Bandwidth, SecondOrderIntegratesItsStepResponse) {
   // y = 1 - exp(-s t) (cos s t + sin s t), s = w/sqrt 2; its antiderivative is t + exp(-s t) cos(s t)/s.
-  const double s = 2.0 * kPi * 20.0 / std::sqrt(2.0);
+  const double s = 2.0 * units::kPi * 20.0 / std::sqrt(2.0);
   const auto integral = [s](double t) { return t + std::exp(-s * t) * std::cos(s * t) / s; };
   for (const int n : {1, 5, 50}) {
     EXPECT_NEAR(step_increment(FilterOrder::Second, 20.0, n), integral(n * kDt) - integral((n - 1) * kDt), 1e-16);
@@ -52,7 +53,7 @@ double gain(FilterOrder order, double bandwidth_hz, double frequency_hz) {
   std::complex<double> in = 0.0, out = 0.0;
   const int period = static_cast<int>(std::lround(1.0 / (frequency_hz * kDt)));
   for (int k = 0; k < 60 * period; ++k) {
-    const double phase = 2.0 * kPi * k / period;
+    const double phase = 2.0 * units::kPi * k / period;
     const double x = std::sin(phase);
     const double y = filter.filtered({x, 0.0, 0.0}).x();
     if (k < 50 * period) continue;
@@ -101,5 +102,5 @@ TEST(Bandwidth, AnAxisWithoutOnePassesUnchanged) {
   EXPECT_EQ(filter.filtered({5.0, 6.0, 7.0}).tail<2>(), Eigen::Vector2d(6.0, 7.0));
 }
 
-}  // namespace
+}  // namespace bandwidth_test
 }  // namespace inslab::imu

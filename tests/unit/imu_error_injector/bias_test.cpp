@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace inslab::imu {
-namespace {
+namespace bias_test {
 
 constexpr std::uint64_t kSeed = 77;
 constexpr double kDt = 0.005;
@@ -96,5 +96,5 @@ TEST(Bias, RedrawDrawsEveryStateAnewAndAlwaysTheSame) {
   EXPECT_GT((redrawn - before.error(0.0, 5)).cwiseAbs().minCoeff(), 0.0);
 }
 
-}  // namespace
+}  // namespace bias_test
 }  // namespace inslab::imu

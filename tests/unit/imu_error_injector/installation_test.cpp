@@ -5,7 +5,7 @@
 #include "tests/unit/imu_error_injector/analytic_motion.hpp"
 
 namespace inslab::imu {
-namespace {
+namespace installation_test {
 
 constexpr std::int64_t kPeriodNs = 5000000;
 constexpr double kPeriodS = 5e-3;
@@ -147,5 +147,5 @@ TEST(Installation, PoseOfTheImuIsTheRotatedArmAwayInAnyAttitude) {
   }
 }
 
-}  // namespace
+}  // namespace installation_test
 }  // namespace inslab::imu

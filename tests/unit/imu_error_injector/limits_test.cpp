@@ -6,7 +6,7 @@
 #include "services/imu_error_injector/triad_limits.hpp"
 
 namespace inslab::imu {
-namespace {
+namespace limits_test {
 
 constexpr double kDt = 0.01;
 
@@ -126,5 +126,5 @@ TEST(DroppedSamples, NoneWithoutAProbability) {
   for (std::uint64_t k = 0; k < 100; ++k) EXPECT_FALSE(drops.dropped(k));
 }
 
-}  // namespace
+}  // namespace limits_test
 }  // namespace inslab::imu

@@ -8,7 +8,7 @@
 
 /// Every term at once, and the limits of the sensor, as the whole model puts them out.
 namespace inslab::imu {
-namespace {
+namespace model_terms_test {
 
 constexpr std::int64_t kPeriodNs = 5000000;
 constexpr double kPeriodS = 5e-3;
@@ -288,5 +288,5 @@ TEST(ImuModelTerms, KeepCarriesFilterAndRemainderOnAndResetStartsThemAfresh) {
   }
 }
 
-}  // namespace
+}  // namespace model_terms_test
 }  // namespace inslab::imu

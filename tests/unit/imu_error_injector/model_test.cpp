@@ -7,7 +7,7 @@
 #include "tests/unit/imu_error_injector/analytic_motion.hpp"
 
 namespace inslab::imu {
-namespace {
+namespace model_test {
 
 constexpr std::int64_t kPeriodNs = 5000000;
 constexpr double kPeriodS = 5e-3;
@@ -316,5 +316,5 @@ TEST(ImuModel, RefusesTruthThatLeavesOutAnInstantOfTheImu) {
   EXPECT_THROW(model.measure(motion()[1]), std::invalid_argument);  // 5 ms: beyond the instant at 3.333333 ms
 }
 
-}  // namespace
+}  // namespace model_test
 }  // namespace inslab::imu

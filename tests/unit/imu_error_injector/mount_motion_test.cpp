@@ -5,7 +5,7 @@
 #include "tests/unit/imu_error_injector/analytic_motion.hpp"
 
 namespace inslab::imu {
-namespace {
+namespace mount_motion_test {
 
 constexpr std::int64_t kPeriodNs = 5000000;
 constexpr double kPeriodS = 5e-3;
@@ -125,5 +125,5 @@ TEST(MountMotion, PoseIsThatOfTheMovedPoint) {
   }
 }
 
-}  // namespace
+}  // namespace mount_motion_test
 }  // namespace inslab::imu

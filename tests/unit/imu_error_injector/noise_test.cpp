@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::imu {
-namespace {
+namespace noise_test {
 
 constexpr double kDt = 0.005;
 
@@ -30,5 +30,5 @@ TEST(Noise, ABurstAddsNoiseOfItsOwnAndLeavesAgain) {
   EXPECT_EQ(noise.error(4), quiet.error(4));
 }
 
-}  // namespace
+}  // namespace noise_test
 }  // namespace inslab::imu

@@ -8,7 +8,7 @@
 
 /// The profiles that come with the product: each is read strictly, breaks no rule, and bears its file's name.
 namespace inslab {
-namespace {
+namespace profile_files_test {
 
 std::filesystem::path folder(const std::string& kind) {
   return std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "profiles" / kind;
@@ -80,5 +80,5 @@ TEST(ProfileFiles, AScalarMeansAllThreeAxes) {
   EXPECT_EQ(stim300.accel.vrw_m_per_s_per_sqrt_h, Vector3::Constant(0.07));
 }
 
-}  // namespace
+}  // namespace profile_files_test
 }  // namespace inslab

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab {
-namespace {
+namespace profile_rules_test {
 
 template <class Profile>
 std::string broken(const Profile& profile) {
@@ -146,5 +146,5 @@ TEST(ProfileRules, AReceiverWithoutAFixIsAnOutage) {
   EXPECT_EQ(broken(profile), "fix_type");
 }
 
-}  // namespace
+}  // namespace profile_rules_test
 }  // namespace inslab

@@ -7,11 +7,11 @@
 #include <unsupported/Eigen/FFT>
 
 #include "services/imu_error_injector/vibration.hpp"
+#include "units/units.hpp"
 
 namespace inslab::imu {
-namespace {
+namespace random_vibration_test {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kDt = 0.005;
 
 /// 10 to 70 Hz with a slope, and a plateau above half of the sample rate's 200 Hz, on x; another level on y; none on z.
@@ -29,7 +29,7 @@ RandomVibration made() { return {Spectrum(table()), kDt, 42, "imu0/vibration/acc
 double folded(int axis, double frequency_hz) {
   const Spectrum spectrum(table());
   const auto seen = [&](double f) {
-    const double x = kPi * f * kDt;
+    const double x = units::kPi * f * kDt;
     return spectrum.density(axis, f) * std::pow(std::sin(x) / x, 2);
   };
   return seen(frequency_hz) + seen(200.0 - frequency_hz) + seen(200.0 + frequency_hz);
@@ -57,7 +57,7 @@ TEST(RandomVibration, TheMeasuredDensityIsTheTablesWithinItsChiSquareBand) {
     std::array<std::vector<std::complex<double>>, 2> samples;
     for (int i = 0; i < kSegment; ++i) {
       const Vector3 rate = vibration.increment(k++) / kDt;
-      const double hann = 0.5 - 0.5 * std::cos(2.0 * kPi * i / kSegment);
+      const double hann = 0.5 - 0.5 * std::cos(2.0 * units::kPi * i / kSegment);
       for (int axis = 0; axis < 2; ++axis) samples[axis].emplace_back(hann * rate[axis]);
       EXPECT_EQ(rate.z(), 0.0);
     }
@@ -124,11 +124,11 @@ TEST(RandomVibration, FadesInSmoothly) {
   vibration.swap(shaken, 0, 1.0);
   for (std::int64_t k = 0; k < 300; ++k) {
     const double tau = (static_cast<double>(k) + 0.5) * kDt;
-    const double weight = tau < 1.0 ? 0.5 - 0.5 * std::cos(kPi * tau) : 1.0;
+    const double weight = tau < 1.0 ? 0.5 - 0.5 * std::cos(units::kPi * tau) : 1.0;
     const Vector3 expected = weight * full.increments(k * kNs, (k + 1) * kNs).dv;
     EXPECT_LT((vibration.increments(k * kNs, (k + 1) * kNs).dv - expected).norm(), 1e-15) << k;  // increments of 0.03
   }
 }
 
-}  // namespace
+}  // namespace random_vibration_test
 }  // namespace inslab::imu

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::imu {
-namespace {
+namespace scale_factor_test {
 
 constexpr double kDt = 0.005;
 const Vector3 kOnes = Vector3::Ones();
@@ -69,5 +69,5 @@ TEST(ScaleFactor, ResetLeavesTheTurnOnValueAloneAndRedrawDrawsBothAnew) {
   EXPECT_GT((redrawn.error(kOnes, 0.0, 1) - constant).cwiseAbs().minCoeff(), 0.0);
 }
 
-}  // namespace
+}  // namespace scale_factor_test
 }  // namespace inslab::imu

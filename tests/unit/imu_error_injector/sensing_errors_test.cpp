@@ -6,7 +6,7 @@
 #include "services/imu_error_injector/temperature.hpp"
 
 namespace inslab::imu {
-namespace {
+namespace sensing_errors_test {
 
 TEST(CrossAxis, AnAngleXToYShowsTheInputOfXOnTheOutputOfY) {
   Vector6 angles;
@@ -64,5 +64,5 @@ TEST(Temperature, FollowsStraightLinesBetweenCornersAndStaysOutsideThem) {
 
 TEST(Temperature, WithoutCornersIsThatOfCalibration) { EXPECT_EQ(Temperature({}).at(5), Temperature::kCalibratedAt); }
 
-}  // namespace
+}  // namespace sensing_errors_test
 }  // namespace inslab::imu

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::imu {
-namespace {
+namespace triad_errors_test {
 
 TriadErrors triad(const TriadParameters& parameters) { return {parameters, 0.005, 77, "imu0/gyro", "arw"}; }
 
@@ -51,5 +51,5 @@ TEST(TriadErrors, ChangingOneTermLeavesTheDrawsOfTheOthersAlone) {
   }
 }
 
-}  // namespace
+}  // namespace triad_errors_test
 }  // namespace inslab::imu

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace inslab::imu {
-namespace {
+#include "units/units.hpp"
 
-constexpr double kDeg = 3.14159265358979323846 / 180.0;
+namespace inslab::imu {
+namespace triad_parameters_test {
 
 TEST(TriadParameters, UnitsOfGyroDataSheetsBecomeSi) {
   GyroErrors gyro;
@@ -20,16 +20,16 @@ TEST(TriadParameters, UnitsOfGyroDataSheetsBecomeSi) {
   gyro.full_scale_deg_per_s.setConstant(400.0);
   gyro.quantization_arcsec.setConstant(3600.0);
   const TriadParameters si = in_si(gyro);
-  EXPECT_DOUBLE_EQ(si.bias_constant.x(), kDeg);
-  EXPECT_DOUBLE_EQ(si.bias_random_walk.x(), kDeg);
-  EXPECT_DOUBLE_EQ(si.bias_instability.y(), kDeg);
-  EXPECT_DOUBLE_EQ(si.bias_per_deg_c.z(), kDeg);
-  EXPECT_DOUBLE_EQ(si.random_walk.y(), kDeg);
+  EXPECT_DOUBLE_EQ(si.bias_constant.x(), units::kDeg);
+  EXPECT_DOUBLE_EQ(si.bias_random_walk.x(), units::kDeg);
+  EXPECT_DOUBLE_EQ(si.bias_instability.y(), units::kDeg);
+  EXPECT_DOUBLE_EQ(si.bias_per_deg_c.z(), units::kDeg);
+  EXPECT_DOUBLE_EQ(si.random_walk.y(), units::kDeg);
   EXPECT_DOUBLE_EQ(si.scale_factor.z(), 0.1);
   EXPECT_DOUBLE_EQ(si.scale_factor_asymmetry.z(), 0.2);
-  EXPECT_DOUBLE_EQ(si.cross_axis_rad[5], kDeg);
-  EXPECT_DOUBLE_EQ(si.full_scale.x(), 400.0 * kDeg);
-  EXPECT_DOUBLE_EQ(si.quantization.x(), kDeg);
+  EXPECT_DOUBLE_EQ(si.cross_axis_rad[5], units::kDeg);
+  EXPECT_DOUBLE_EQ(si.full_scale.x(), 400.0 * units::kDeg);
+  EXPECT_DOUBLE_EQ(si.quantization.x(), units::kDeg);
 }
 
 TEST(TriadParameters, UnitsOfAccelerometerDataSheetsBecomeSi) {
@@ -49,5 +49,5 @@ TEST(TriadParameters, UnitsOfAccelerometerDataSheetsBecomeSi) {
   EXPECT_DOUBLE_EQ(si.quantization.z(), 0.002);
 }
 
-}  // namespace
+}  // namespace triad_parameters_test
 }  // namespace inslab::imu

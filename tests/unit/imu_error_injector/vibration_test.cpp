@@ -5,10 +5,11 @@
 #include <cmath>
 #include <functional>
 
-namespace inslab::imu {
-namespace {
+#include "units/units.hpp"
 
-constexpr double kPi = 3.14159265358979323846;
+namespace inslab::imu {
+namespace vibration_test {
+
 constexpr std::int64_t kPeriodNs = 5000000;
 const Vibration::Setup kSetup{5e-3, 42, "imu0"};
 
@@ -29,7 +30,7 @@ double simpson(const std::function<double(double)>& f, double a, double b, int n
 TEST(Vibration, AnIntervalHoldsTheIntegralOfTheSinusoid) {
   Vibration vibration(linear_x(3.0, 12.5, 30.0), kSetup);
   for (std::int64_t k = 0; k < 400; ++k) {
-    const double w = 2.0 * kPi * 12.5, phase = kPi / 6.0;
+    const double w = 2.0 * units::kPi * 12.5, phase = units::kPi / 6.0;
     const double t0 = static_cast<double>(k) * 5e-3, t1 = t0 + 5e-3;
     const double exact = 3.0 / w * (std::cos(w * t0 + phase) - std::cos(w * t1 + phase));
     // The test's own difference of cosines: 3/w * 1e-16 * the phase of 157 rad.
@@ -43,8 +44,8 @@ TEST(Vibration, AnglesAreInRadiansAndEveryAxisHasItsOwnAmplitudeAndPhase) {
   Vibration vibration(profile, kSetup);
   const Increments out = vibration.increments(0, 250000000);  // a quarter period
   // Integral of sin over a quarter: 1/(2 pi); of cos: the same.
-  EXPECT_NEAR(out.dtheta.x(), 0.5 * kPi / (2.0 * kPi), 1e-15);
-  EXPECT_NEAR(out.dtheta.y(), 0.25 * kPi / (2.0 * kPi), 1e-15);
+  EXPECT_NEAR(out.dtheta.x(), 0.5 * units::kPi / (2.0 * units::kPi), 1e-15);
+  EXPECT_NEAR(out.dtheta.y(), 0.25 * units::kPi / (2.0 * units::kPi), 1e-15);
   EXPECT_EQ(out.dtheta.z(), 0.0);
   EXPECT_EQ(out.dv, Vector3::Zero());
 }
@@ -60,16 +61,16 @@ TEST(Vibration, AFrequencyAboveHalfTheSampleRateLeavesItsIntegralAndNoAlias) {
     largest = std::max(largest, std::abs(more.increments(k * kPeriodNs, (k + 1) * kPeriodNs).dv.x()));
   }
   // The phase of the middles steps by a twentieth of a turn: the largest of them is within cos(pi/20) of the peak.
-  const double peak = 10.0 / (kPi * 210.0) * std::abs(std::sin(kPi * 210.0 * 5e-3));
+  const double peak = 10.0 / (units::kPi * 210.0) * std::abs(std::sin(units::kPi * 210.0 * 5e-3));
   EXPECT_LE(largest, peak * (1.0 + 1e-12));
-  EXPECT_GE(largest, peak * std::cos(kPi / 20.0));
+  EXPECT_GE(largest, peak * std::cos(units::kPi / 20.0));
 }
 
 TEST(Vibration, IncrementsAddUpToTheIntegralOfTheWhole) {
   Vibration vibration(linear_x(2.0, 33.3, 12.0), kSetup);
   double sum = 0.0;
   for (std::int64_t k = 0; k < 20000; ++k) sum += vibration.increments(k * kPeriodNs, (k + 1) * kPeriodNs).dv.x();
-  const double w = 2.0 * kPi * 33.3, phase = 12.0 * kPi / 180.0;
+  const double w = 2.0 * units::kPi * 33.3, phase = 12.0 * units::kPi / 180.0;
   const double exact = 2.0 / w * (std::cos(phase) - std::cos(w * 100.0 + phase));
   EXPECT_NEAR(sum, exact, 2e-14);  // 20000 roundings of 0.01: sqrt(20000) * 1e-18, and 2e4 rad * 1e-16 * 2/w
 }
@@ -93,7 +94,7 @@ TEST(Vibration, ASwapWithoutAFadeTakesEffectAtOnce) {
 
 double rise(double t, double start, double length) {
   const double tau = (t - start) / length;
-  return tau <= 0.0 ? 0.0 : tau >= 1.0 ? 1.0 : 0.5 - 0.5 * std::cos(kPi * tau);
+  return tau <= 0.0 ? 0.0 : tau >= 1.0 ? 1.0 : 0.5 - 0.5 * std::cos(units::kPi * tau);
 }
 
 TEST(Vibration, AFadeIsIntegratedExactlyThroughItsEndInsideAnInterval) {
@@ -101,8 +102,8 @@ TEST(Vibration, AFadeIsIntegratedExactlyThroughItsEndInsideAnInterval) {
   Vibration vibration(linear_x(2.0, 9.5, 20.0), kSetup);
   const auto mixed = [](double t) {
     const double w = rise(t, 0.1, 0.4321);
-    return (1.0 - w) * 2.0 * std::sin(2.0 * kPi * 9.5 * t + kPi / 9.0) +
-           w * 5.0 * std::sin(2.0 * kPi * 170.0 * t - kPi / 2.0);
+    return (1.0 - w) * 2.0 * std::sin(2.0 * units::kPi * 9.5 * t + units::kPi / 9.0) +
+           w * 5.0 * std::sin(2.0 * units::kPi * 170.0 * t - units::kPi / 2.0);
   };
   for (std::int64_t k = 0; k < 150; ++k) {
     if (k == 20) vibration.swap(linear_x(5.0, 170.0, -90.0), k * kPeriodNs, 0.4321);
@@ -131,8 +132,9 @@ TEST(Vibration, ASwapDuringAFadeGoesOnSmoothlyFromWhereItIs) {
   Vibration vibration(linear_x(1.0, 5.0, 0.0), kSetup);
   const auto mixed = [](double t) {
     const double r1 = rise(t, 0.1, 1.0), r2 = rise(t, 0.3, 0.4);
-    return (1.0 - r1) * (1.0 - r2) * std::sin(2.0 * kPi * 5.0 * t) +
-           r1 * (1.0 - r2) * 2.0 * std::sin(2.0 * kPi * 7.0 * t) + r2 * 3.0 * std::sin(2.0 * kPi * 11.0 * t);
+    return (1.0 - r1) * (1.0 - r2) * std::sin(2.0 * units::kPi * 5.0 * t) +
+           r1 * (1.0 - r2) * 2.0 * std::sin(2.0 * units::kPi * 7.0 * t) +
+           r2 * 3.0 * std::sin(2.0 * units::kPi * 11.0 * t);
   };
   for (std::int64_t k = 0; k < 200; ++k) {
     if (k == 20) vibration.swap(linear_x(2.0, 7.0, 0.0), k * kPeriodNs, 1.0);
@@ -152,5 +154,5 @@ TEST(Vibration, AThirdFadeEndsTheFirstAtOnce) {
   EXPECT_EQ(vibration.increments(kPeriodNs, 2 * kPeriodNs).dv.x(), 0.0);
 }
 
-}  // namespace
+}  // namespace vibration_test
 }  // namespace inslab::imu

@@ -10,12 +10,12 @@
 #include "nav/gravity.hpp"
 #include "services/inslab/align/recording.hpp"
 #include "tests/unit/inslab/rows_held.hpp"
+#include "units/units.hpp"
 
 namespace inslab::align {
-namespace {
+namespace alignment_test {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
-constexpr double kLatitude_rad = 30.53 * kRadPerDeg;
+constexpr double kLatitude_rad = 30.53 * units::kDeg;
 constexpr double kDt_s = 0.005;
 
 double gravity_m_per_s2() { return nav::Gravity().g_n(nav::Geodetic{kLatitude_rad, 0.0, 0.0}).norm(); }
@@ -74,12 +74,12 @@ TEST(VerifyAlignment, TheLabsTableComesOutOfItsNoise) {
 TEST(StaticAlignment, YawAroundNorthHasAMeanAndASpread) {
   StaticAlignment alignment(kDt_s, kLatitude_rad, gravity_m_per_s2(), {});
   for (int k = 0; k < 400; ++k) {
-    const nav::Matrix3 C_nb = nav::matrix_from_rpy({0.0, 0.0, (k % 2 == 0 ? 1.0 : -1.0) * kRadPerDeg});
+    const nav::Matrix3 C_nb = nav::matrix_from_rpy({0.0, 0.0, (k % 2 == 0 ? 1.0 : -1.0) * units::kDeg});
     alignment.add(dtheta(C_nb), dv(C_nb));
   }
   const AlignmentResult result = alignment.result();
   // +-1 deg, 200 times each: 1 deg times sqrt(400/399).
-  EXPECT_NEAR(result.epochs.sigma_rad.z(), kRadPerDeg * std::sqrt(400.0 / 399.0), 1e-9);
+  EXPECT_NEAR(result.epochs.sigma_rad.z(), units::kDeg * std::sqrt(400.0 / 399.0), 1e-9);
   EXPECT_NEAR(nav::wrapped_to_pi(result.epochs.mean_rad.z()), 0.0, 1e-9);
   EXPECT_EQ(result.each_second.size(), 2U);
 }
@@ -117,5 +117,5 @@ TEST(AlignRecording, RefusesAFileWithoutAGoodSample) {
               testing::ThrowsMessage<io::ReadError>(testing::HasSubstr("no line is a good IMU sample")));
 }
 
-}  // namespace
+}  // namespace alignment_test
 }  // namespace inslab::align

@@ -18,7 +18,7 @@
 #include "services/trajectory_server/truth_source.hpp"
 
 namespace inslab::verify {
-namespace {
+namespace catalogue_test {
 
 constexpr double kStep_s = 5e-3;
 
@@ -191,5 +191,5 @@ TEST_P(OfCatalogue, VelocityAccelerationAndRateAreTheDerivativesOfPositionVeloci
 INSTANTIATE_TEST_SUITE_P(Scenarios, OfCatalogue, testing::ValuesIn(catalogue()),
                          [](const auto& name) { return name.param; });
 
-}  // namespace
+}  // namespace catalogue_test
 }  // namespace inslab::verify

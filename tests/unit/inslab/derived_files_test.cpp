@@ -7,7 +7,7 @@
 #include <iterator>
 
 namespace inslab::cli {
-namespace {
+namespace derived_files_test {
 
 TEST(DerivedFiles, AreInTheTreeAsTheDeclarationsSay) {
   for (const DerivedFile& file : derived_files()) {
@@ -30,5 +30,5 @@ TEST(DerivedFiles, AreAllTheSchemasThereAre) {
   }
 }
 
-}  // namespace
+}  // namespace derived_files_test
 }  // namespace inslab::cli

@@ -8,7 +8,7 @@
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::verify {
-namespace {
+namespace ecef_reference_test {
 
 namespace tables = trajectory::tables;
 
@@ -67,5 +67,5 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"at_the_upper_edge", aircraft_at(45.0, 100.0, 99900.0, 45.0), 60.0}),
     [](const auto& place) { return place.param.name; });
 
-}  // namespace
+}  // namespace ecef_reference_test
 }  // namespace inslab::verify

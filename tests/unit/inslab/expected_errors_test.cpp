@@ -7,16 +7,17 @@
 #include "nav/attitude.hpp"
 #include "nav/error_model.hpp"
 #include "nav/strapdown.hpp"
-#include "samples/units.hpp"
+#include "samples/nav_state.hpp"
 #include "services/imu_error_injector/model.hpp"
 #include "services/reference_nav/matching_parameters.hpp"
 #include "services/reference_nav/navigation_filter.hpp"
 #include "services/trajectory_server/motion_table_model.hpp"
 #include "tests/unit/trajectory_server/tables.hpp"
+#include "units/units.hpp"
 
 /// The expected errors against runs of the IMU model and the mechanization, and against the reference filter.
 namespace inslab::predict {
-namespace {
+namespace expected_errors_test {
 
 using ErrorState = Eigen::Matrix<double, 9, 1>;
 
@@ -48,17 +49,13 @@ imu::ImuModel imu_of(const ImuErrorProfile& errors, std::uint64_t seed) {
   return imu::ImuModel({seed, 0, rate, nav::Gravity(), errors, VibrationProfile{}, InstallationProfile{}});
 }
 
-nav::NavState state_of(const TruthState& truth) {
-  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nv};
-}
-
 /// A swap of the IMU's errors at this time; the profile says how.
 using Swap = std::optional<ImuErrorProfile>;
 
 nav::NavState end_of_run(const ImuErrorProfile& errors, std::uint64_t seed, const Swap& swap) {
   imu::ImuModel imu = imu_of(errors, seed);
   imu.measure(motion().front());
-  nav::Strapdown strapdown(state_of(motion().front()), nav::Gravity(), {});
+  nav::Strapdown strapdown(nav_state(motion().front()), nav::Gravity(), {});
   for (std::size_t k = 1; k < motion().size(); ++k) {
     if (swap && motion()[k - 1].header.sim_time_ns == swap->request.apply_at_ns) imu.apply(*swap);
     const ImuSample sample = imu.measure(motion()[k])->sample;
@@ -235,7 +232,7 @@ TEST(ExpectedErrors, WithFixesAreTheSigmasOfAFilterThatMatches) {
   parameters.zero_velocity.use = false;
   parameters.covariance_interval_s = 0.0;
   reference_nav::NavigationFilter filter(parameters, nav::Gravity());
-  filter.start(state_of(motion().front()), 0);
+  filter.start(nav_state(motion().front()), 0);
   ExpectedErrors::Setup setup;
   setup.gnss_number = 0;
   setup.start.position_n_m = parameters.initial.position_sigma_ned_m;
@@ -266,7 +263,7 @@ TEST(ExpectedErrors, WithFixesAreTheSigmasOfAFilterThatMatches) {
     fix.header = output->truth.header;
     fix.fix_type = FixType::Fixed;
     const nav::Matrix3 C_nb = nav::matrix_from_quaternion(motion()[k].q_nv);
-    const nav::Geodetic antenna = nav::displaced(state_of(motion()[k]).position, C_nb * roof.lever_arm_v_m);
+    const nav::Geodetic antenna = nav::displaced(nav_state(motion()[k]).position, C_nb * roof.lever_arm_v_m);
     fix.latitude_rad = antenna.latitude_rad;
     fix.longitude_rad = antenna.longitude_rad;
     fix.height_m = antenna.height_m;
@@ -314,5 +311,5 @@ TEST(ExpectedErrors, NameWhatTheyLeaveOut) {
                                             "faults", "gravity disturbance"));
 }
 
-}  // namespace
+}  // namespace expected_errors_test
 }  // namespace inslab::predict

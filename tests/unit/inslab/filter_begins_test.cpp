@@ -7,12 +7,12 @@
 #include <filesystem>
 
 #include "nav/attitude.hpp"
-#include "samples/units.hpp"
 #include "scenario/load.hpp"
 #include "services/inslab/offline_run.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
-namespace {
+namespace filter_begins_test {
 
 constexpr double kRate_hz = 50.0;
 constexpr double kAfter_s = 10.0;  // looked at once it has begun
@@ -138,5 +138,5 @@ TEST(ReferenceFilter, BeginsInEveryScenarioWithEveryImuOrSaysWhyNotAndKnowsItsHe
   EXPECT_GT(honest, 0.9 * runs) << beyond;
 }
 
-}  // namespace
+}  // namespace filter_begins_test
 }  // namespace inslab::cli

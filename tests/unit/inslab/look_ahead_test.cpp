@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 namespace inslab::cli {
-namespace {
+namespace look_ahead_test {
 
 /// Ten seconds from 100 m/s at 50 m: 2 m/s^2 along, and a turn whose rate is 30 deg/s in its middle third or so.
 scenario::LoadedScenario turning() {
@@ -117,5 +117,5 @@ TEST(LookAhead, SaysWhenTheReferenceFilterBeginsOrWhatToSet) {
   EXPECT_NE(text_of(lost).find("initial.attitude"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace look_ahead_test
 }  // namespace inslab::cli

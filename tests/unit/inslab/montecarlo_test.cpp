@@ -16,7 +16,7 @@
 #include "services/inslab/score_log.hpp"
 
 namespace inslab::montecarlo {
-namespace {
+namespace montecarlo_test {
 
 using testing::HasSubstr;
 
@@ -297,5 +297,5 @@ TEST_F(Montecarlo, AStudyNeedsNoLiveVehicle) {
   }
 }
 
-}  // namespace
+}  // namespace montecarlo_test
 }  // namespace inslab::montecarlo

@@ -10,7 +10,7 @@
 
 /// Several IMUs and antennas in one unit, each with its own profile, place, rate and streams.
 namespace inslab::cli {
-namespace {
+namespace multi_sensor_test {
 
 /// Every sample of every stream as bytes, journal revisions aside, by topic.
 class StreamRecorder : public RunSink {
@@ -146,5 +146,5 @@ TEST(MultiSensor, UnitsOfOneScenarioShareTheTruthAndNoError) {
   EXPECT_TRUE(run(two_of_each("alpha")).streams == alpha.streams);
 }
 
-}  // namespace
+}  // namespace multi_sensor_test
 }  // namespace inslab::cli

@@ -5,7 +5,7 @@
 #include "services/inslab/residual_statistics.hpp"
 
 namespace inslab::cli {
-namespace {
+namespace noise_statistics_test {
 
 const Vector3 kX(1.0, 0.0, 0.0);
 const Vector3 kAll(1.0, 1.0, 1.0);
@@ -57,5 +57,5 @@ TEST(ResidualStatistics, OfASensorAtRestAreTheSpreadAboutALine) {
   EXPECT_NEAR(series.pooled_sigma(), 0.5, 1e-3);
 }
 
-}  // namespace
+}  // namespace noise_statistics_test
 }  // namespace inslab::cli

@@ -8,7 +8,7 @@
 #include "tests/unit/inslab/run_recorder.hpp"
 
 namespace inslab::cli {
-namespace {
+namespace odd_rates_test {
 
 struct Rates {
   double truth_hz;
@@ -170,5 +170,5 @@ TEST(OddRates, ADayEndsAtADayAndItsIncrementsSumToItsMotion) {
   EXPECT_NEAR(angle.norm(), kEarth_rad_per_s * kDay_s, 1e-11);
 }
 
-}  // namespace
+}  // namespace odd_rates_test
 }  // namespace inslab::cli

@@ -6,7 +6,7 @@
 #include "wire/cdr.hpp"
 
 namespace inslab::cli {
-namespace {
+namespace offline_run_test {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
@@ -204,5 +204,5 @@ TEST(OfflineRun, OfTwoSwapsOfOneInstantTheLaterWins) {
   EXPECT_EQ(first_difference(alone.samples, both.samples), alone.samples.size());
 }
 
-}  // namespace
+}  // namespace offline_run_test
 }  // namespace inslab::cli

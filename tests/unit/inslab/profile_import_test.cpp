@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "io/error.hpp"
-#include "samples/units.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
+#include "units/units.hpp"
 
 namespace inslab::cli {
-namespace {
+namespace profile_import_test {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
@@ -206,5 +206,5 @@ TEST_F(ProfileImport, WhatIsTooLargeIsRefused) {
   }
 }
 
-}  // namespace
+}  // namespace profile_import_test
 }  // namespace inslab::cli

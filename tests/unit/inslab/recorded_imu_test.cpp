@@ -14,7 +14,7 @@
 
 /// "Record a sensor, get its twin": a profile makes a log, the log a fit, the fit a profile.
 namespace inslab::cli {
-namespace {
+namespace recorded_imu_test {
 
 constexpr double kRate_hz = 50.0;
 constexpr double kDuration_s = 1200.0;
@@ -144,5 +144,5 @@ TEST_F(RecordedImu, AnImuThatTheLogLacksIsRefusedWithWhatItHas) {
   }
 }
 
-}  // namespace
+}  // namespace recorded_imu_test
 }  // namespace inslab::cli

@@ -14,7 +14,7 @@
 /// The report of a log that is written here: a car's ten seconds with an outage and a swap, and an app that is off by a
 /// constant.
 namespace inslab::cli {
-namespace {
+namespace report_test {
 
 using testing::HasSubstr;
 
@@ -274,5 +274,5 @@ TEST(ReportPage, ShowsTablesThatStandOutWhereALimitFailsAndNoMarkupOfTheScenario
   EXPECT_THAT(text, HasSubstr("id=\"figure0_a\"><use href=\"#figure0_a\"/>"));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace inslab::cli

@@ -5,7 +5,7 @@
 
 /// The scorer's true pose of an IMU is the one that the IMU's own model publishes.
 namespace inslab::cli {
-namespace {
+namespace scored_truth_test {
 
 /// Scores the perfect answers of one IMU, over turns and over a swap of its installation.
 class PerfectAnswers : public RunSink {
@@ -69,5 +69,5 @@ TEST(TrueImu, IsWhereTheScorerTakesItToBeThroughTurnsAndASwapOfItsInstallation) 
   }
 }
 
-}  // namespace
+}  // namespace scored_truth_test
 }  // namespace inslab::cli

@@ -6,7 +6,7 @@
 #include <sstream>
 
 namespace inslab::cli {
-namespace {
+namespace status_table_test {
 
 using testing::ContainsRegex;
 using testing::HasSubstr;
@@ -80,5 +80,5 @@ TEST(StatusTable, NamesThePlaceInWhichNoServerWasHeard) {
   EXPECT_EQ(run_table({}, {}, "domain 7"), "run: no trajectory server was heard on domain 7\n");
 }
 
-}  // namespace
+}  // namespace status_table_test
 }  // namespace inslab::cli

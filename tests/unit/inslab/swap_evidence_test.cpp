@@ -15,7 +15,7 @@
 #include "tests/unit/io/temporary_folder.hpp"
 
 namespace inslab::cli {
-namespace {
+namespace swap_evidence_test {
 
 /// Writes a log that lies: what the log says differs from what the models did.
 class TamperingSink : public LogSink {
@@ -278,5 +278,5 @@ TEST(SwapWindowsOfLog, CostsTimeLinearInTheSwaps) {
   EXPECT_LT(static_cast<double>(many), 24.0 * static_cast<double>(std::max<std::clock_t>(few, 1000)));
 }
 
-}  // namespace
+}  // namespace swap_evidence_test
 }  // namespace inslab::cli

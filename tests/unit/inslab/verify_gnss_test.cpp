@@ -5,7 +5,7 @@
 
 /// `inslab verify gnss` with fewer seeds, and the statistics it rests on.
 namespace inslab::verify {
-namespace {
+namespace verify_gnss_test {
 
 TEST(VerifyGnss, WhiteErrorsOfEveryGradeHaveTheirSigma) {
   const Table table = gnss_noise(3);
@@ -32,5 +32,5 @@ TEST(Estimates, HaveTheMeanAndTheStandardErrorOfTheirSpread) {
   EXPECT_DOUBLE_EQ(estimates.standard_error(), std::sqrt(5.0 / 3.0 / 4.0));
 }
 
-}  // namespace
+}  // namespace verify_gnss_test
 }  // namespace inslab::verify

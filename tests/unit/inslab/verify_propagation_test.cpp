@@ -5,10 +5,11 @@
 #include "services/inslab/verify/propagation.hpp"
 #include "services/inslab/verify/propagation_runs.hpp"
 #include "tests/unit/inslab/rows_held.hpp"
+#include "units/units.hpp"
 
 /// `inslab verify propagation`, the drift with fewer seeds.
 namespace inslab::verify {
-namespace {
+namespace verify_propagation_test {
 
 TEST(VerifyPropagation, FourSourcesFollowTheClosedFormAndTheLinearModel) {
   for (const Table& table : schuler_tables()) EXPECT_TRUE(every_row_held(table));
@@ -34,13 +35,12 @@ TEST(ErrorGrowth, OfWhiteNoiseOfTheRateIsAWalkOfYaw) {
   run.duration_s = 100;
   run.errors.gyro.arw_deg_per_sqrt_h.z() = 0.6;
   // 0.6 deg/sqrt(h) is 0.01 deg/sqrt(s). In 100 s the Earth turns the walk by 0.4 deg out of the vertical: 3e-5 of it.
-  constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
-  EXPECT_NEAR(predict_at_rest(run).attitude_n_rad.z(), 0.1 * kRadPerDeg, 1e-4 * 0.1 * kRadPerDeg);
+  EXPECT_NEAR(predict_at_rest(run).attitude_n_rad.z(), 0.1 * units::kDeg, 1e-4 * 0.1 * units::kDeg);
 }
 
 TEST(ErrorGrowth, RefusesAStepOfNothing) {
   EXPECT_THROW(predict::ErrorGrowth({}, {}, nav::Gravity(), predict::Vertical::Held, 0.0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace verify_propagation_test
 }  // namespace inslab::verify

@@ -17,7 +17,7 @@
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::verify {
-namespace {
+namespace verify_test {
 
 TEST(VerifyIncrements, ErrorsFallAsTheOrderOfTheAlgorithmSays) {
   // Half a minute: the errors at 1000 Hz are then beyond the 2 nm to which latitude and longitude are published.
@@ -117,5 +117,5 @@ TEST(Deviation, IsSettledUnlessTheLastThirdIsHalfAsLargeAgainAsTheMiddleOne) {
   EXPECT_FALSE(of_heights({0.0, 1.0, 1.51}).settled());
 }
 
-}  // namespace
+}  // namespace verify_test
 }  // namespace inslab::verify

@@ -14,7 +14,7 @@
 #include "wire/wire_type.hpp"
 
 namespace inslab::io {
-namespace {
+namespace columns_test {
 
 const Column& column(const std::vector<Column>& columns, const std::string& name) {
   const auto found = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
@@ -120,5 +120,5 @@ TEST(LogTypes, KnowEveryTopicTypeAndNoOther) {
   EXPECT_EQ(find_log_type("inslab::v0::ServiceStatus"), nullptr);
 }
 
-}  // namespace
+}  // namespace columns_test
 }  // namespace inslab::io

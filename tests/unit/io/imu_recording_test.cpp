@@ -6,11 +6,11 @@
 #include <sstream>
 
 #include "io/error.hpp"
-#include "samples/units.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
+#include "units/units.hpp"
 
 namespace inslab::io {
-namespace {
+namespace imu_recording_test {
 
 class ImuRecording : public test::TemporaryFolder {
  protected:
@@ -101,5 +101,5 @@ TEST_F(ImuRecording, OnlyALogHasATruthToTakeOff) {
   EXPECT_THAT(error_of("time_s,gyro_x_rad_per_s\n0,1\n1,1\n2,1\n", options), ::testing::HasSubstr("is no log of ours"));
 }
 
-}  // namespace
+}  // namespace imu_recording_test
 }  // namespace inslab::io

@@ -22,7 +22,7 @@
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 
 namespace inslab::io {
-namespace {
+namespace log_export_test {
 
 using ::testing::HasSubstr;
 
@@ -230,5 +230,5 @@ TEST_F(LogExportToAFullDisk, CsvNamesFileAndReason) { expect_error(ExportFormat:
 
 TEST_F(LogExportToAFullDisk, Hdf5NamesFileAndReason) { expect_error(ExportFormat::Hdf5, "run.h5"); }
 
-}  // namespace
+}  // namespace log_export_test
 }  // namespace inslab::io

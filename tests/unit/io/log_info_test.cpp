@@ -7,7 +7,7 @@
 #include "temporary_folder.hpp"
 
 namespace inslab::io {
-namespace {
+namespace log_info_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -107,5 +107,5 @@ TEST_F(LogInfoOf, AKilledWriterSaysSo) {
   EXPECT_EQ(info.topics.at(0).count, 1u);
 }
 
-}  // namespace
+}  // namespace log_info_test
 }  // namespace inslab::io

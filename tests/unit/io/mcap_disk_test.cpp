@@ -10,7 +10,7 @@
 #include "temporary_folder.hpp"
 
 namespace inslab::io {
-namespace {
+namespace mcap_disk_test {
 
 using ::testing::HasSubstr;
 
@@ -125,5 +125,5 @@ TEST(McapOnAMissingDisk, FullDeviceIsReportedAtOnce) {
   }
 }
 
-}  // namespace
+}  // namespace mcap_disk_test
 }  // namespace inslab::io

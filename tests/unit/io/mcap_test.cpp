@@ -11,7 +11,7 @@
 #include "temporary_folder.hpp"
 
 namespace inslab::io {
-namespace {
+namespace mcap_test {
 
 using ::testing::HasSubstr;
 using Order = McapReader::Order;
@@ -286,5 +286,5 @@ TEST_F(McapLog, IsTheSameBytesForTheSameMessages) {
   EXPECT_EQ(contents(path("one.mcap")), contents(path("two.mcap")));
 }
 
-}  // namespace
+}  // namespace mcap_test
 }  // namespace inslab::io

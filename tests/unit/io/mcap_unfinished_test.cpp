@@ -12,7 +12,7 @@
 #include "temporary_folder.hpp"
 
 namespace inslab::io {
-namespace {
+namespace mcap_unfinished_test {
 
 class UnfinishedMcap : public test::TemporaryFolder {
  protected:
@@ -98,5 +98,5 @@ TEST_F(UnfinishedMcap, RefusesWhatIsNoLog) {
   EXPECT_THROW(mcap::read_unfinished(path("text")), ReadError);
 }
 
-}  // namespace
+}  // namespace mcap_unfinished_test
 }  // namespace inslab::io

@@ -5,11 +5,11 @@
 #include <filesystem>
 
 #include "io/novatel_imu.hpp"
-#include "samples/units.hpp"
 #include "temporary_folder.hpp"
+#include "units/units.hpp"
 
 namespace inslab::io {
-namespace {
+namespace novatel_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -207,5 +207,5 @@ TEST(NovatelScale, AgreesWithThePublishedFigures) {
   EXPECT_EQ(novatel_imu_types().size(), 22U);
 }
 
-}  // namespace
+}  // namespace novatel_test
 }  // namespace inslab::io

@@ -11,7 +11,7 @@
 #include "tests/unit/io/temporary_folder.hpp"
 
 namespace inslab::io {
-namespace {
+namespace output_place_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -113,5 +113,5 @@ TEST_F(OutputPlaces, AFolderThatIsNotThereIsNamed) {
               ThrowsMessage<WriteError>(HasSubstr("nowhere/r.txt: cannot create")));
 }
 
-}  // namespace
+}  // namespace output_place_test
 }  // namespace inslab::io

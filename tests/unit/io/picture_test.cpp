@@ -8,7 +8,7 @@
 #include <string>
 
 namespace inslab::io {
-namespace {
+namespace picture_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -160,5 +160,5 @@ TEST(ThinnedTrack, KeepsPointsThatAreApartAndTheLast) {
   EXPECT_LE(thinned_by_distance(track, 0.095, 60).x.size(), 60u);
 }
 
-}  // namespace
+}  // namespace picture_test
 }  // namespace inslab::io

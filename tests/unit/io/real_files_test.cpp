@@ -12,7 +12,7 @@
 #include "tests/unit/io/temporary_folder.hpp"
 
 namespace inslab::io {
-namespace {
+namespace real_files_test {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -185,5 +185,5 @@ TEST_F(ImuFiles, SevenColumnsWithoutNamesAreRefusedWhereTheyCannotBeSecondsOrInc
               ThrowsMessage<ReadError>(testing::AllOf(HasSubstr("gravity as a rate"), HasSubstr("name the columns"))));
 }
 
-}  // namespace
+}  // namespace real_files_test
 }  // namespace inslab::io

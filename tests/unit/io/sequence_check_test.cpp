@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::io {
-namespace {
+namespace sequence_check_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -47,5 +47,5 @@ TEST(SequenceCheck, ARepeatedNumberIsADuplicate) {
   EXPECT_THAT(check.gaps(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace sequence_check_test
 }  // namespace inslab::io

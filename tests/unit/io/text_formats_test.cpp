@@ -10,11 +10,11 @@
 #include "io/log_channel.hpp"
 #include "io/log_file_export.hpp"
 #include "io/trajectory_reader.hpp"
-#include "samples/units.hpp"
 #include "temporary_folder.hpp"
+#include "units/units.hpp"
 
 namespace inslab::io {
-namespace {
+namespace text_formats_test {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -227,5 +227,5 @@ TEST_F(FileExport, ReadersNameLineAndColumnOfWhatTheyRefuse) {
               HasSubstr("line 1, column 1: is -1.000000; expected seconds of week from 0 to 604800"));
 }
 
-}  // namespace
+}  // namespace text_formats_test
 }  // namespace inslab::io

@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 /// A vehicle that drives north at 10 m/s, row by row, with something wrong with it.
 namespace inslab::io {
-namespace {
+namespace trajectory_judge_test {
 
 using ::testing::IsEmpty;
 using ::testing::Lt;
@@ -172,5 +172,5 @@ TEST(TrajectoryJudge, SaysThatTheRoundingIsMoreThanTheMotion) {
   EXPECT_TRUE(judge_trajectory(level, TrajectoryLimits{}, false).rounding_m_per_s2.isZero(0.0));
 }
 
-}  // namespace
+}  // namespace trajectory_judge_test
 }  // namespace inslab::io

@@ -9,11 +9,11 @@
 #include "io/error.hpp"
 #include "io/log_channel.hpp"
 #include "io/nav_text.hpp"
-#include "samples/units.hpp"
 #include "temporary_folder.hpp"
+#include "units/units.hpp"
 
 namespace inslab::io {
-namespace {
+namespace trajectory_reader_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -286,5 +286,5 @@ TEST_F(TrajectoryOfALog, NamesTheTopicsWhenTheOneAskedForIsNotThere) {
   EXPECT_THAT(reading.problems.kept().front().reason, HasSubstr("inslab/truth (inslab::v1::TruthState)"));
 }
 
-}  // namespace
+}  // namespace trajectory_reader_test
 }  // namespace inslab::io

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 /// A car that stands for two seconds and then drives north, recorded at 10 Hz, with something wrong with it.
 namespace inslab::io {
-namespace {
+namespace trajectory_repair_test {
 
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -143,5 +143,5 @@ TEST(TrajectoryRepair, LeavesAGapThatNothingTellsHowToCross) {
   EXPECT_FALSE(outcome.notes[0].is_repaired);
 }
 
-}  // namespace
+}  // namespace trajectory_repair_test
 }  // namespace inslab::io

@@ -15,7 +15,7 @@
 extern char** environ;
 
 namespace inslab::io {
-namespace {
+namespace unfinished_test {
 
 class Unfinished : public test::TemporaryFolder {
  protected:
@@ -112,5 +112,5 @@ TEST(UnfinishedProgram, GivesItsWaitStatus) {
   EXPECT_EQ(WEXITSTATUS(status), 3);
 }
 
-}  // namespace
+}  // namespace unfinished_test
 }  // namespace inslab::io

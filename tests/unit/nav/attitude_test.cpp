@@ -7,10 +7,11 @@
 #include <random>
 #include <stdexcept>
 
-namespace inslab::nav {
-namespace {
+#include "units/units.hpp"
 
-constexpr double kPi = 3.14159265358979323846;
+namespace inslab::nav {
+namespace attitude_test {
+
 constexpr double kRounding = 4e-15;  // some ten roundings of numbers below pi
 
 Quaternion random_quaternion(std::mt19937_64& generator) {
@@ -19,7 +20,7 @@ Quaternion random_quaternion(std::mt19937_64& generator) {
 }
 
 TEST(Attitude, YawTurnsFromNorthToEast) {
-  EXPECT_LT((matrix_from_rpy({0.0, 0.0, kPi / 2}) * Vector3::UnitX() - Vector3::UnitY()).norm(), kRounding);
+  EXPECT_LT((matrix_from_rpy({0.0, 0.0, units::kPi / 2}) * Vector3::UnitX() - Vector3::UnitY()).norm(), kRounding);
 }
 
 TEST(Attitude, PitchLiftsTheNoseAndRollLowersTheRightSide) {
@@ -60,7 +61,7 @@ TEST(Attitude, AnglesComeBackFromQuaternionAndMatrix) {
   std::mt19937_64 generator(3);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   for (int i = 0; i < 1000; ++i) {
-    const RollPitchYaw rpy{3.14 * unit(generator), 1.5 * unit(generator), kPi + 3.14 * unit(generator)};
+    const RollPitchYaw rpy{3.14 * unit(generator), 1.5 * unit(generator), units::kPi + 3.14 * unit(generator)};
     const RollPitchYaw back = rpy_from_quaternion(quaternion_from_rpy(rpy));
     const double loose = kRounding / std::cos(rpy.pitch_rad);  // roll and yaw weaken with cos(pitch)
     EXPECT_NEAR(back.roll_rad, rpy.roll_rad, loose);
@@ -72,13 +73,13 @@ TEST(Attitude, AnglesComeBackFromQuaternionAndMatrix) {
 }
 
 TEST(Attitude, YawStaysInZeroToTwoPi) {
-  EXPECT_NEAR(rpy_from_matrix(matrix_from_rpy({0.0, 0.0, -0.5})).yaw_rad, 2.0 * kPi - 0.5, kRounding);
+  EXPECT_NEAR(rpy_from_matrix(matrix_from_rpy({0.0, 0.0, -0.5})).yaw_rad, 2.0 * units::kPi - 0.5, kRounding);
   // A rounding error west of north is north, not 2 pi.
   EXPECT_EQ(rpy_from_matrix(matrix_from_rpy({0.0, 0.0, -1e-17})).yaw_rad, 0.0);
 }
 
 TEST(Attitude, InGimbalLockRollIsZeroAndTheRotationIsKept) {
-  for (const double pitch : {kPi / 2, -kPi / 2}) {
+  for (const double pitch : {units::kPi / 2, -units::kPi / 2}) {
     const Matrix3 C_nb = matrix_from_rpy({0.4, pitch, 1.0});
     const RollPitchYaw rpy = rpy_from_matrix(C_nb);
     EXPECT_EQ(rpy.roll_rad, 0.0);
@@ -90,17 +91,17 @@ TEST(Attitude, InGimbalLockRollIsZeroAndTheRotationIsKept) {
 
 TEST(Attitude, AnglesKeepTheRotationThroughGimbalLock) {
   std::mt19937_64 generator(11);
-  std::uniform_real_distribution<double> angle(-kPi, kPi);
-  for (const double vertical : {kPi / 2, -kPi / 2}) {
+  std::uniform_real_distribution<double> angle(-units::kPi, units::kPi);
+  for (const double vertical : {units::kPi / 2, -units::kPi / 2}) {
     for (int exponent = 0; exponent >= -18; --exponent) {
       for (int i = 0; i < 50; ++i) {
         const double pitch = vertical + (i % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, exponent);
         const Quaternion q = quaternion_from_rpy({angle(generator), pitch, angle(generator)});
         const RollPitchYaw rpy = rpy_from_quaternion(q);
-        EXPECT_LE(std::abs(rpy.roll_rad), kPi);
-        EXPECT_LE(std::abs(rpy.pitch_rad), kPi / 2);
+        EXPECT_LE(std::abs(rpy.roll_rad), units::kPi);
+        EXPECT_LE(std::abs(rpy.pitch_rad), units::kPi / 2);
         EXPECT_GE(rpy.yaw_rad, 0.0);
-        EXPECT_LT(rpy.yaw_rad, 2.0 * kPi);
+        EXPECT_LT(rpy.yaw_rad, 2.0 * units::kPi);
         // In the lock itself the roll is given up: up to half a turn of the little that is left of cos(pitch).
         EXPECT_LT(angle_between(quaternion_from_rpy(rpy), q), kRounding + 2.0 * kGimbalLockCosine) << pitch;
         EXPECT_LT(angle_between(quaternion_from_matrix(matrix_from_rpy(rpy)), q), kRounding + 2.0 * kGimbalLockCosine);
@@ -138,9 +139,9 @@ TEST(Attitude, QuaternionOfAMatrixIsTheSameWhicheverComponentIsLargest) {
 TEST(RotationVector, TurnsOverAtAHalfTurnWithoutLosingTheRotation) {
   const Vector3 axis = Vector3(2.0, -1.0, 2.0) / 3.0;
   for (const double beyond : {-1e-3, -1e-9, -1e-15, 0.0, 1e-15, 1e-9, 1e-3}) {
-    const Quaternion q = quaternion_from_rotation_vector((kPi + beyond) * axis);
+    const Quaternion q = quaternion_from_rotation_vector((units::kPi + beyond) * axis);
     const Vector3 vector = rotation_vector_from_quaternion(q);
-    EXPECT_LE(vector.norm(), kPi + kRounding);
+    EXPECT_LE(vector.norm(), units::kPi + kRounding);
     EXPECT_LT(angle_between(quaternion_from_rotation_vector(vector), q), kRounding) << beyond;
     if (std::abs(beyond) > 1e-12) {
       EXPECT_EQ(vector.dot(axis) > 0.0, beyond < 0.0);
@@ -159,7 +160,7 @@ TEST(RotationVector, ComesBackAtEverySize) {
 
 TEST(RotationVector, IsTheShortestOfItsRotation) {
   const Vector3 back = rotation_vector_from_quaternion(quaternion_from_rotation_vector({0.0, 0.0, 6.0}));
-  EXPECT_NEAR(back.z(), 6.0 - 2.0 * kPi, kRounding);
+  EXPECT_NEAR(back.z(), 6.0 - 2.0 * units::kPi, kRounding);
 }
 
 TEST(RotationVector, OfAQuaternionTurnsAsItsMatrix) {
@@ -188,5 +189,5 @@ TEST(AngleBetween, SeesSmallDifferencesAndIgnoresTheSign) {
   }
 }
 
-}  // namespace
+}  // namespace attitude_test
 }  // namespace inslab::nav

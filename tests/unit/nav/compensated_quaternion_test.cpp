@@ -5,7 +5,7 @@
 #include "nav/attitude.hpp"
 
 namespace inslab::nav {
-namespace {
+namespace compensated_quaternion_test {
 
 const Quaternion kStart = quaternion_from_rpy({0.4, -0.7, 2.0});
 const Vector3 kTurn_rad(3e-6, -5e-6, 2e-6);
@@ -36,5 +36,5 @@ TEST(CompensatedQuaternion, TurnsByLargeAnglesToo) {
   EXPECT_LT(angle_between(q.value(), kStart * quaternion_from_rotation_vector({1.0, -2.0, 0.5})), 1e-15);
 }
 
-}  // namespace
+}  // namespace compensated_quaternion_test
 }  // namespace inslab::nav

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::nav {
-namespace {
+namespace compensated_sum_test {
 
 TEST(CompensatedSum, KeepsWhatPlainAdditionLoses) {
   // A million terms of 0.1 beside 1e9, whose unit in the last place is 1.2e-7: plainly each addition errs by up to
@@ -27,5 +27,5 @@ TEST(CompensatedSum, RestIsBelowHalfAUnitInTheLastPlace) {
   EXPECT_LE(sum.rest(), 1.2e-16);
 }
 
-}  // namespace
+}  // namespace compensated_sum_test
 }  // namespace inslab::nav

@@ -7,20 +7,20 @@
 
 #include "nav/attitude.hpp"
 #include "nav/wgs84.hpp"
+#include "units/units.hpp"
 
 /// F against finite differences of the mechanization itself.
 namespace inslab::nav {
-namespace {
+namespace error_model_test {
 
 using Vector9 = Eigen::Matrix<double, 9, 1>;
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 const Vector3 kRate_b(0.01, -0.02, 0.015);  // rad/s
 const Vector3 kForce_b(1.0, -2.0, -9.5);    // m/s^2
 const Vector3 kSteps(1000.0, 1.0, 1e-3);    // of position (m), velocity (m/s) and tilt (rad)
 
 NavState flying() {
-  return {{40.0 * kRadPerDeg, 1.0, 3000.0}, {150.0, -120.0, 5.0}, quaternion_from_rpy({0.2, -0.1, 2.0})};
+  return {{40.0 * units::kDeg, 1.0, 3000.0}, {150.0, -120.0, 5.0}, quaternion_from_rpy({0.2, -0.1, 2.0})};
 }
 
 /// The state an estimate with this error would hold.
@@ -104,12 +104,12 @@ TEST(ErrorDynamics, AreTheDerivativesOfTheMechanization) {
 
 TEST(ErrorDynamics, AtRestHaveTheSchulerFrequency) {
   const Gravity gravity;
-  const Geodetic position{30.0 * kRadPerDeg, 0.0, 0.0};
+  const Geodetic position{30.0 * units::kDeg, 0.0, 0.0};
   const double g = gravity.g_n(position).z();
   const Matrix9 F = error_dynamics(position, Vector3::Zero(), {0.0, 0.0, -g}, gravity);
   EXPECT_DOUBLE_EQ(F(3, 7) * F(7, 3), -g / wgs84::meridian_radius_m(position.latitude_rad));
   EXPECT_DOUBLE_EQ(F(4, 6) * F(6, 4), -g / wgs84::transverse_radius_m(position.latitude_rad));
 }
 
-}  // namespace
+}  // namespace error_model_test
 }  // namespace inslab::nav

@@ -7,25 +7,24 @@
 #include <stdexcept>
 
 #include "nav/wgs84.hpp"
+#include "units/units.hpp"
 
 namespace inslab::nav {
-namespace {
+namespace geodesy_test {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kRadPerDeg = kPi / 180.0;
 // A coordinate of 4.2e6 to 8.4e6 m has a unit in the last place of 9.3e-10 m.
 constexpr double kEcefTolerance_m = 1e-9;
 
 Geodetic degrees(double latitude, double longitude, double height) {
-  return {latitude * kRadPerDeg, longitude * kRadPerDeg, height};
+  return {latitude * units::kDeg, longitude * units::kDeg, height};
 }
 
 TEST(Wgs84, RadiiOfCurvatureMeetAtThePoleAndDifferAtTheEquator) {
   // a(1 - e2) and a at the equator, a^2/b at the pole: closed forms of (3-28), (3-29); rounding 1e-9 m.
   EXPECT_NEAR(wgs84::meridian_radius_m(0.0), 6335439.32729282, 1e-8);
   EXPECT_NEAR(wgs84::transverse_radius_m(0.0), 6378137.0, 1e-9);
-  EXPECT_NEAR(wgs84::meridian_radius_m(kPi / 2), 6399593.62575849, 1e-8);
-  EXPECT_NEAR(wgs84::transverse_radius_m(kPi / 2), 6399593.62575849, 1e-8);
+  EXPECT_NEAR(wgs84::meridian_radius_m(units::kPi / 2), 6399593.62575849, 1e-8);
+  EXPECT_NEAR(wgs84::transverse_radius_m(units::kPi / 2), 6399593.62575849, 1e-8);
 }
 
 TEST(Ecef, EqualsThePublishedPointOfErfa) {
@@ -124,7 +123,7 @@ TEST(Ecef, AndBackIsTheSamePointToANanometreAllOverTheDomain) {
 
 TEST(Ecef, OfAPoleHasLongitudeZeroAndTheRightHeight) {
   const Geodetic pole = geodetic_from_ecef({0.0, 0.0, -wgs84::b_m - 12.5});
-  EXPECT_DOUBLE_EQ(pole.latitude_rad, -kPi / 2);
+  EXPECT_DOUBLE_EQ(pole.latitude_rad, -units::kPi / 2);
   EXPECT_EQ(pole.longitude_rad, 0.0);
   EXPECT_NEAR(pole.height_m, 12.5, 1e-9);
 }
@@ -192,7 +191,7 @@ TEST(Displaced, CrossesTheAntimeridian) {
 }
 
 TEST(EarthRate, HasTheLatitudesShares) {
-  const Vector3 rate = omega_ie_n(30.0 * kRadPerDeg);
+  const Vector3 rate = omega_ie_n(30.0 * units::kDeg);
   EXPECT_NEAR(rate.x(), 7.292115e-5 * std::sqrt(0.75), 2e-20);
   EXPECT_EQ(rate.y(), 0.0);
   EXPECT_NEAR(rate.z(), -7.292115e-5 * 0.5, 1e-20);
@@ -236,5 +235,5 @@ TEST(Domain, IsRefusedOutsideWithQuantityAndLimits) {
   EXPECT_NE(message(degrees(0.0, 0.0, std::nan(""))), "");
 }
 
-}  // namespace
+}  // namespace geodesy_test
 }  // namespace inslab::nav

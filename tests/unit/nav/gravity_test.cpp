@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "nav/wgs84.hpp"
+#include "units/units.hpp"
 
 namespace inslab::nav {
-namespace {
-
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+namespace gravity_test {
 
 struct Row {
   double latitude_deg, height_m, gamma_up_m_per_s2;
@@ -27,7 +26,7 @@ constexpr Row kAbove[] = {
 
 TEST(Somigliana, EqualsTheExactNormalFieldOnTheEllipsoid) {
   for (const Row& row : kOnTheEllipsoid) {
-    EXPECT_NEAR(Gravity().g_n({row.latitude_deg * kRadPerDeg, 0.0, 0.0}).z(), -row.gamma_up_m_per_s2, 1e-9);
+    EXPECT_NEAR(Gravity().g_n({row.latitude_deg * units::kDeg, 0.0, 0.0}).z(), -row.gamma_up_m_per_s2, 1e-9);
   }
 }
 
@@ -35,7 +34,7 @@ TEST(Somigliana, FollowsTheExactFieldWithHeightToTheNextTermOfTheSeries) {
   // Bruns' formula gives the exact linear term, -(gamma (1/M + 1/N) + 2 omega^2) h; the closed form has it to first
   // order in f and m, and the quadratic term 3 x^2 without any: 9 f x^2 is left out there, and 4 x^3 is the next term.
   for (const Row& row : kAbove) {
-    const double s = std::sin(row.latitude_deg * kRadPerDeg);
+    const double s = std::sin(row.latitude_deg * units::kDeg);
     const double x = row.height_m / wgs84::a_m;
     const double gamma = Gravity().normal_m_per_s2(s, 0.0);
     const double bruns =
@@ -44,7 +43,7 @@ TEST(Somigliana, FollowsTheExactFieldWithHeightToTheNextTermOfTheSeries) {
     const double closed = 2.0 * (1.0 + wgs84::f + 0.00344978650684 - 2.0 * wgs84::f * s * s);
     const double left_out =
         9.8 * (std::abs(bruns - closed) * std::abs(x) + 9.0 * wgs84::f * x * x + 4.0 * std::abs(x * x * x));
-    EXPECT_NEAR(Gravity().g_n({row.latitude_deg * kRadPerDeg, 0.0, row.height_m}).z(), -row.gamma_up_m_per_s2,
+    EXPECT_NEAR(Gravity().g_n({row.latitude_deg * units::kDeg, 0.0, row.height_m}).z(), -row.gamma_up_m_per_s2,
                 left_out + 1e-9)
         << row.latitude_deg << " deg, " << row.height_m << " m";
   }
@@ -101,7 +100,7 @@ TEST(NormalField, EqualsGeographicLibInBothHemispheres) {
   for (const FieldRow& row : kField) {
     for (const double hemisphere : {1.0, -1.0}) {
       const Vector3 g_n =
-          Gravity(GravityModel::Normal).g_n({hemisphere * row.latitude_deg * kRadPerDeg, 0.0, row.height_m});
+          Gravity(GravityModel::Normal).g_n({hemisphere * row.latitude_deg * units::kDeg, 0.0, row.height_m});
       EXPECT_NEAR(g_n.z(), -row.up_m_per_s2, 1e-9) << row.latitude_deg << " deg, " << row.height_m << " m";
       EXPECT_NEAR(g_n.x(), hemisphere * row.north_m_per_s2, 1e-9)
           << row.latitude_deg << " deg, " << row.height_m << " m";
@@ -141,8 +140,8 @@ Vector3 gravity_by_harmonics(double latitude_rad, double height_m) {
 TEST(NormalField, EqualsItsHarmonicsOverTheWholeDomain) {
   for (double latitude_deg = -89.9; latitude_deg <= 89.9; latitude_deg += 4.495) {
     for (const double height_m : {-1000.0, 0.0, 3000.0, 30000.0, 70000.0, 100000.0}) {
-      const Vector3 g_n = Gravity(GravityModel::Normal).g_n({latitude_deg * kRadPerDeg, 0.0, height_m});
-      EXPECT_LT((g_n - gravity_by_harmonics(latitude_deg * kRadPerDeg, height_m)).norm(), 1e-9)
+      const Vector3 g_n = Gravity(GravityModel::Normal).g_n({latitude_deg * units::kDeg, 0.0, height_m});
+      EXPECT_LT((g_n - gravity_by_harmonics(latitude_deg * units::kDeg, height_m)).norm(), 1e-9)
           << latitude_deg << " deg, " << height_m << " m";
     }
   }
@@ -154,7 +153,7 @@ TEST(Series, IsWithinAMilligalOfTheClosedForm) {
   const Gravity series(GravityModel::Series);
   for (double latitude_deg = -90.0; latitude_deg <= 90.0; latitude_deg += 7.5) {
     for (const double height_m : {0.0, 1000.0, 10000.0}) {
-      const Geodetic position{latitude_deg * kRadPerDeg, 0.0, height_m};
+      const Geodetic position{latitude_deg * units::kDeg, 0.0, height_m};
       EXPECT_NEAR(series.g_n(position).z(), Gravity().g_n(position).z(), 1e-5) << latitude_deg << ' ' << height_m;
     }
   }
@@ -182,11 +181,11 @@ TEST(Gravitation, IsGravityWithoutTheCentrifugalAcceleration) {
 TEST(Gravitation, PointsToTheEarthsCentreButForTheFlattening) {
   // Gravitation's departure from the radius is about 3/2 J2 sin(2 lat) (J2 = 1.08e-3): 1.6e-3 rad at 45 deg, half of
   // what gravity itself departs (3.4e-3 = f sin(2 lat)); within second order, 1e-5.
-  const Geodetic position{45.0 * kRadPerDeg, 0.3, 0.0};
+  const Geodetic position{45.0 * units::kDeg, 0.3, 0.0};
   const Vector3 r_e = ecef_from_geodetic(position);
   const Vector3 gravitation = Gravity().gravitation_e(position);
   EXPECT_NEAR(gravitation.cross(r_e).norm() / (gravitation.norm() * r_e.norm()), 1.5 * 1.08263e-3, 1e-5);
 }
 
-}  // namespace
+}  // namespace gravity_test
 }  // namespace inslab::nav

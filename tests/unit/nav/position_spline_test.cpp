@@ -5,16 +5,16 @@
 #include <cmath>
 
 #include "nav/wgs84.hpp"
+#include "units/units.hpp"
 
 namespace inslab::nav {
-namespace {
+namespace position_spline_test {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 // Half a unit in the last place of a longitude of 3 rad, in metres on the equator.
 constexpr double kPlace_m = 2.9e-9;
 
 Geodetic degrees(double latitude, double longitude, double height_m) {
-  return {latitude * kRadPerDeg, longitude * kRadPerDeg, height_m};
+  return {latitude * units::kDeg, longitude * units::kDeg, height_m};
 }
 
 Matrix3 C_en_at(const Geodetic& place) { return C_en(place.latitude_rad, place.longitude_rad); }
@@ -135,5 +135,5 @@ TEST(PositionSpline, RefusesTooFewPointsAndIntervalsThatDoNotIncrease) {
   EXPECT_THROW(PositionSpline({place, place}, {0.0}, {}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace position_spline_test
 }  // namespace inslab::nav

@@ -5,7 +5,7 @@
 #include "nav/attitude.hpp"
 
 namespace inslab::nav {
-namespace {
+namespace rotation_rate_test {
 
 TEST(RotationRate, IsTheDerivativeOfTheAttitude) {
   // q(Phi(t)) with Phi linear, seen half a millisecond before and after: central differences err by Phi'^3 dt^2/24 =
@@ -37,5 +37,5 @@ TEST(RotationRate, SeriesMeetsTheClosedForm) {
   EXPECT_LT((rotation_vector_rate(below, rate) - rotation_vector_rate(above, rate)).norm(), 3e-12);
 }
 
-}  // namespace
+}  // namespace rotation_rate_test
 }  // namespace inslab::nav

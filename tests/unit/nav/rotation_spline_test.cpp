@@ -8,7 +8,7 @@
 #include "nav/attitude.hpp"
 
 namespace inslab::nav {
-namespace {
+namespace rotation_spline_test {
 
 struct Turns {
   std::vector<Quaternion> q;
@@ -134,5 +134,5 @@ TEST(RotationFactors, JoinTheirSeriesToTheirClosedForms) {
   }
 }
 
-}  // namespace
+}  // namespace rotation_spline_test
 }  // namespace inslab::nav

@@ -8,12 +8,11 @@
 
 #include "nav/wgs84.hpp"
 #include "tests/unit/nav/closed_form_motion.hpp"
+#include "units/units.hpp"
 
 namespace inslab::nav {
-namespace {
+namespace strapdown_test {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kRadPerDeg = kPi / 180.0;
 constexpr double kDt_s = 0.005;
 constexpr Strapdown::Options kAsPrinted{false};
 constexpr Strapdown::Options kFullRotation{true};
@@ -76,7 +75,7 @@ TEST(Strapdown, AtRestDoesNotDriftForTwentyMinutes) {
 TEST(Strapdown, FollowsAParallelThroughTheAntimeridian) {
   const Gravity gravity;
   const Vector3 v_n(0.0, 250.0, 0.0);
-  const Geodetic start{-40.0 * kRadPerDeg, 179.0 * kRadPerDeg, 10000.0};
+  const Geodetic start{-40.0 * units::kDeg, 179.0 * units::kDeg, 10000.0};
   const Vector3 omega_ie = omega_ie_n(start.latitude_rad), omega_en = omega_en_n(start, v_n);
   const ImuIncrements imu{kDt_s * (omega_ie + omega_en),
                           kDt_s * ((2.0 * omega_ie + omega_en).cross(v_n) - gravity.g_n(start)), kDt_s};
@@ -106,7 +105,7 @@ ClosedFormMotion turntable(double rate_rad_per_s) {
 }
 
 TEST(Strapdown, AtAConstantRateDriftsAsPrintedByTheRotationTermItDrops) {
-  const double Omega = 30.0 * kRadPerDeg, t_s = 60.0;
+  const double Omega = 30.0 * units::kDeg, t_s = 60.0;
   const ClosedFormMotion motion = turntable(Omega);
   // 1/6 dtheta x (dtheta x dv) of every interval, dtheta turning about the vertical and with the Earth.
   const Vector3 g_n = motion.gravity.g_n(motion.place);
@@ -118,7 +117,7 @@ TEST(Strapdown, AtAConstantRateDriftsAsPrintedByTheRotationTermItDrops) {
 }
 
 TEST(Strapdown, AtAConstantRateTheFullRotationTermLeavesAThirdOrderTilt) {
-  const double Omega = 30.0 * kRadPerDeg, t_s = 60.0;
+  const double Omega = 30.0 * units::kDeg, t_s = 60.0;
   const ClosedFormMotion motion = turntable(Omega);
   // In b the Earth's rate turns with Omega: what (2-51) drops of the Bortz equation is then omega_ie (Omega dt)^3/24.
   const double tilt_rad_per_s = omega_ie_n(motion.place.latitude_rad).x() * std::pow(Omega * kDt_s, 3.0) / 24.0;
@@ -128,29 +127,29 @@ TEST(Strapdown, AtAConstantRateTheFullRotationTermLeavesAThirdOrderTilt) {
 }
 
 TEST(Strapdown, AttitudeIsOfFourthOrderInConing) {
-  EXPECT_NEAR(orders(coning_motion(2.0 * kRadPerDeg, 0.5), kAsPrinted).attitude, 4.0, 0.1);
+  EXPECT_NEAR(orders(coning_motion(2.0 * units::kDeg, 0.5), kAsPrinted).attitude, 4.0, 0.1);
 }
 
 TEST(Strapdown, VelocityAndPositionAreOfSecondOrderInScullingAsPrinted) {
-  const Orders found = orders(sculling_motion(2.0 * kRadPerDeg, 5.0, 0.5), kAsPrinted);
+  const Orders found = orders(sculling_motion(2.0 * units::kDeg, 5.0, 0.5), kAsPrinted);
   EXPECT_NEAR(found.velocity, 2.0, 0.1);
   EXPECT_NEAR(found.position, 2.0, 0.1);
 }
 
 TEST(Strapdown, VelocityAndPositionAreOfFourthOrderInScullingWithTheFullRotationTerm) {
-  const Orders found = orders(sculling_motion(2.0 * kRadPerDeg, 5.0, 0.5), kFullRotation);
+  const Orders found = orders(sculling_motion(2.0 * units::kDeg, 5.0, 0.5), kFullRotation);
   EXPECT_NEAR(found.velocity, 4.0, 0.1);
   EXPECT_NEAR(found.position, 4.0, 0.1);
 }
 
 TEST(Strapdown, KeepsItsOrderOnUnevenIntervals) {
   const double unevenness = 0.4;
-  EXPECT_NEAR(orders(coning_motion(2.0 * kRadPerDeg, 0.5), kFullRotation, unevenness).attitude, 4.0, 0.2);
-  EXPECT_NEAR(orders(sculling_motion(2.0 * kRadPerDeg, 5.0, 0.5), kFullRotation, unevenness).velocity, 4.0, 0.2);
+  EXPECT_NEAR(orders(coning_motion(2.0 * units::kDeg, 0.5), kFullRotation, unevenness).attitude, 4.0, 0.2);
+  EXPECT_NEAR(orders(sculling_motion(2.0 * units::kDeg, 5.0, 0.5), kFullRotation, unevenness).velocity, 4.0, 0.2);
 }
 
 TEST(Strapdown, InverseArrivesAtTheVelocityAndAttitudeAskedFor) {
-  const ClosedFormMotion motion = sculling_motion(5.0 * kRadPerDeg, 5.0, 0.5);
+  const ClosedFormMotion motion = sculling_motion(5.0 * units::kDeg, 5.0, 0.5);
   for (const Strapdown::Options& options : {kAsPrinted, kFullRotation}) {
     Strapdown strapdown(motion.state(0.0), motion.gravity, options);
     double t_s = 0.0, velocity_m_per_s = 0.0, attitude_rad = 0.0;
@@ -167,7 +166,7 @@ TEST(Strapdown, InverseArrivesAtTheVelocityAndAttitudeAskedFor) {
 }
 
 TEST(Strapdown, InverseGivesBackTheIncrements) {
-  const ClosedFormMotion motion = coning_motion(2.0 * kRadPerDeg, 0.5);
+  const ClosedFormMotion motion = coning_motion(2.0 * units::kDeg, 0.5);
   Strapdown strapdown(motion.state(0.0), motion.gravity, kFullRotation);
   double dtheta_rad = 0.0, dv_m_per_s = 0.0;
   for (int k = 1; k <= 1000; ++k) {
@@ -198,9 +197,9 @@ TEST(Strapdown, RefusesAnIntervalThatIsNotPositive) {
 
 TEST(Strapdown, RefusesAStartOutsideTheDomain) {
   NavState pole = ClosedFormMotion().state(0.0);
-  pole.position.latitude_rad = 90.0 * kRadPerDeg;
+  pole.position.latitude_rad = 90.0 * units::kDeg;
   EXPECT_THROW(Strapdown(pole, Gravity(), kAsPrinted), std::domain_error);
 }
 
-}  // namespace
+}  // namespace strapdown_test
 }  // namespace inslab::nav

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace inslab::nav {
-namespace {
+#include "units/units.hpp"
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+namespace inslab::nav {
+namespace surface_curve_test {
 
 Geodetic degrees(double latitude, double longitude, double height_m) {
-  return {latitude * kRadPerDeg, longitude * kRadPerDeg, height_m};
+  return {latitude * units::kDeg, longitude * units::kDeg, height_m};
 }
 
 /// Places along the line, eight to a cubic.
@@ -82,5 +82,5 @@ TEST(SurfaceCurve, ShowsATurnBackByAVanishingSlope) {
   EXPECT_FALSE(curve.line.slope_e(curve.index_of_point[1]).norm() > 0.3);
 }
 
-}  // namespace
+}  // namespace surface_curve_test
 }  // namespace inslab::nav

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace inslab::random {
-namespace {
+namespace box_muller_test {
 
 constexpr long double kTwoPi = 6.28318530717958647692528676655900577L;
 
@@ -50,5 +50,5 @@ TEST(BoxMuller, TheLargestNormalNumberIsFinite) {
   EXPECT_EQ(sine[0], 0.0);
 }
 
-}  // namespace
+}  // namespace box_muller_test
 }  // namespace inslab::random

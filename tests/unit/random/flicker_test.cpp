@@ -6,7 +6,7 @@
 #include <string>
 
 namespace inslab::random {
-namespace {
+namespace flicker_test {
 
 constexpr double kB = 2.0;
 
@@ -90,5 +90,5 @@ TEST(Flicker, RefusesWhatCannotBe) {
   EXPECT_THROW(Flicker(1.0, 0.0, stream), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace flicker_test
 }  // namespace inslab::random

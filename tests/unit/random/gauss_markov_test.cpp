@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace inslab::random {
-namespace {
+namespace gauss_markov_test {
 
 constexpr std::uint64_t kSeed = 11;
 constexpr double kSigma = 3.0;
@@ -106,5 +106,5 @@ TEST(GaussMarkov, ARefusedRetuneChangesNothing) {
   EXPECT_EQ(process.value(), before);
 }
 
-}  // namespace
+}  // namespace gauss_markov_test
 }  // namespace inslab::random

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::random {
-namespace {
+namespace philox_test {
 
 std::array<std::uint32_t, 4> outputs(const RandomBits& bits, int lane) {
   return {static_cast<std::uint32_t>(bits.first[lane]), static_cast<std::uint32_t>(bits.first[lane] >> 32),
@@ -39,5 +39,5 @@ TEST(Philox, AgreesWithRandom123InEveryLane) {
   }
 }
 
-}  // namespace
+}  // namespace philox_test
 }  // namespace inslab::random

@@ -6,7 +6,7 @@
 #include <string>
 
 namespace inslab::random {
-namespace {
+namespace random_constant_test {
 
 TEST(RandomConstant, ItsSpreadOverManySensorsIsSigma) {
   // The sample variance of 4000 draws has relative standard error sqrt(2/4000) = 2.2 %.
@@ -31,5 +31,5 @@ TEST(RandomConstant, RefusesANegativeSigma) {
   EXPECT_THROW(RandomConstant(-1.0, Stream(3, "imu0")), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace random_constant_test
 }  // namespace inslab::random

@@ -5,7 +5,7 @@
 #include <string>
 
 namespace inslab::random {
-namespace {
+namespace random_walk_test {
 
 constexpr double kDensity = 3.0;
 
@@ -49,5 +49,5 @@ TEST(RandomWalk, RefusesWhatCannotBe) {
   EXPECT_THROW(RandomWalk(1.0, 0.0, stream), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace random_walk_test
 }  // namespace inslab::random

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace inslab::random {
-namespace {
+namespace stream_test {
 
 constexpr std::uint64_t kSeed = 20240229;
 
@@ -147,5 +147,5 @@ TEST(Stream, NoTwoNamesOfALargeInstallationShareNumbers) {
   EXPECT_EQ(first_draws.size(), names);
 }
 
-}  // namespace
+}  // namespace stream_test
 }  // namespace inslab::random

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace inslab::random {
-namespace {
+namespace white_noise_test {
 
 constexpr std::uint64_t kSeed = 5;
 
@@ -54,5 +54,5 @@ TEST(WhiteNoise, RefusesWhatHasNoMeaning) {
   EXPECT_THROW(WhiteNoise(std::numeric_limits<double>::quiet_NaN(), 0.01, stream), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace white_noise_test
 }  // namespace inslab::random

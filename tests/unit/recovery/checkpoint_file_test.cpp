@@ -10,7 +10,7 @@
 #include <fstream>
 
 namespace inslab::recovery {
-namespace {
+namespace checkpoint_file_test {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -112,5 +112,5 @@ TEST_F(Checkpoint, InAFolderThatIsNotThereSaysWhich) {
   EXPECT_THROW(CheckpointFile("/no/such/folder/state"), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace checkpoint_file_test
 }  // namespace inslab::recovery

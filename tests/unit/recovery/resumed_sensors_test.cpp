@@ -10,7 +10,7 @@
 #include "services/trajectory_server/truth_source.hpp"
 
 namespace inslab {
-namespace {
+namespace resumed_sensors_test {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -123,5 +123,5 @@ TEST(ResumedSensors, AtRatesThatDivideNoneOfTheOthersAllGoOnWithTheSameBits) {
                                  [](const auto& scenario) { return gnss::Emulator(scenario, scenario.gnss[0]); });
 }
 
-}  // namespace
+}  // namespace resumed_sensors_test
 }  // namespace inslab

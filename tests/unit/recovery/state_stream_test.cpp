@@ -5,7 +5,7 @@
 #include "samples/imu_sample.hpp"
 
 namespace inslab::recovery {
-namespace {
+namespace state_stream_test {
 
 struct Inner {
   double x = 0.0;
@@ -83,5 +83,5 @@ TEST(StateStream, RefusesBytesThatAreLeftOver) {
   EXPECT_THROW(reader.expect_end(), StateError);
 }
 
-}  // namespace
+}  // namespace state_stream_test
 }  // namespace inslab::recovery

@@ -5,12 +5,12 @@
 #include "nav/attitude.hpp"
 #include "nav/geodesy.hpp"
 #include "nav/gravity.hpp"
+#include "units/units.hpp"
 
 namespace inslab::nav {
-namespace {
+namespace alignment_test {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
-constexpr double kLatitude_rad = 30.53 * kRadPerDeg;
+constexpr double kLatitude_rad = 30.53 * units::kDeg;
 
 double gravity_m_per_s2() { return Gravity().g_n(Geodetic{kLatitude_rad, 0.0, 0.0}).norm(); }
 
@@ -43,12 +43,13 @@ TEST(CoarseAlignment, FindsAttitudesAllAroundAndUpToGimbalLock) {
   std::vector<double> pitches_deg{-90.0, -89.999, -89.9, 89.9, 89.999, 90.0};
   for (double pitch_deg = -82.5; pitch_deg < 90.0; pitch_deg += 7.5) pitches_deg.push_back(pitch_deg);
   double largest = 0.0;
-  for (const double latitude_rad : {-70.0 * kRadPerDeg, 0.0, kLatitude_rad}) {
+  for (const double latitude_rad : {-70.0 * units::kDeg, 0.0, kLatitude_rad}) {
     const double gravity = Gravity().g_n(Geodetic{latitude_rad, 0.0, 0.0}).norm();
     for (const double pitch_deg : pitches_deg) {
       for (double roll_deg = -180.0; roll_deg < 180.0; roll_deg += 15.0) {
         for (double yaw_deg = 0.0; yaw_deg < 360.0; yaw_deg += 15.0) {
-          const Matrix3 C_nb = matrix_from_rpy({roll_deg * kRadPerDeg, pitch_deg * kRadPerDeg, yaw_deg * kRadPerDeg});
+          const Matrix3 C_nb =
+              matrix_from_rpy({roll_deg * units::kDeg, pitch_deg * units::kDeg, yaw_deg * units::kDeg});
           StaticMeans means;
           means.f_b = C_nb.transpose() * Vector3(0.0, 0.0, -gravity);
           means.omega_ib_b = C_nb.transpose() * omega_ie_n(latitude_rad);
@@ -91,7 +92,7 @@ TEST(CoarseAlignment, AnEastGyroBiasTurnsYawByTheBiasOverTheHorizontalRate) {
 }
 
 TEST(CoarseAlignment, RefusesNearThePole) {
-  EXPECT_NE(refusal(perfect_means(Matrix3::Identity()), 89.5 * kRadPerDeg).find("pole"), std::string::npos);
+  EXPECT_NE(refusal(perfect_means(Matrix3::Identity()), 89.5 * units::kDeg).find("pole"), std::string::npos);
 }
 
 TEST(CoarseAlignment, RefusesGyrosWhoseBiasSwampsTheEarth) {
@@ -122,5 +123,5 @@ TEST(Levelled, FindsRollAndPitchAndTakesTheYawGiven) {
   EXPECT_LT((std::get<Matrix3>(result) - C_nb).norm(), 1e-14);
 }
 
-}  // namespace
+}  // namespace alignment_test
 }  // namespace inslab::nav

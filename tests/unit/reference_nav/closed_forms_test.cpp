@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "nav/attitude.hpp"
-#include "samples/units.hpp"
 #include "services/reference_nav/inertial_filter.hpp"
+#include "units/units.hpp"
 
 /// The filter at rest, one thing uncertain at a time, against what a Kalman filter of two states or least squares give
 /// in closed form.
 namespace inslab::reference_nav {
-namespace {
+namespace closed_forms_test {
 
 constexpr double kDt_s = 0.01;
 constexpr std::int64_t kDt_ns = 10'000'000;
@@ -228,5 +228,5 @@ TEST(CovarianceSteps, ChangeNoSigmaByMoreThanTheirTrapezoidsDo) {
   EXPECT_GT(largest, 0.0);
 }
 
-}  // namespace
+}  // namespace closed_forms_test
 }  // namespace inslab::reference_nav

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::reference_nav {
-namespace {
+namespace covariance_test {
 
 /// Some transition without zeros where the structure allows any number.
 Transition any_transition() {
@@ -63,5 +63,5 @@ TEST(Covariance, ForgettingLeavesNoTraceOfThreeErrors) {
             Eigen::Matrix3d(Eigen::Vector3d(1.0, 2.0, 3.0).asDiagonal()));
 }
 
-}  // namespace
+}  // namespace covariance_test
 }  // namespace inslab::reference_nav

@@ -6,11 +6,11 @@
 
 #include "nav/attitude.hpp"
 #include "nav/wgs84.hpp"
-#include "samples/units.hpp"
 #include "services/reference_nav/initializer.hpp"
+#include "units/units.hpp"
 
 namespace inslab::reference_nav {
-namespace {
+namespace inertial_filter_test {
 
 constexpr double kDt_s = 0.0025;
 constexpr std::int64_t kDt_ns = 2'500'000;
@@ -291,5 +291,5 @@ TEST(InertialFilter, TakesNoZeroVelocityThatItsOwnVelocityContradicts) {
   }
 }
 
-}  // namespace
+}  // namespace inertial_filter_test
 }  // namespace inslab::reference_nav

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::reference_nav {
-namespace {
+namespace matching_parameters_test {
 
 NavigationParameters matching(const std::function<void(ImuErrorProfile&)>& change) {
   ImuErrorProfile imu;
@@ -122,5 +122,5 @@ TEST(MatchingParameters, TheLeverArmIsFromTheImuToTheAntennaInTheImusAxes) {
   EXPECT_LT((p.lever_arm_b_m - Vector3(0.25, -1.5, -1.25)).norm(), 1e-15);
 }
 
-}  // namespace
+}  // namespace matching_parameters_test
 }  // namespace inslab::reference_nav

@@ -7,10 +7,10 @@
 #include <map>
 
 #include "nav/attitude.hpp"
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::reference_nav {
-namespace {
+namespace navigation_filter_test {
 
 constexpr double kDt_s = 0.005;
 constexpr std::int64_t kDt_ns = 5'000'000;
@@ -393,5 +393,5 @@ TEST(NavigationFilter, RestHoldsTheVelocityThroughAnOutage) {
   EXPECT_LT(drift_m(true), 0.15);
 }
 
-}  // namespace
+}  // namespace navigation_filter_test
 }  // namespace inslab::reference_nav

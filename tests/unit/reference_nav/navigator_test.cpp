@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::reference_nav {
-namespace {
+namespace navigator_test {
 
 constexpr std::int64_t kDt_ns = 5'000'000;
 const nav::Gravity kGravity;
@@ -101,5 +101,5 @@ TEST(Navigator, GivesTheSameSolutionsInWhateverOrderTheInputsAreHandedOver) {
   EXPECT_EQ(fixes_first.filter().take_fix_results().size(), 5u);
 }
 
-}  // namespace
+}  // namespace navigator_test
 }  // namespace inslab::reference_nav

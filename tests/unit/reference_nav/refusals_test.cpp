@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::reference_nav {
-namespace {
+namespace refusals_test {
 
 TEST(Refusals, AreSaidOnceWhateverTheirNumbers) {
   Refusals refusals;
@@ -15,5 +15,5 @@ TEST(Refusals, AreSaidOnceWhateverTheirNumbers) {
   EXPECT_EQ(refusals.words(), "the force spreads by 0.061 m/s^2; the receiver says that it moves");
 }
 
-}  // namespace
+}  // namespace refusals_test
 }  // namespace inslab::reference_nav

@@ -4,10 +4,10 @@
 
 #include <functional>
 
-#include "samples/units.hpp"
+#include "units/units.hpp"
 
 namespace inslab::reference_nav {
-namespace {
+namespace rest_detector_test {
 
 constexpr double kDt_s = 0.005;
 const Vector3 kGravity(0.0, 0.0, -9.8);
@@ -42,5 +42,5 @@ TEST(RestDetector, RockingIsMotion) {
   EXPECT_EQ(windows([](int k) { return Vector3(units::kDegPerS * (k % 2 == 0 ? 0.4 : -0.4), 0.0, 0.0); }, gravity), 0);
 }
 
-}  // namespace
+}  // namespace rest_detector_test
 }  // namespace inslab::reference_nav

@@ -6,7 +6,7 @@
 #include "tests/unit/samples/number_fields.hpp"
 
 namespace inslab {
-namespace {
+namespace limits_test {
 
 template <class Profile>
 class LimitsOf : public testing::Test {};
@@ -87,5 +87,5 @@ TEST(Limits, OfWholeNumbersHold) {
   EXPECT_EQ(limit_violation(profile)->path, "satellites");
 }
 
-}  // namespace
+}  // namespace limits_test
 }  // namespace inslab

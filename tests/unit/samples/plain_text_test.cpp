@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab {
-namespace {
+namespace plain_text_test {
 
 TEST(PlainText, IsOneLineOfUtf8) {
   EXPECT_TRUE(is_plain_text(""));
@@ -48,5 +48,5 @@ TEST(PlainText, IsCutBetweenCharacters) {
   EXPECT_EQ(plain_text("ab\x1b", 5), "ab");
 }
 
-}  // namespace
+}  // namespace plain_text_test
 }  // namespace inslab

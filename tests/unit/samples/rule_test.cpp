@@ -5,7 +5,7 @@
 #include <set>
 
 namespace inslab {
-namespace {
+namespace rule_test {
 
 TEST(Rule, HasANameOfItsOwnForEach) {
   const auto& names = EnumNames<Rule>::values;
@@ -18,5 +18,5 @@ TEST(Rule, HasANameOfItsOwnForEach) {
   EXPECT_EQ(enum_name(Rule::ApplyTime), "apply_time");
 }
 
-}  // namespace
+}  // namespace rule_test
 }  // namespace inslab

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab {
-namespace {
+namespace unit_name_test {
 
 TEST(UnitName, IsAWord) {
   for (const char* name : {"truck", "UAV-7", "rover_2.left", "0", "..."}) EXPECT_TRUE(is_unit_name(name)) << name;
@@ -17,5 +17,5 @@ TEST(UnitName, IsNoPatternAndNoText) {
   EXPECT_FALSE(is_unit_name(std::string(65, 'u')));
 }
 
-}  // namespace
+}  // namespace unit_name_test
 }  // namespace inslab

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::scenario {
-namespace {
+namespace load_test {
 
 LoadedScenario demo() { return load(std::string(INSLAB_SOURCE_DIR) + "/config/scenarios/demo.json"); }
 
@@ -59,5 +59,5 @@ TEST(LoadedScenario, HasTheGravityOfItsOptions) {
   EXPECT_NEAR(loaded.gravity().g_n(sin_latitude, 0.0).z() - normal.z(), 100e-5, 1e-9);
 }
 
-}  // namespace
+}  // namespace load_test
 }  // namespace inslab::scenario

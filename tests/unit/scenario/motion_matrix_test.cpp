@@ -6,7 +6,7 @@
 #include "tests/unit/io/temporary_folder.hpp"
 
 namespace inslab::scenario {
-namespace {
+namespace motion_matrix_test {
 
 class MotionMatrix : public test::TemporaryFolder {
  protected:
@@ -105,5 +105,5 @@ TEST_F(MotionMatrix, RefusesMoreSegmentsThanAScenarioHolds) {
 
 TEST_F(MotionMatrix, RefusesAFileWithoutASegment) { EXPECT_EQ(refusal("# nothing\n"), ": holds no segment"); }
 
-}  // namespace
+}  // namespace motion_matrix_test
 }  // namespace inslab::scenario

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace inslab::scenario {
-namespace {
+namespace waypoint_route_test {
 
 constexpr double kNoLimit = 1e9;
 
@@ -215,5 +215,5 @@ TEST(WaypointRules, RefuseMoreThanABillionSeconds) {
   EXPECT_EQ(rule_of({waypoint(0.0, 2.0, 0.0, 1e-7), waypoint(0.0, 2.002, 0.0, 1e-7)}), Rule::TrajectoryLength);
 }
 
-}  // namespace
+}  // namespace waypoint_route_test
 }  // namespace inslab::scenario

@@ -7,7 +7,7 @@
 #include "tests/unit/score/straight_run.hpp"
 
 namespace inslab::score {
-namespace {
+namespace acceptance_test {
 
 using scenario::AcceptanceLimit;
 using scenario::Metric;
@@ -106,5 +106,5 @@ TEST(Acceptance, JUnitSaysWhichLinesFailedAndWhy) {
   EXPECT_THAT(xml, HasSubstr("<failure message=\"1 is above 0.5\"/>"));
 }
 
-}  // namespace
+}  // namespace acceptance_test
 }  // namespace inslab::score

@@ -2,14 +2,14 @@
 
 #include "nav/attitude.hpp"
 #include "tests/unit/score/straight_run.hpp"
+#include "units/units.hpp"
 
 /// Every figure against the closed form of errors that are known functions of time.
 namespace inslab::score {
-namespace {
+namespace figures_test {
 
 using scenario::Metric;
 
-constexpr double kDegPerRad = 57.295779513082323;
 /// A position's angles round to 1e-16 rad, 1e-9 m.
 constexpr double kRounding_m = 1e-8;
 
@@ -102,10 +102,10 @@ void turn(NavSolution& solution, const Vector3& phi_rad) {
 TEST(AttitudeFigures, TiltAndHeadingArePartsOfTheRotationVector) {
   for (const double size_rad : {1e-7, 1e-3, 0.5, 3.0}) {
     const Scorer tilted = scored(20, [&](int, NavSolution& s) { turn(s, size_rad * Vector3(0.6, -0.8, 0.0)); });
-    EXPECT_NEAR(*in_all(tilted, Metric::TiltRms), size_rad * kDegPerRad, 1e-12 + 1e-9 * size_rad);
+    EXPECT_NEAR(*in_all(tilted, Metric::TiltRms), size_rad * units::kDegPerRad, 1e-12 + 1e-9 * size_rad);
     EXPECT_NEAR(*in_all(tilted, Metric::HeadingRms), 0.0, 1e-12);
     const Scorer turned = scored(20, [&](int, NavSolution& s) { turn(s, size_rad * Vector3::UnitZ()); });
-    EXPECT_NEAR(*in_all(turned, Metric::HeadingRms), size_rad * kDegPerRad, 1e-12 + 1e-9 * size_rad);
+    EXPECT_NEAR(*in_all(turned, Metric::HeadingRms), size_rad * units::kDegPerRad, 1e-12 + 1e-9 * size_rad);
     EXPECT_NEAR(*in_all(turned, Metric::TiltRms), 0.0, 1e-12);
   }
 }
@@ -116,17 +116,17 @@ TEST(AttitudeFigures, HeadingWrapsAt180Degrees) {
   for (int k = 0; k < 20; ++k) {
     TruthState truth = standing(k * 0.01);
     const double true_yaw_deg = k < 10 ? -179.0 : 179.0;
-    truth.q_nv = nav::quaternion_from_rpy({0.0, 0.0, true_yaw_deg / kDegPerRad});
+    truth.q_nv = nav::quaternion_from_rpy({0.0, 0.0, true_yaw_deg / units::kDegPerRad});
     truth.omega_iv_v = truth.q_nv.conjugate() * nav::omega_ie_n(truth.latitude_rad);
     NavSolution solution = solution_at(truth, Vector3::Zero());
-    solution.q_n_body = nav::quaternion_from_rpy({0.0, 0.0, -true_yaw_deg / kDegPerRad});
+    solution.q_n_body = nav::quaternion_from_rpy({0.0, 0.0, -true_yaw_deg / units::kDegPerRad});
     scorer.add(truth);
     scorer.add(solution, 0);
   }
   scorer.finish();
   EXPECT_NEAR(*in_all(scorer, Metric::HeadingRms), 2.0, 1e-9);
   EXPECT_NEAR(all_of(scorer).phi().mean(20).z(), 0.0, 1e-12);
-  EXPECT_NEAR(all_of(scorer).phi().largest.z() * kDegPerRad, 2.0, 1e-9);
+  EXPECT_NEAR(all_of(scorer).phi().largest.z() * units::kDegPerRad, 2.0, 1e-9);
 }
 
 TEST(AttitudeFigures, BothSignsOfAQuaternionAreOneAttitude) {
@@ -134,7 +134,7 @@ TEST(AttitudeFigures, BothSignsOfAQuaternionAreOneAttitude) {
     turn(s, Vector3(0.0, 0.0, 1e-3));
     s.q_n_body.coeffs() = -s.q_n_body.coeffs();
   });
-  EXPECT_NEAR(*in_all(scorer, Metric::HeadingRms), 1e-3 * kDegPerRad, 1e-12);
+  EXPECT_NEAR(*in_all(scorer, Metric::HeadingRms), 1e-3 * units::kDegPerRad, 1e-12);
 }
 
 // (4/2)^2 + (3/1)^2 + (1/0.5)^2 = 17; (1/0.5)^2 + (2/1)^2 + (3/1.5)^2 = 12; (1/1)^2 + (2/2)^2 + (3/1)^2 = 11.
@@ -191,5 +191,5 @@ TEST(PositionFigures, AreOfTheSolutionsOwnTimeOfValidity) {
   EXPECT_LT(all_of(scorer).velocity().largest.norm(), 1e-6);
 }
 
-}  // namespace
+}  // namespace figures_test
 }  // namespace inslab::score

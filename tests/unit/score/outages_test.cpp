@@ -5,7 +5,7 @@
 #include "tests/unit/score/straight_run.hpp"
 
 namespace inslab::score {
-namespace {
+namespace outages_test {
 
 using scenario::Metric;
 
@@ -95,5 +95,5 @@ TEST(Outages, WithoutAReceiverThereAreNone) {
   EXPECT_FALSE(outages.contains(ns(1.0), ns(100.0)));
 }
 
-}  // namespace
+}  // namespace outages_test
 }  // namespace inslab::score

@@ -7,7 +7,7 @@
 #include "tests/unit/score/straight_run.hpp"
 
 namespace inslab::score {
-namespace {
+namespace scorer_test {
 
 using scenario::Metric;
 using scenario::Phase;
@@ -298,5 +298,5 @@ TEST(Scorer, SwapsPartTheRun) {
   EXPECT_NEAR(*figure(scorer, Metric::HorizontalRms, {Phase::SwapInterval, 1, 0.0}), 2.0, 1e-8);
 }
 
-}  // namespace
+}  // namespace scorer_test
 }  // namespace inslab::score

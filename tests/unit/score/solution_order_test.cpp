@@ -5,7 +5,7 @@
 #include "tests/unit/score/straight_run.hpp"
 
 namespace inslab::score {
-namespace {
+namespace solution_order_test {
 
 /// One second is a leap; the truth is at 10 s unless said otherwise.
 class SolutionOrderTest : public testing::Test {
@@ -98,5 +98,5 @@ TEST_F(SolutionOrderTest, WhatTheTruthNeverReachesIsOfTheFuture) {
   EXPECT_EQ(counts_.future, 2u);
 }
 
-}  // namespace
+}  // namespace solution_order_test
 }  // namespace inslab::score

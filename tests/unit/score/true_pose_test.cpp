@@ -6,7 +6,7 @@
 #include "tests/unit/score/straight_run.hpp"
 
 namespace inslab::score {
-namespace {
+namespace true_pose_test {
 
 constexpr double kRadius_m = 40.0;
 constexpr double kTurnRate_rad_per_s = 0.5;
@@ -199,5 +199,5 @@ TEST(ErrorOf, AttitudeIsTheRotationVectorFromTheEstimateToTheTruth) {
   EXPECT_LT((error.position_ned_m - Vector3(1.0, 2.0, -3.0)).norm(), 1e-8);
 }
 
-}  // namespace
+}  // namespace true_pose_test
 }  // namespace inslab::score

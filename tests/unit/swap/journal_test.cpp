@@ -7,7 +7,7 @@
 #include "samples/limits.hpp"
 
 namespace inslab::swap {
-namespace {
+namespace journal_test {
 
 using namespace std::chrono_literals;
 
@@ -155,5 +155,5 @@ TEST(Journal, ARejectionFitsTheWire) {
   EXPECT_FALSE(limit_violation(rejected(j.submit(profile, 0ns))).has_value());
 }
 
-}  // namespace
+}  // namespace journal_test
 }  // namespace inslab::swap

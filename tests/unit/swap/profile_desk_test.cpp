@@ -5,7 +5,7 @@
 #include "recovery/state_stream.hpp"
 
 namespace inslab::swap {
-namespace {
+namespace profile_desk_test {
 
 const SensorAddress kImu{SensorKind::Imu, 0};
 constexpr std::int64_t kMs = 1'000'000;
@@ -250,5 +250,5 @@ TEST(ProfileDesk, HoldsNothingOfWhatHasBeenTaken) {
   EXPECT_EQ(size(), after_one);
 }
 
-}  // namespace
+}  // namespace profile_desk_test
 }  // namespace inslab::swap

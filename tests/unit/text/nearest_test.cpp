@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::text {
-namespace {
+namespace nearest_test {
 
 const std::vector<std::string> kCommands{"run", "summary", "report", "simulate", "check", "plot"};
 
@@ -28,5 +28,5 @@ TEST(Nearest, SaysItAsAQuestion) {
   EXPECT_EQ(did_you_mean("fly", kCommands), "");
 }
 
-}  // namespace
+}  // namespace nearest_test
 }  // namespace inslab::text

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::text {
-namespace {
+namespace shown_test {
 
 TEST(ShownText, KeepsEveryScript) {
   for (const char* name :
@@ -46,5 +46,5 @@ TEST(ShownText, MakesFileNamesThatLeadNowhere) {
   EXPECT_EQ(file_name_of(""), "_");
 }
 
-}  // namespace
+}  // namespace shown_test
 }  // namespace inslab::text

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 namespace inslab::time {
-namespace {
+namespace gps_time_test {
 
 using std::chrono::seconds;
 
@@ -54,5 +54,5 @@ TEST(FromSeconds, RefusesWhatIsNotFinite) {
   EXPECT_THROW(from_seconds(std::numeric_limits<double>::infinity()), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace gps_time_test
 }  // namespace inslab::time

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 namespace inslab::time {
-namespace {
+namespace grid_test {
 
 Grid grid_of(const std::vector<double>& rates_hz) {
   std::vector<Rate> rates;
@@ -85,5 +85,5 @@ TEST(Grid, RefusesInstantsThatAlmostMeet) {
   EXPECT_THROW(grid_of({}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace grid_test
 }  // namespace inslab::time

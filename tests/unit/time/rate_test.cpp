@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace inslab::time {
-namespace {
+namespace rate_test {
 
 /// Rates of real sensors, of whole periods and of others.
 const std::vector<double> kRates{0.1,    0.3,    1.0,    3.0,     7.0,    29.97,       33.333333333333336,
@@ -106,5 +106,5 @@ TEST(Rate, RefusesWhatIsNoRate) {
   EXPECT_THROW(Rate(2e6), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace rate_test
 }  // namespace inslab::time

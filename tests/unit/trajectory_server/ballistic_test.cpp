@@ -9,7 +9,7 @@
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::trajectory {
-namespace {
+namespace ballistic_test {
 
 constexpr time::GpsTime kStart{2300, 0};
 
@@ -161,5 +161,5 @@ TEST(Ballistic, NamesTimePlaceAndSpeedWhereTheVelocityHasNoDirection) {
   EXPECT_EQ(refusal().substr(0, 41), "at 0.000000 s, segment 0 '': speed is 0.5");
 }
 
-}  // namespace
+}  // namespace ballistic_test
 }  // namespace inslab::trajectory

@@ -9,7 +9,7 @@
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::trajectory {
-namespace {
+namespace file_states_test {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -100,5 +100,5 @@ TEST(FileStates, RefusesASingleRow) {
               ThrowsMessage<std::invalid_argument>("two.csv has fewer than two rows"));
 }
 
-}  // namespace
+}  // namespace file_states_test
 }  // namespace inslab::trajectory

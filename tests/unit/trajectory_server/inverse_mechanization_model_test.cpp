@@ -10,7 +10,7 @@
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::trajectory {
-namespace {
+namespace inverse_mechanization_model_test {
 
 const time::Rate kRate(200.0);
 const time::GpsTime kStart{2300, 604'799'000'000'000};
@@ -167,5 +167,5 @@ TEST(InverseMechanizationModel, RefusesToLeaveTheDomain) {
   EXPECT_THROW(for (int k = 0; k < 200; ++k) model.advance(), std::domain_error);
 }
 
-}  // namespace
+}  // namespace inverse_mechanization_model_test
 }  // namespace inslab::trajectory

@@ -15,7 +15,7 @@
 #include "wire/cdr.hpp"
 
 namespace inslab::trajectory {
-namespace {
+namespace live_vehicle_test {
 
 constexpr double kStateRate_hz = 100.0;
 constexpr double kTruthRate_hz = 200.0;
@@ -443,5 +443,5 @@ TEST(LiveVehicle, AContradictionOfPositionAndVelocityBecomesAnOffsetAndNoVibrati
   }
 }
 
-}  // namespace
+}  // namespace live_vehicle_test
 }  // namespace inslab::trajectory

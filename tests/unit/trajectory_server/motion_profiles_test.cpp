@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace inslab::trajectory {
-namespace {
+namespace motion_profiles_test {
 
 /// Gauss-Legendre with three points on 256 pieces between corners: exact for the polynomials here, and for a sinusoid
 /// over a 256th of the span good to 1e-13.
@@ -97,5 +97,5 @@ TEST(MotionProfiles, SinusoidComesBackAfterAPeriod) {
   EXPECT_NEAR(cosine.integral(2.0), 0.0, 1e-15);
 }
 
-}  // namespace
+}  // namespace motion_profiles_test
 }  // namespace inslab::trajectory

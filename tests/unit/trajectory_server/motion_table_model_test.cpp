@@ -9,13 +9,13 @@
 #include "nav/attitude.hpp"
 #include "nav/wgs84.hpp"
 #include "tests/unit/trajectory_server/tables.hpp"
+#include "units/units.hpp"
 
 namespace inslab::trajectory {
-namespace {
+namespace motion_table_model_test {
 
 using namespace tables;
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 const time::GpsTime kStart{2300, 604'799'000'000'000};
 
 TruthState after(MotionTableModel& model, int steps) {
@@ -34,12 +34,12 @@ TEST(MotionTableModel, BeginsWithTheScenariosState) {
   t.initial.speed_m_per_s = 10.0;
   t.initial.roll_deg = 1.0;
   const TruthState truth = MotionTableModel(t, time::Rate(200.0), kStart).current();
-  EXPECT_DOUBLE_EQ(truth.latitude_rad, 30.53 * kRadPerDeg);
-  EXPECT_DOUBLE_EQ(truth.longitude_rad, 114.35 * kRadPerDeg);
+  EXPECT_DOUBLE_EQ(truth.latitude_rad, 30.53 * units::kDeg);
+  EXPECT_DOUBLE_EQ(truth.longitude_rad, 114.35 * units::kDeg);
   EXPECT_EQ(truth.height_m, 20.0);
-  EXPECT_NEAR(truth.v_n.x(), 10.0 * std::cos(30.0 * kRadPerDeg), 1e-14);
-  EXPECT_NEAR(truth.v_n.y(), 10.0 * std::sin(30.0 * kRadPerDeg), 1e-14);
-  EXPECT_NEAR(rpy(truth).roll_rad, kRadPerDeg, 1e-15);
+  EXPECT_NEAR(truth.v_n.x(), 10.0 * std::cos(30.0 * units::kDeg), 1e-14);
+  EXPECT_NEAR(truth.v_n.y(), 10.0 * std::sin(30.0 * units::kDeg), 1e-14);
+  EXPECT_NEAR(rpy(truth).roll_rad, units::kDeg, 1e-15);
   EXPECT_EQ(truth.interval_ns, 0);
   EXPECT_EQ(truth.dtheta_v, Vector3::Zero());
   EXPECT_EQ(truth.dv_v, Vector3::Zero());
@@ -92,7 +92,7 @@ TEST(MotionTableModel, ConstantVelocityNorthFollowsTheMeridian) {
   Trajectory t = at_wuhan(0.0);
   t.initial.speed_m_per_s = 100.0;
   const TruthState truth = truth_after(t, 60.0);
-  const double start = 30.53 * kRadPerDeg, h = (truth.latitude_rad - start) / 2000.0;
+  const double start = 30.53 * units::kDeg, h = (truth.latitude_rad - start) / 2000.0;
   double arc_m = 0.0;
   for (int i = 0; i < 1000; ++i) {
     const double at = start + 2.0 * h * i;
@@ -118,7 +118,7 @@ TEST(MotionTableModel, ConstantVelocityEastTurnsByTheEarthAndTheTransportRate) {
   const double longitude_rate =
       50.0 / ((nav::wgs84::transverse_radius_m(truth.latitude_rad) + 20.0) * std::cos(truth.latitude_rad));
   // v_N is 50 cos(90 deg) = 3e-15 m/s: latitude stays. Half a unit in the last place of two longitudes near 2 rad.
-  EXPECT_NEAR(truth.longitude_rad - 114.35 * kRadPerDeg, 10.0 * longitude_rate, 5e-16);
+  EXPECT_NEAR(truth.longitude_rad - 114.35 * units::kDeg, 10.0 * longitude_rate, 5e-16);
 }
 
 TEST(MotionTableModel, TurnReachesItsAngleAndKeepsTheSpeedOnTheNose) {
@@ -126,9 +126,9 @@ TEST(MotionTableModel, TurnReachesItsAngleAndKeepsTheSpeedOnTheNose) {
   t.initial.speed_m_per_s = 12.0;
   t.segments = {segment(7.0031, {turn(90.0)})};
   const TruthState truth = truth_after(t, 8.0);
-  EXPECT_NEAR(rpy(truth).yaw_rad, 120.0 * kRadPerDeg, 4e-15);
-  EXPECT_NEAR(truth.v_n.x(), 12.0 * std::cos(120.0 * kRadPerDeg), 5e-14);
-  EXPECT_NEAR(truth.v_n.y(), 12.0 * std::sin(120.0 * kRadPerDeg), 5e-14);
+  EXPECT_NEAR(rpy(truth).yaw_rad, 120.0 * units::kDeg, 4e-15);
+  EXPECT_NEAR(truth.v_n.x(), 12.0 * std::cos(120.0 * units::kDeg), 5e-14);
+  EXPECT_NEAR(truth.v_n.y(), 12.0 * std::sin(120.0 * units::kDeg), 5e-14);
 }
 
 TEST(MotionTableModel, RightTurnPushesToTheRight) {
@@ -136,7 +136,7 @@ TEST(MotionTableModel, RightTurnPushesToTheRight) {
   t.initial.speed_m_per_s = 10.0;
   t.segments = {segment(20.0, {constant_rate(10.0)})};
   // a_v = omega x v_v = +y; Coriolis adds 2 omega_e v = 1.5e-3 m/s^2 at most.
-  EXPECT_NEAR(truth_after(t, 5.0).f_v.y(), 10.0 * 10.0 * kRadPerDeg, 2e-3);
+  EXPECT_NEAR(truth_after(t, 5.0).f_v.y(), 10.0 * 10.0 * units::kDeg, 2e-3);
 }
 
 TEST(MotionTableModel, VelocityKeepsItsDirectionWhenNotOnTheNose) {
@@ -146,7 +146,7 @@ TEST(MotionTableModel, VelocityKeepsItsDirectionWhenNotOnTheNose) {
   t.segments[0].keep_velocity_on_nose = false;
   const TruthState truth = truth_after(t, 10.0);
   EXPECT_EQ(truth.v_n, Vector3(10.0, 0.0, 0.0));
-  EXPECT_NEAR(rpy(truth).yaw_rad, 90.0 * kRadPerDeg, 4e-15);
+  EXPECT_NEAR(rpy(truth).yaw_rad, 90.0 * units::kDeg, 4e-15);
 }
 
 TEST(MotionTableModel, DeltaSpeedAndTargetSpeedReachTheirSpeeds) {
@@ -186,7 +186,7 @@ TEST(MotionTableModel, FlagsARateThatJumpsAtTheEndOfAnIntervalAndReportsTheValue
   EXPECT_FALSE(after(model, 199).rate_jump);
   const TruthState at_jump = after(model, 1);
   EXPECT_TRUE(at_jump.rate_jump);
-  EXPECT_NEAR(at_jump.omega_iv_v.z(), 10.0 * kRadPerDeg, 1e-4);
+  EXPECT_NEAR(at_jump.omega_iv_v.z(), 10.0 * units::kDeg, 1e-4);
   EXPECT_NEAR(at_jump.dtheta_v.z(), 0.0, 1e-6);
   EXPECT_FALSE(after(model, 1).rate_jump);
   EXPECT_TRUE(after(model, 199).rate_jump);   // from 10 deg/s to a turn that starts from 0
@@ -224,5 +224,5 @@ TEST(MotionTableModel, RefusesABrokenTableAndAStartOutsideTheDomain) {
   EXPECT_THROW(MotionTableModel(t, time::Rate(200.0), kStart), std::domain_error);
 }
 
-}  // namespace
+}  // namespace motion_table_model_test
 }  // namespace inslab::trajectory

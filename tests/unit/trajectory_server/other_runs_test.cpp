@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::trajectory {
-namespace {
+namespace other_runs_test {
 
 using std::chrono::milliseconds;
 using time::Nanoseconds;
@@ -47,5 +47,5 @@ TEST(OtherRuns, AServiceThatWaitsForARunIsNone) {
   EXPECT_EQ(others.orphan(milliseconds(5000)), nullptr);
 }
 
-}  // namespace
+}  // namespace other_runs_test
 }  // namespace inslab::trajectory

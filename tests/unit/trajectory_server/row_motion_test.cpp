@@ -7,13 +7,13 @@
 #include "services/trajectory_server/smooth_model.hpp"
 #include "tests/unit/trajectory_server/rows.hpp"
 #include "tests/unit/trajectory_server/tables.hpp"
+#include "units/units.hpp"
 
 namespace inslab::trajectory {
-namespace {
+namespace row_motion_test {
 
 // Half a unit in the last place of a longitude of 3 rad, in metres on the equator.
 constexpr double kPlace_m = 2.9e-9;
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 
 nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
 
@@ -34,7 +34,7 @@ template <class NorthOf>
 io::TrajectoryFile eastward(double speed_m_per_s, int rows, NorthOf north_m) {
   io::TrajectoryFile file;
   file.name = "eastward";
-  const nav::Geodetic start{30.0 * kRadPerDeg, 0.0, 100.0};
+  const nav::Geodetic start{30.0 * units::kDeg, 0.0, 100.0};
   for (int k = 0; k < rows; ++k) {
     const nav::Geodetic here = nav::displaced(start, {north_m(k), speed_m_per_s * k, 0.0});
     file.rows.push_back({time::Nanoseconds(1000000000LL * k), {here.latitude_rad, here.longitude_rad, 100.0}, {}, {}});
@@ -105,8 +105,8 @@ TEST(RowMotion, WithoutAttitudesATurnIsBankedUntilNothingPullsSideways) {
   // A circle of 2 deg/s at 60 m/s in the level: tan(bank) = v yaw'/g.
   io::TrajectoryFile file;
   file.name = "circle";
-  const double rate = 2.0 * kRadPerDeg, radius_m = 60.0 / rate;
-  const nav::Geodetic centre{-35.0 * kRadPerDeg, 149.0 * kRadPerDeg, 1000.0};
+  const double rate = 2.0 * units::kDeg, radius_m = 60.0 / rate;
+  const nav::Geodetic centre{-35.0 * units::kDeg, 149.0 * units::kDeg, 1000.0};
   for (int k = 0; k < 180; ++k) {
     nav::Geodetic here = nav::displaced(centre, {radius_m * std::sin(rate * k), -radius_m * std::cos(rate * k), 0.0});
     here.height_m = 1000.0;
@@ -138,14 +138,14 @@ TEST(RowMotion, WithoutAttitudesAStandingVehicleKeepsItsHeading) {
   const auto truth = run(file, 1.0);
   for (std::size_t i = 25; i < truth.size(); ++i) {
     const nav::RollPitchYaw rpy = nav::rpy_from_quaternion(truth[i].q_nv);
-    EXPECT_NEAR(rpy.yaw_rad, 90.0 * kRadPerDeg, 1e-4);
+    EXPECT_NEAR(rpy.yaw_rad, 90.0 * units::kDeg, 1e-4);
     EXPECT_NEAR(rpy.roll_rad, 0.0, 1e-15);
   }
   // And one that has yet to move has the heading it will have.
   for (std::size_t k = 0; k < 20; ++k) file.rows[k].position = file.rows[20].position;
   for (std::size_t k = 21; k < 41; ++k)
     file.rows[k].position = eastward(10.0, 41, [](int) { return 0.0; }).rows[k].position;
-  EXPECT_NEAR(nav::rpy_from_quaternion(run(file, 1.0).front().q_nv).yaw_rad, 90.0 * kRadPerDeg, 1e-2);
+  EXPECT_NEAR(nav::rpy_from_quaternion(run(file, 1.0).front().q_nv).yaw_rad, 90.0 * units::kDeg, 1e-2);
 }
 
 TEST(RowMotion, EndsWithItsLastRow) {
@@ -162,5 +162,5 @@ TEST(RowMotion, RefusesOneRowAndPlacesOutsideTheDomain) {
   EXPECT_THROW(motion_through(file, {}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace row_motion_test
 }  // namespace inslab::trajectory

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace inslab::trajectory {
-namespace {
+namespace run_clock_test {
 
 using namespace std::chrono_literals;
 using time::Nanoseconds;
@@ -48,5 +48,5 @@ TEST(RunClock, AChangeOfRateWhilePausedCountsFromTheResumption) {
   EXPECT_EQ(clock.deadline(6s), 11s);
 }
 
-}  // namespace
+}  // namespace run_clock_test
 }  // namespace inslab::trajectory

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace inslab::trajectory {
-namespace {
+namespace run_control_test {
 
 SimCommand command(CommandKind kind, double value = 0.0) { return {7, kind, value}; }
 
@@ -78,5 +78,5 @@ TEST(RunControl, StopIsObeyedInEveryState) {
   EXPECT_TRUE(control.stop_requested());
 }
 
-}  // namespace
+}  // namespace run_control_test
 }  // namespace inslab::trajectory

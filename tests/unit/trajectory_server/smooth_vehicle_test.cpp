@@ -12,7 +12,7 @@
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::trajectory {
-namespace {
+namespace smooth_vehicle_test {
 
 constexpr double kPlace_m = 2.9e-9;
 
@@ -116,5 +116,5 @@ INSTANTIATE_TEST_SUITE_P(
                          [] { return rows::positions_of(rows::of_table(tables::aircraft(), 10.0, 300.0)); }}),
     [](const auto& file) { return file.param.name; });
 
-}  // namespace
+}  // namespace smooth_vehicle_test
 }  // namespace inslab::trajectory

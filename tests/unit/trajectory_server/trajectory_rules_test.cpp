@@ -6,7 +6,7 @@
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::scenario {
-namespace {
+namespace trajectory_rules_test {
 
 using trajectory::tables::at_wuhan;
 using trajectory::tables::constant_rate;
@@ -81,5 +81,5 @@ TEST(TrajectoryRules, RefuseMoreThanABillionSeconds) {
   EXPECT_EQ(violation(t)->path, "segments[100].duration_s");
 }
 
-}  // namespace
+}  // namespace trajectory_rules_test
 }  // namespace inslab::scenario

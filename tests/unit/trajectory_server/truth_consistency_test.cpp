@@ -12,7 +12,7 @@
 #include "tests/unit/trajectory_server/tables.hpp"
 
 namespace inslab::trajectory {
-namespace {
+namespace truth_consistency_test {
 
 constexpr double kUlpOfTwoRad = 4.4e-16;
 
@@ -162,5 +162,5 @@ TEST(Truth, KeepsASlowRateGridAsExact) {
   EXPECT_LT(apart_m, 1e-9 + kUlpOfTwoRad * nav::wgs84::a_m);
 }
 
-}  // namespace
+}  // namespace truth_consistency_test
 }  // namespace inslab::trajectory

@@ -8,7 +8,7 @@
 #include "tests/unit/trajectory_server/file_rows.hpp"
 
 namespace inslab::trajectory {
-namespace {
+namespace truth_model_test {
 
 scenario::LoadedScenario loaded(const std::string& name) {
   return scenario::load(std::string(INSLAB_SOURCE_DIR) + "/tests/data/" + name);
@@ -69,5 +69,5 @@ TEST(TruthModel, StandsAtTheLastWaypointUntilTheEndOfTheRun) {
   EXPECT_EQ(truth.v_n, Vector3::Zero());
 }
 
-}  // namespace
+}  // namespace truth_model_test
 }  // namespace inslab::trajectory

@@ -16,11 +16,10 @@
 #include "services/trajectory_server/smooth_model.hpp"
 #include "services/trajectory_server/truth_model.hpp"
 #include "services/trajectory_server/waypoint_motion.hpp"
+#include "units/units.hpp"
 
 namespace inslab::trajectory {
-namespace {
-
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+namespace vehicle_class_test {
 
 scenario::LoadedScenario shipped(const std::string& name) {
   return scenario::load(std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "scenarios" / (name + ".json"));
@@ -114,7 +113,7 @@ TEST_P(VehicleClasses, TurnAsTheIncrementsOfAngleSay) {
 
 TEST_P(VehicleClasses, NeverTurnFasterThanAVehicleDoes) {
   for (const TruthState& sample : run(GetParam().load(), 50.0)) {
-    ASSERT_LT(sample.omega_iv_v.norm(), 60.0 * kRadPerDeg) << seconds(sample);
+    ASSERT_LT(sample.omega_iv_v.norm(), 60.0 * units::kDeg) << seconds(sample);
   }
 }
 
@@ -197,8 +196,8 @@ TEST(Multirotor, FeelsItsThrustAlongMinusZAndNothingElseButDrag) {
   // Where it is probed the arc between two attitudes leaves the law by 2e-5 rad at most; but the law has a kink at the
   // ends of a ramp, which the smooth curve rounds, by up to 4e-4 rad, of 12 m/s^2.
   EXPECT_LT(off_axis_m_per_s2, 5e-4 * 12.0);
-  EXPECT_GT(tilt_rad, 12.0 * kRadPerDeg);
-  EXPECT_LT(tilt_rad, 30.0 * kRadPerDeg);
+  EXPECT_GT(tilt_rad, 12.0 * units::kDeg);
+  EXPECT_LT(tilt_rad, 30.0 * units::kDeg);
 }
 
 TEST(Multirotor, StandsLevelOnItsPadAndHoldsItsPlacesAndYaws) {
@@ -209,10 +208,10 @@ TEST(Multirotor, StandsLevelOnItsPadAndHoldsItsPlacesAndYaws) {
   double yaw_rad = 0.0;
   for (std::size_t k = 0; k < waypoints.size(); ++k) {
     const scenario::Waypoint& waypoint = waypoints[k];
-    if (waypoint.yaw_deg) yaw_rad = *waypoint.yaw_deg * kRadPerDeg;
+    if (waypoint.yaw_deg) yaw_rad = *waypoint.yaw_deg * units::kDeg;
     if (waypoint.wait_s == 0.0) continue;
     // The end of the wait, where the yaw has arrived.
-    const nav::Geodetic place{waypoint.latitude_deg * kRadPerDeg, waypoint.longitude_deg * kRadPerDeg,
+    const nav::Geodetic place{waypoint.latitude_deg * units::kDeg, waypoint.longitude_deg * units::kDeg,
                               waypoint.height_m};
     const auto here = [&] { return truth[i].v_n.norm() == 0.0 && truth[i].segment_index == k; };
     while (i < truth.size() && !here()) ++i;
@@ -244,7 +243,7 @@ TEST(Ship, LiesAtTheQuayRollingAndKeepsItsNoseOnTheTrack) {
   const scenario::VehicleAttitude& sea = loaded.scenario.trajectory.attitude_from_path;
   for (const TruthState& sample : run(loaded, 20.0)) {
     const auto wave = [&](double amplitude_deg, double period_s) {
-      return amplitude_deg * kRadPerDeg * std::sin(2.0 * 3.14159265358979323846 * seconds(sample) / period_s);
+      return amplitude_deg * units::kDeg * std::sin(2.0 * 3.14159265358979323846 * seconds(sample) / period_s);
     };
     // Cubics between 64 points of a period leave (2 pi/64)^4/384 of the amplitude; at the run's end, where the spline's
     // angular acceleration is 0 and the pitch's is not, h^2/12 of 0.0045 rad/s^2 with h = 0.086 s: 3e-6 rad.
@@ -267,12 +266,12 @@ TEST(FixedWing, FeelsNoSideForceInTheAirAndKeepsItsWingsLevelOnTheGround) {
     bank_rad = std::max(bank_rad, std::abs(rpy(sample).roll_rad));
     const double climb_rad = std::asin(-sample.v_n.z() / sample.v_n.norm());
     // The angle of attack lies in the banked plane, so pitch is below the sum of both.
-    ASSERT_LT(rpy(sample).pitch_rad, climb_rad + 4.0 * kRadPerDeg + 1e-3);
-    ASSERT_GT(rpy(sample).pitch_rad, climb_rad + 4.0 * kRadPerDeg * std::cos(rpy(sample).roll_rad) - 5e-3);
+    ASSERT_LT(rpy(sample).pitch_rad, climb_rad + 4.0 * units::kDeg + 1e-3);
+    ASSERT_GT(rpy(sample).pitch_rad, climb_rad + 4.0 * units::kDeg * std::cos(rpy(sample).roll_rad) - 5e-3);
   }
   EXPECT_LT(side_m_per_s2, 5e-4 * 12.0);
-  EXPECT_GT(bank_rad, 10.0 * kRadPerDeg);
-  EXPECT_LT(bank_rad, 59.0 * kRadPerDeg) << "or the limit would have cut it";
+  EXPECT_GT(bank_rad, 10.0 * units::kDeg);
+  EXPECT_LT(bank_rad, 59.0 * units::kDeg) << "or the limit would have cut it";
 }
 
 TEST(NoseAlongTrack, IsRefusedWhereADroneLeavesItsPad) {
@@ -292,5 +291,5 @@ TEST(NoseAlongTrack, IsRefusedWhereADroneLeavesItsPad) {
   }
 }
 
-}  // namespace
+}  // namespace vehicle_class_test
 }  // namespace inslab::trajectory

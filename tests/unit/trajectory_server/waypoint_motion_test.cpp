@@ -6,11 +6,10 @@
 
 #include "nav/attitude.hpp"
 #include "services/trajectory_server/smooth_model.hpp"
+#include "units/units.hpp"
 
 namespace inslab::trajectory {
-namespace {
-
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+namespace waypoint_motion_test {
 
 scenario::Trajectory along(std::vector<scenario::Waypoint> waypoints) {
   scenario::Trajectory trajectory;
@@ -48,7 +47,7 @@ TEST(WaypointMotion, PassesEveryWaypointAtItsSpeed) {
     std::size_t i = 0;
     while (i < truth.size() && truth[i].segment_index < k) ++i;
     ASSERT_LT(i, truth.size());
-    const nav::Geodetic expected{waypoint.latitude_deg * kRadPerDeg, waypoint.longitude_deg * kRadPerDeg,
+    const nav::Geodetic expected{waypoint.latitude_deg * units::kDeg, waypoint.longitude_deg * units::kDeg,
                                  waypoint.height_m};
     EXPECT_LT(nav::ned_from(expected, position(truth[i])).norm(), 0.025 + 1e-6) << k;
     EXPECT_NEAR(truth[i].v_n.norm(), waypoint.speed_m_per_s, 2e-3) << k;
@@ -128,5 +127,5 @@ TEST(WaypointMotion, RefusesWaypointsThatBreakARule) {
   EXPECT_THROW(motion_along_waypoints(along({{1.0, 2.0, 0.0, 5.0, 0.0}}), time::Nanoseconds(1)), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace waypoint_motion_test
 }  // namespace inslab::trajectory

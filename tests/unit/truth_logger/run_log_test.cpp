@@ -9,7 +9,7 @@
 #include "tests/unit/samples/number_fields.hpp"
 
 namespace inslab::logger {
-namespace {
+namespace run_log_test {
 
 class RunLogFile : public test::TemporaryFolder {
  protected:
@@ -91,5 +91,5 @@ TEST_F(RunLogFile, NumbersAcknowledgements) {
   EXPECT_EQ(config::parse_json(metadata_.at("ack/2").at("json"), "ack").at("reason"), "because");
 }
 
-}  // namespace
+}  // namespace run_log_test
 }  // namespace inslab::logger

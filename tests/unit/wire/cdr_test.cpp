@@ -9,7 +9,7 @@
 #include "wire/wire_type.hpp"
 
 namespace inslab::wire {
-namespace {
+namespace cdr_test {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -212,5 +212,5 @@ TEST(CdrBounds, RefuseAListOverItsBoundBeforeMakingRoomForIt) {
   EXPECT_FALSE(accepts_with(profile, 17, 0xffffffffU));
 }
 
-}  // namespace
+}  // namespace cdr_test
 }  // namespace inslab::wire

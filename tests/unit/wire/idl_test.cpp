@@ -9,7 +9,7 @@
 #include "wire/wire_type.hpp"
 
 namespace inslab::wire {
-namespace {
+namespace idl_test {
 
 TEST(SelfContainedIdl, HasNoPreprocessorLineAndTheTypesItNeeds) {
   const std::string text = self_contained_idl(WireType<ImuSample>::idl_file);
@@ -85,5 +85,5 @@ TEST(TopicNames, AreOneForEachStreamAndKind) {
   EXPECT_EQ(topic_names::journal(ProfileKind::ImuError), "inslab/journal/imu_error");
 }
 
-}  // namespace
+}  // namespace idl_test
 }  // namespace inslab::wire

@@ -6,6 +6,7 @@ namespace inslab::units {
 inline constexpr double kPi = 3.14159265358979323846;
 
 inline constexpr double kDeg = kPi / 180.0;                  ///< rad
+inline constexpr double kDegPerRad = 180.0 / kPi;            ///< deg, to show an angle
 inline constexpr double kArcsec = kDeg / 3600.0;             ///< rad
 inline constexpr double kDegPerS = kDeg;                     ///< rad/s
 inline constexpr double kDegPerH = kDeg / 3600.0;            ///< rad/s
