@@ -14,7 +14,7 @@
 namespace inslab::verify {
 namespace {
 
-constexpr double kRate_hz = 200.0;
+constexpr double kAllanRate_hz = 200.0;
 constexpr double kAllowed = 3.5;  ///< standard errors, with the records of the full table
 constexpr std::size_t kRecordsOfFullTable = 60;
 constexpr double kConfidence = 0.99;
@@ -72,12 +72,12 @@ void compare_curves(const std::vector<std::vector<allan::AllanPoint>>& curves, c
     const allan::AllanPoint& point = curves.front()[i];
     double mean = 0.0;
     for (const auto& curve : curves) mean += curve[i].variance / count;
-    const double ratio = mean / allan::allan_variance(expected, 1.0 / kRate_hz, point.m);
-    const double degrees = count * allan::equivalent_degrees_of_freedom(point, expected, 1.0 / kRate_hz);
+    const double ratio = mean / allan::allan_variance(expected, 1.0 / kAllanRate_hz, point.m);
+    const double degrees = count * allan::equivalent_degrees_of_freedom(point, expected, 1.0 / kAllanRate_hz);
     const double normal = as_normal(ratio, degrees);
     if (i > 0 && std::abs(normal) <= std::abs(result.worst_normal)) continue;
     result.worst_normal = normal;
-    result.worst_tau_s = static_cast<double>(point.m) / kRate_hz;
+    result.worst_tau_s = static_cast<double>(point.m) / kAllanRate_hz;
     result.worst_relative_deviation = std::sqrt(ratio) - 1.0;
   }
 }
@@ -147,11 +147,12 @@ Table curve_table(const std::vector<TriadResult>& results) {
   table.columns = {"set", "points", "tau to s", "furthest at tau s", "off %", "normal variable", "allowed"};
   for (const TriadResult& result : results) {
     const double allowed = allowed_normal(result.curve_points);
-    table.rows.push_back({{grade_name(result), std::to_string(result.curve_points),
-                           fmt::format("{:.0f}", std::exp2(static_cast<double>(result.curve_points) - 1.0) / kRate_hz),
-                           fmt::format("{:g}", result.worst_tau_s), percent(result.worst_relative_deviation),
-                           fmt::format("{:+.2f}", result.worst_normal), fmt::format("{:.2f}", allowed)},
-                          std::abs(result.worst_normal) <= allowed});
+    table.rows.push_back(
+        {{grade_name(result), std::to_string(result.curve_points),
+          fmt::format("{:.0f}", std::exp2(static_cast<double>(result.curve_points) - 1.0) / kAllanRate_hz),
+          fmt::format("{:g}", result.worst_tau_s), percent(result.worst_relative_deviation),
+          fmt::format("{:+.2f}", result.worst_normal), fmt::format("{:.2f}", allowed)},
+         std::abs(result.worst_normal) <= allowed});
   }
   table.notes = {
       "The curve of a bias is that of one held over each sample. The band is that of chi-square with the exact degrees "
@@ -214,7 +215,7 @@ std::vector<TriadResult> verify_grade(const Grade& grade, const Grade& expected,
   const ImuErrorProfile profile = profile_of(grade);
   for (const std::uint64_t seed : seeds) {
     progress(fmt::format("{} at rest, seed {}", run_length(grade.duration_s), seed));
-    const auto axes = record_still_imu(profile, kRate_hz, grade.duration_s, seed);
+    const auto axes = record_still_imu(profile, kAllanRate_hz, grade.duration_s, seed);
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
       records[axis / 3].emplace_back(axes[axis].record);
       curves[axis / 3].push_back(axes[axis].curve);

@@ -11,19 +11,19 @@ namespace inslab::verify {
 
 namespace {
 
-constexpr double kDuration_s = 100.0;
+constexpr double kRun_s = 100.0;
 constexpr double kOutageBegins_s = 40.0;
 
 /// A hundred seconds of a town's traffic with fixes of position and velocity at 5 Hz, and an outage at their end.
 NavigationSetup short_drive(std::uint64_t seed) {
   NavigationSetup setup = thesis_setup(seed, MotionFrom::Parameters);
-  setup.motion = town_drive(seed, 0.0, kDuration_s);
-  setup.duration_s = kDuration_s;
+  setup.motion = town_drive(seed, 0.0, kRun_s);
+  setup.duration_s = kRun_s;
   setup.gnss_rate_hz = 5.0;
   setup.gnss_velocity = true;
   setup.outages.first_s = kOutageBegins_s;
   setup.shifts_s = {0.0};
-  setup.nees_at_s = {10.0, 20.0, 30.0, kOutageBegins_s, kDuration_s - 1.0};
+  setup.nees_at_s = {10.0, 20.0, 30.0, kOutageBegins_s, kRun_s - 1.0};
   return setup;
 }
 
