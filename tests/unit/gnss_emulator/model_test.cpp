@@ -8,6 +8,7 @@
 
 #include "nav/wgs84.hpp"
 #include "tests/unit/gnss_emulator/receiver.hpp"
+#include "units/units.hpp"
 
 namespace inslab::gnss {
 namespace model_test {
@@ -32,7 +33,7 @@ TEST(GnssModel, AntennaIsTheRotatedArmAwayInAnyAttitude) {
   for (double roll = -180.0; roll <= 180.0; roll += 45.0) {
     for (double pitch = -90.0; pitch <= 90.0; pitch += 30.0) {
       for (double yaw = 0.0; yaw < 360.0; yaw += 60.0) {
-        const nav::RollPitchYaw rpy{roll * kRadPerDeg, pitch * kRadPerDeg, yaw * kRadPerDeg};
+        const nav::RollPitchYaw rpy{roll * units::kDeg, pitch * units::kDeg, yaw * units::kDeg};
         TruthState truth = at_rest(++k * kTruthNs);
         truth.q_nv = nav::quaternion_from_rpy(rpy);
         const auto fix = model.observe(truth);
@@ -75,7 +76,7 @@ TEST(GnssModel, VelocityIsGivenInTheAntennasOwnNed) {
   s.installation.lever_arm_v_m = {0.0, 1000.0, 0.0};
   GnssModel model(s);
   TruthState truth = at_rest(200000000);
-  truth.latitude_rad = 60.0 * kRadPerDeg;
+  truth.latitude_rad = 60.0 * units::kDeg;
   truth.v_n = {250.0, 0.0, 0.0};
   truth.omega_iv_v = nav::omega_ie_n(truth.latitude_rad);
   const auto fix = model.observe(truth);

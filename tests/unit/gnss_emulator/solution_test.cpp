@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/unit/gnss_emulator/receiver.hpp"
+#include "units/units.hpp"
 
 /// Gauss-Markov errors, kinds of solution, areas without signals, satellites and drifts of the whole receiver.
 namespace inslab::gnss {
@@ -128,9 +129,9 @@ TEST(GnssModel, HasNoFixWhileTheAntennaIsInATunnel) {
   // North at 10 m/s from 30 deg; the arm puts the antenna 2 m ahead, the tunnel is 40 to 60 m up the road.
   GnssModel::Setup s = setup(10.0);
   s.installation.lever_arm_v_m = {2.0, 0.0, 0.0};
-  const auto road = [](double north_m) { return nav::displaced({30.0 * kRadPerDeg, 0.3, 0.0}, {north_m, 0.0, 0.0}); };
+  const auto road = [](double north_m) { return nav::displaced({30.0 * units::kDeg, 0.3, 0.0}, {north_m, 0.0, 0.0}); };
   const auto degrees = [](const nav::Geodetic& place) {
-    return GroundPoint{place.latitude_rad / kRadPerDeg, place.longitude_rad / kRadPerDeg};
+    return GroundPoint{place.latitude_rad / units::kDeg, place.longitude_rad / units::kDeg};
   };
   s.outage_areas = {{"tunnel", 5.0, {degrees(road(45.0)), degrees(road(55.0))}}};
   GnssModel model(s);
@@ -154,7 +155,7 @@ TEST(GnssModel, CountsSatellitesAndDopsOfItsConstellation) {
   truth.header.gps_week = 2446;
   const auto fix = GnssModel(s).observe(truth);
   const Geometry sky = geometry_of({truth.latitude_rad, truth.longitude_rad, truth.height_m},
-                                   satellites_e_m(SatelliteModel::Gps, {2446, 0}), 5.0 * kRadPerDeg);
+                                   satellites_e_m(SatelliteModel::Gps, {2446, 0}), 5.0 * units::kDeg);
   ASSERT_GE(sky.satellites, 4U);
   EXPECT_EQ(fix->satellites_used, sky.satellites);
   EXPECT_EQ(fix->hdop, sky.hdop);

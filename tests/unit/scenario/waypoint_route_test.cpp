@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "units/units.hpp"
+
 namespace inslab::scenario {
 namespace waypoint_route_test {
 
@@ -43,9 +45,8 @@ TEST(WaypointRoute, MeetsEveryPlaceAndSpeed) {
   const WaypointRoute route(waypoints);
   for (std::size_t k = 0; k < waypoints.size(); ++k) {
     const PathPiece piece = piece_at(route, k);
-    const double kRadPerDeg = 3.14159265358979323846 / 180.0;
-    const nav::Geodetic expected{waypoints[k].latitude_deg * kRadPerDeg,
-                                 nav::wrapped_to_pi(waypoints[k].longitude_deg * kRadPerDeg), waypoints[k].height_m};
+    const nav::Geodetic expected{waypoints[k].latitude_deg * units::kDeg,
+                                 nav::wrapped_to_pi(waypoints[k].longitude_deg * units::kDeg), waypoints[k].height_m};
     // A longitude of 3 rad is good to 3e-9 m.
     EXPECT_LT(nav::ned_from(expected, place(piece, 0.0)).norm(), 3e-9) << k;
     EXPECT_NEAR(piece.velocity_k(0.0).norm(), waypoints[k].speed_m_per_s, 1e-12) << k;
