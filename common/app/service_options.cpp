@@ -6,9 +6,9 @@
 #include "app/host.hpp"
 #include "app/network_interfaces.hpp"
 #include "app/one_of.hpp"
-#include "samples/plain_text.hpp"
 #include "samples/run_control.hpp"
 #include "samples/unit_name.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::app {
 
@@ -19,14 +19,15 @@ std::string to_address(std::string& wanted) {
   if (wanted == "any") return "";
   const std::vector<NetworkInterface> here = network_interfaces();
   const auto address = address_on(here, wanted);
-  if (!address) return "this host has no interface '" + plain_text(wanted) + "'; it has " + words_of(here) + ", or any";
+  if (!address)
+    return "this host has no interface '" + text::shown(wanted) + "'; it has " + words_of(here) + ", or any";
   wanted = *address;
   return "";
 }
 
 std::string judge_unit(const std::string& name) {
   if (name.empty() || is_unit_name(name)) return "";
-  return "'" + plain_text(name) + "' names no unit; expected " + kUnitNameRule;
+  return "'" + text::shown(name) + "' names no unit; expected " + kUnitNameRule;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "app/status_board.hpp"
 
 #include "app/host.hpp"
-#include "samples/plain_text.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::app {
 
@@ -28,7 +28,7 @@ void StatusBoard::tick() {
 }
 
 void StatusBoard::enter(ServiceState state, const std::string& message) {
-  const std::string words = plain_text(message, kLongestMessage);
+  const std::string words = text::cut(text::shown(message), kLongestMessage);
   if (state == state_ && words == message_) return;
   state_ = state;
   message_ = words;
@@ -50,7 +50,7 @@ void StatusBoard::report() {
   const bool spoiled = !fault_.empty();
   status_.state = spoiled && state_ == ServiceState::Finished ? ServiceState::Fault : state_;
   const bool says_the_fault = spoiled && (message_.empty() || status_.state == ServiceState::Fault);
-  if (says_the_fault) status_.message = plain_text(fault_, kLongestMessage);
+  if (says_the_fault) status_.message = text::cut(text::shown(fault_), kLongestMessage);
   if (!writer_.write(status_)) spdlog::warn("the status of {} could not be sent", status_.service);
 }
 

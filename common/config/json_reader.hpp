@@ -5,7 +5,6 @@
 #include "config/error.hpp"
 #include "config/json_file.hpp"
 #include "samples/limits.hpp"
-#include "samples/plain_text.hpp"
 #include "text/nearest.hpp"
 #include "text/shown.hpp"
 
@@ -169,8 +168,8 @@ class JsonReader {
         fail(Rule::BoundedSize, path,
              "has " + std::to_string(value.size()) + " characters; expected at most " + std::to_string(field.max_size));
       }
-      if (!is_plain_text(value)) {
-        fail(Rule::PlainText, path, "is '" + plain_text(value) + "'; expected one line without control characters");
+      if (!text::is_plain(value)) {
+        fail(Rule::PlainText, path, "is '" + text::shown(value) + "'; expected one line without control characters");
       }
     } else if constexpr (is_list<T>) {
       if (!json.is_array()) wrong_type(path, json, "a list");

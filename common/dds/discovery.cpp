@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "dds/fast_dds_network.hpp"
-#include "samples/plain_text.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::dds {
 
@@ -38,8 +38,8 @@ template <class Data>
 Endpoint endpoint_of(const Data& data, bool is_writer) {
   Endpoint endpoint;
   endpoint.is_writer = is_writer;
-  endpoint.topic = plain_text(data.topic_name.to_string());
-  endpoint.type = plain_text(data.type_name.to_string());
+  endpoint.topic = text::shown(data.topic_name.to_string());
+  endpoint.type = text::shown(data.type_name.to_string());
   endpoint.guid_prefix = text_of(data.guid.guidPrefix);
   const bool reliable = data.reliability.kind == efd::RELIABLE_RELIABILITY_QOS;
   endpoint.reliability = reliable ? ReliabilityKind::Reliable : ReliabilityKind::BestEffort;
@@ -54,7 +54,7 @@ Endpoint endpoint_of(const Data& data, bool is_writer) {
   endpoint.presentation = kind_of<PresentationScope>(data.presentation.access_scope, PresentationScope::Group);
   endpoint.coherent_access = data.presentation.coherent_access;
   endpoint.ordered_access = data.presentation.ordered_access;
-  for (const std::string& name : data.partition.getNames()) endpoint.partitions.push_back(plain_text(name));
+  for (const std::string& name : data.partition.getNames()) endpoint.partitions.push_back(text::shown(name));
   for (const auto id : data.representation.m_value) endpoint.representations.push_back(id);
   return endpoint;
 }
@@ -71,7 +71,7 @@ struct Discovery::Listener : fast_dds::DomainParticipantListener {
     if (gone) {
       participants.erase(prefix);
     } else {
-      participants[prefix] = plain_text(data.participant_name.to_string());
+      participants[prefix] = text::shown(data.participant_name.to_string());
     }
   }
   void on_data_writer_discovery(efd::DomainParticipant*, fast_dds::WriterStatus status,

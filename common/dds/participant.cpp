@@ -21,8 +21,8 @@
 #include "dds/packet_guard.hpp"
 #include "dds/participant_listener.hpp"
 #include "dds/security.hpp"
-#include "samples/plain_text.hpp"
 #include "samples/unit_name.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::dds {
 
@@ -52,7 +52,7 @@ class LogForwarder : public efd::LogConsumer {
     if (++said_ > kSaid) {
       spdlog::warn("Fast DDS: more errors, not shown");
     } else {
-      spdlog::warn("Fast DDS: {}", plain_text(entry.message));
+      spdlog::warn("Fast DDS: {}", text::shown(entry.message));
     }
   }
 
@@ -202,7 +202,7 @@ Participant::Participant(const ParticipantOptions& options)
     throw std::runtime_error("DDS domain " + std::to_string(options.domain) + "; expected 0 to 232");
   }
   if (!options.unit.empty() && !is_unit_name(options.unit)) {
-    throw std::runtime_error("unit '" + plain_text(options.unit) + "'; expected " + kUnitNameRule);
+    throw std::runtime_error("unit '" + text::shown(options.unit) + "'; expected " + kUnitNameRule);
   }
   participant_ = factory.create_participant(options.domain, participant_qos(options, refused_), listener_.get(),
                                             efd::StatusMask::none());

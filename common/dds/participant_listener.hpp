@@ -13,8 +13,8 @@
 
 #include "dds/fast_dds_network.hpp"
 #include "dds/participant.hpp"
-#include "samples/plain_text.hpp"
 #include "samples/unit_name.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::dds {
 
@@ -30,7 +30,7 @@ struct Participant::Listener : fast_dds::DomainParticipantListener {
         status == fast_dds::ParticipantStatus::DROPPED_PARTICIPANT) {
       peers.forget(key);
     } else {
-      peers.note({key, plain_text(data.participant_name.to_string()), address_of(data.metatraffic_locators),
+      peers.note({key, text::shown(data.participant_name.to_string()), address_of(data.metatraffic_locators),
                   data.user_data.data_vec()});
     }
   }
@@ -84,7 +84,7 @@ struct Participant::Listener : fast_dds::DomainParticipantListener {
     } else if (ignored.insert(writer).second) {
       should_be_ignored = true;
       spdlog::warn("a writer of {} in the partition '{}', which is no unit's name, is ignored",
-                   plain_text(data.topic_name.to_string()), plain_text(*pattern));
+                   text::shown(data.topic_name.to_string()), text::shown(*pattern));
     }
     ignored_count = ignored.size();
   }

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "samples/limits.hpp"
-#include "samples/plain_text.hpp"
 #include "samples/profile_rules.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::swap {
 
@@ -18,8 +18,8 @@ ProfileAck rejected(const AnyProfile& request, const std::string& field, const s
   ack.outcome = AckOutcome::Rejected;
   ack.requested_time_ns = request_of(request).apply_at_ns;
   // Bounds of the wire: a path or reason that does not fit would make the ack itself unsendable.
-  ack.field = plain_text(field, 128);
-  ack.reason = plain_text(reason, 256);
+  ack.field = text::cut(text::shown(field), 128);
+  ack.reason = text::cut(text::shown(reason), 256);
   return ack;
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "samples/field.hpp"
-#include "samples/plain_text.hpp"
+#include "text/shown.hpp"
 
 /// XCDR1 (plain CDR) of the structs that list their fields. Little endian out, either endianness in. Source: OMG
 /// DDS-RTPS 2.2 section 10 (encapsulation), CORBA 3.3 part 2 section 9.3 (CDR). The generated types of idl/ are the
@@ -177,7 +177,7 @@ class Decoder {
       ok_ = characters <= field.max_size && (length == 0 || at_[characters] == 0);
       if (!ok_) return;
       value.assign(reinterpret_cast<const char*>(at_), characters);
-      ok_ = is_plain_text(value);
+      ok_ = text::is_plain(value);
       at_ += length;
     } else if constexpr (is_list<T>) {
       std::uint32_t count = 0;
@@ -230,7 +230,7 @@ void encode(const T& value, std::vector<std::uint8_t>& out) {
 
 /// Reads `value` from a payload with its encapsulation header. False, with `value` in an unspecified valid state, when
 /// the payload is not plain CDR, too short, holds an enumerator outside its enum, a string or list over its bound, or a
-/// string that is not one line of UTF-8 (samples/plain_text.hpp).
+/// string that is not one line of UTF-8 (text/shown.hpp).
 template <class T>
 bool decode(const std::uint8_t* data, std::size_t size, T& value) {
   if (size < kEncapsulationSize || data[0] != 0x00 || data[1] > 0x01) return false;

@@ -6,8 +6,8 @@
 #include "app/stream_monitor.hpp"
 #include "config/json_reader.hpp"
 #include "io/log_topic.hpp"
-#include "samples/plain_text.hpp"
 #include "services/truth_logger/run_log.hpp"
+#include "text/shown.hpp"
 #include "wire/topic_names.hpp"
 #include "wire/wire_type.hpp"
 
@@ -127,7 +127,7 @@ void read_initial(const io::McapReader& log, const SensorAddress& sensor, LogSum
 
 std::string value_of(const io::mcap::StringMap& values, const std::string& key) {
   const auto found = values.find(key);
-  return found == values.end() ? std::string() : plain_text(found->second);
+  return found == values.end() ? std::string() : text::shown(found->second);
 }
 
 void read_metadata(const io::McapReader& log, LogSummary& summary) {

@@ -8,11 +8,11 @@
 
 #include "app/exit_code.hpp"
 #include "app/one_of.hpp"
-#include "samples/plain_text.hpp"
 #include "services/inslab/commands.hpp"
 #include "services/inslab/profile_file.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
 #include "services/inslab/tell.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::cli {
 namespace {
@@ -36,7 +36,7 @@ struct ProfileOptions {
 int run_import(const ProfileOptions& options) {
   ImportedProfile imported = importers().at(options.from)(options.file, options.import);
   const std::string stem = std::filesystem::path(options.file).stem().string();
-  imported.profile.name = plain_text(options.name.empty() ? stem : options.name, 64);
+  imported.profile.name = text::cut(text::shown(options.name.empty() ? stem : options.name), 64);
   // Without a file the profile itself goes to standard output, and what is for people beside it.
   std::FILE* const people = options.output.empty() ? stderr : stdout;
   for (const std::string& line : imported.lines) tell(people, "{}\n", line);

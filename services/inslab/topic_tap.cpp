@@ -5,7 +5,7 @@
 #include "app/host.hpp"
 #include "dds/reader.hpp"
 #include "dds/topics.hpp"
-#include "samples/plain_text.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::cli {
 
@@ -49,7 +49,7 @@ TopicTap::TopicTap(dds::Participant& participant, const std::string& topic, cons
     known += (known.empty() ? "" : ", ") + candidate.name;
   });
   if (!reader_) {
-    throw std::invalid_argument("no topic '" + plain_text(topic) + "' to listen to; there are " + known);
+    throw std::invalid_argument("no topic '" + text::shown(topic) + "' to listen to; there are " + known);
   }
 }
 

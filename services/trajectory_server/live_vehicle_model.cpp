@@ -7,8 +7,8 @@
 
 #include "nav/attitude.hpp"
 #include "samples/limits.hpp"
-#include "samples/plain_text.hpp"
 #include "services/trajectory_server/checked_trajectory.hpp"
+#include "text/shown.hpp"
 #include "units/units.hpp"
 
 namespace inslab::trajectory {
@@ -107,7 +107,7 @@ bool LiveVehicleModel::receive(const VehicleState& state) {
   ++link_.received;
   if (const auto reason = reason_to_refuse(state)) {
     ++link_.refused;
-    link_.last_refusal = plain_text(*reason, 160);
+    link_.last_refusal = text::cut(text::shown(*reason), 160);
     return false;
   }
   const VehicleKnot knot = knot_of(state);

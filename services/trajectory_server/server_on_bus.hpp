@@ -11,12 +11,12 @@
 #include "app/status_board.hpp"
 #include "app/stream_output.hpp"
 #include "dds/reader.hpp"
-#include "samples/plain_text.hpp"
 #include "services/trajectory_server/other_runs.hpp"
 #include "services/trajectory_server/run_clock.hpp"
 #include "services/trajectory_server/run_control.hpp"
 #include "services/trajectory_server/truth_source.hpp"
 #include "services/trajectory_server/vehicle_on_bus.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::trajectory {
 
@@ -71,7 +71,7 @@ class ServerOnBus {
   void send_time_mark();
   void report_status();
   /// Puts a message into the status, of which nothing is sent yet.
-  void say(const std::string& message) { status_.message = plain_text(message, 256); }
+  void say(const std::string& message) { status_.message = text::cut(text::shown(message), 256); }
   int end(RunState state, const std::string& message);
 
   app::Context& context_;

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "samples/limits.hpp"
-#include "samples/plain_text.hpp"
 #include "samples/profile_rules.hpp"
+#include "text/shown.hpp"
 #include "units/units.hpp"
 
 namespace inslab::cli {
@@ -93,10 +93,10 @@ ProfileUnit profile_unit(allan::Parameter parameter, bool is_gyro) {
 ImuErrorProfile fitted_profile(const ImuAnalysis& analysis) {
   ImuErrorProfile profile;
   const std::string file = std::filesystem::path(analysis.path).filename().string();
-  profile.name = plain_text("fit of " + file, 64);
-  profile.source = plain_text(fmt::format("Fitted by inslab allan to {} samples at {:g} Hz of {}",
-                                          analysis.recording.samples, 1.0 / analysis.recording.dt_s, file),
-                              256);
+  profile.name = text::cut(text::shown("fit of " + file), 64);
+  profile.source = text::cut(text::shown(fmt::format("Fitted by inslab allan to {} samples at {:g} Hz of {}",
+                                                     analysis.recording.samples, 1.0 / analysis.recording.dt_s, file)),
+                             256);
   for (const AxisAnalysis& axis : analysis.axes) {
     if (axis.is_gyro()) {
       take(axis, analysis.is_error, profile.gyro);

@@ -7,7 +7,6 @@
 #include "config/input_limits.hpp"
 #include "io/error.hpp"
 #include "io/text_lines.hpp"
-#include "samples/plain_text.hpp"
 #include "services/inslab/profile_import/conversion.hpp"
 #include "text/shown.hpp"
 #include "units/units.hpp"
@@ -55,7 +54,8 @@ class Gazebo {
     const Element* imu = sensor.FirstChildElement("imu");
     if (imu == nullptr) fail(sensor, "has no <imu>; expected one with noise in it");
     rate_hz_ = update_rate(sensor);
-    imported_.profile.source = "Imported from a Gazebo model (SDF), IMU " + plain_text(name_of(sensor), 100);
+    imported_.profile.source =
+        "Imported from a Gazebo model (SDF), IMU " + text::cut(text::shown(name_of(sensor)), 100);
     imported_.lines.push_back(
         fmt::format("sensor '{}' at {:g} Hz; axes turned from forward-left-up: constants along y "
                     "and z change their sign",

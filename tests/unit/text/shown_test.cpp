@@ -31,6 +31,19 @@ TEST(ShownText, ShowsBytesThatAreNotUtf8) {
   EXPECT_EQ(shown("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");
 }
 
+/// RFC 3629, and the bytes next to what it admits.
+TEST(ShownText, IsPlainUpToTheEdgesOfUtf8) {
+  for (const char* text : {"\x80", "\xff", "\xc3", "\xc3(", "\xc0\xaf", "\xc1\xbf", "\xe0\x9f\xbf", "\xed\xa0\x80",
+                           "\xe2\x82", "\xf0\x8f\xbf\xbf", "\xf0\x9f\x9b", "\xf4\x90\x80\x80", "\xf5\x80\x80\x80"}) {
+    EXPECT_FALSE(is_plain(text)) << shown(text);
+  }
+  for (const char* text : {"", "\xc2\xa0", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xef\xbf\xbf",
+                           "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"}) {
+    EXPECT_TRUE(is_plain(text)) << shown(text);
+  }
+  EXPECT_FALSE(is_plain(std::string(1, '\0')));
+}
+
 TEST(ShownText, QuotesAndCutsBetweenCharacters) {
   EXPECT_EQ(quoted("abc"), "'abc'");
   EXPECT_EQ(quoted("\xc3\xa4\xc3\xb6\xc3\xbc", 2), "'\xc3\xa4\xc3\xb6...'");
