@@ -10,6 +10,8 @@
 #include "app/host.hpp"
 #include "services/inslab/log_sink.hpp"
 #include "services/inslab/offline_run.hpp"
+#include "services/inslab/swap_window.hpp"
+#include "tests/unit/inslab/journal_of_faults.hpp"
 
 namespace inslab::cli {
 namespace {
@@ -59,6 +61,21 @@ void BM_OfflineWithLog(benchmark::State& state) {
   std::filesystem::remove(path);
 }
 BENCHMARK(BM_OfflineWithLog);
+
+/// The windows of a soak's swaps: one item is a swap with its first sample. What one costs may not grow with their
+/// number.
+void BM_SwapWindows(benchmark::State& state) {
+  const auto swaps = static_cast<std::uint32_t>(state.range(0));
+  const LogSummary summary = journal_of_faults(swaps);
+  for (auto _ : state) {
+    SwapWindowsOfLog windows(summary);
+    for (std::uint32_t i = 1; i <= swaps; ++i) windows.add(sample_after(i, swaps), ImuTruth{}, TruthState{});
+    benchmark::DoNotOptimize(windows.all().size());
+  }
+  state.SetItemsProcessed(state.iterations() * swaps);
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_SwapWindows)->Range(2000, 16000)->Complexity();
 
 }  // namespace
 }  // namespace inslab::cli
