@@ -111,9 +111,9 @@ class ErrorSink : public cli::RunSink {
 
 /// One run of a car on a circle with these receivers.
 std::vector<ErrorSink::Series> errors_of_run(const std::vector<GnssErrorProfile>& receivers, std::uint64_t seed) {
-  constexpr double kDuration_s = 1200.0;
+  constexpr double kCircling_s = 1200.0;
   constexpr double kRate_hz = 10.0;
-  scenario::LoadedScenario loaded = turning(kDuration_s, kRate_hz, {constant_rate(scenario::Axis::Z, 6.0)});
+  scenario::LoadedScenario loaded = turning(kCircling_s, kRate_hz, {constant_rate(scenario::Axis::Z, 6.0)});
   loaded.scenario.seed = seed;
   for (const GnssErrorProfile& errors : receivers) {
     loaded.gnss.push_back(receiver(static_cast<std::uint32_t>(loaded.gnss.size()), kRate_hz, errors));
