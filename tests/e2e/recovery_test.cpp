@@ -92,6 +92,8 @@ TEST_F(Recovery, EachServiceThatIsKilledGoesOnAndNoBitIsLost) {
   ASSERT_TRUE(reaches(5.2)) << run.output();
   kill_child(run, "inslab-gnss-emulator");
   ASSERT_TRUE(reaches(6.5)) << run.output();
+  // The logger that is to say that this one came back must have seen it.
+  ASSERT_TRUE(run.prints("inslab/gnss/0: its service was started again", seconds(30))) << run.output();
   kill_child(run, "inslab-truth-logger");
   EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
   EXPECT_THAT(run.output(), HasSubstr("inslab-imu-injector 0 was ended by signal 9 (Killed) and started again"));
