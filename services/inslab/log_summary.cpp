@@ -37,7 +37,7 @@ class Gatherer {
     if (type == wire::WireType<GnssFix>::name) return stream<GnssFix>(topic, message);
     if (type == wire::WireType<UsedVehicleState>::name) return stream<UsedVehicleState>(topic, message);
     if (topic == wire::topic_names::kNav) {
-      ++solutions_;
+      ++summary_.nav_solutions;
     } else if (type == wire::WireType<ProfileAck>::name) {
       if (auto ack = decoded<ProfileAck>(message)) summary_.acks.push_back(*ack);
     } else if (type == wire::WireType<SimStatus>::name) {
@@ -59,7 +59,7 @@ class Gatherer {
       for (const StreamStatus& stream : status.streams) {
         if (stream.direction != StreamDirection::Out) continue;
         summary_.streams[stream.topic].sent = stream.samples;
-        if (stream.topic == wire::topic_names::kNav) summary_.streams[stream.topic].logged.samples = solutions_;
+        if (stream.topic == wire::topic_names::kNav) summary_.streams[stream.topic].logged.samples = summary_.nav_solutions;
       }
     }
   }
@@ -102,7 +102,6 @@ class Gatherer {
 
   LogSummary& summary_;
   std::map<std::string, app::StreamMonitor> monitors_;
-  std::uint64_t solutions_ = 0;  ///< of whatever app; they have no numbers of their own
   std::map<std::pair<std::string, std::uint32_t>, ServiceStatus> services_;
 };
 

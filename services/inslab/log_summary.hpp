@@ -61,6 +61,7 @@ struct LogSummary {
   scenario::Scenario scenario;
   std::optional<SimStatus> last_status;
   std::map<std::string, StreamSummary> streams;  ///< by topic
+  std::uint64_t nav_solutions = 0;               ///< of the app under test
   std::vector<ServiceStatus> services;           ///< the last report of each
   std::optional<VehicleLink> vehicle_link;       ///< the last report; of a live vehicle only
   std::vector<ProfileAck> acks;

@@ -81,6 +81,11 @@ void print_streams(const LogSummary& summary, Verdict& verdict) {
                     fmt::format("{}: {} lost, {} twice", topic, logged.lost, logged.duplicates));
   }
   tell("latency: from the writer's publish time to receipt by the logger\n");
+  // A writer is known to its readers before it knows them: what an app says meanwhile, if only in lockstep's first
+  // moments, is heard by nobody.
+  verdict.require(!summary.scenario.require_nav_app || is_offline(summary) || summary.nav_solutions > 0,
+                  fmt::format("{}: the scenario requires a navigation app, and no solution of one came to the log",
+                              wire::topic_names::kNav));
 }
 
 void print_services(const LogSummary& summary, Verdict& verdict) {

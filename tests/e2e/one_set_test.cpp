@@ -232,5 +232,18 @@ TEST_F(OneSet, AJournalEntryIsJudgedWhereItIsObeyed) {
   EXPECT_EQ(injector->wait(seconds(10)), 0) << injector->output();
 }
 
+using RequiredApp = OneSet;
+
+/// An app that is there, as the barrier asks, and never says where it is.
+TEST_F(RequiredApp, ThatSaysNothingFailsTheRun) {
+  dds::Participant participant(app::participant_options(network(), "bench"));
+  const dds::Writer<NavSolution> silent(participant, dds::topics::nav());
+  Process run("inslab",
+              {"run", source("tests/data/required_app.json"), "--domain", own_domain(), "--log", folder_ / "log.mcap"});
+  EXPECT_EQ(run.wait(seconds(90)), 1) << run.output();
+  EXPECT_THAT(run.output(),
+              HasSubstr("inslab/nav: the scenario requires a navigation app, and no solution of one came"));
+}
+
 }  // namespace one_set_test
 }  // namespace inslab::e2e
