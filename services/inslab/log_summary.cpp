@@ -59,7 +59,8 @@ class Gatherer {
       for (const StreamStatus& stream : status.streams) {
         if (stream.direction != StreamDirection::Out) continue;
         summary_.streams[stream.topic].sent = stream.samples;
-        if (stream.topic == wire::topic_names::kNav) summary_.streams[stream.topic].logged.samples = summary_.nav_solutions;
+        if (stream.topic == wire::topic_names::kNav)
+          summary_.streams[stream.topic].logged.samples = summary_.nav_solutions;
       }
     }
   }
