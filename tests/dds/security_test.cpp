@@ -1,9 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <fastdds/dds/log/Log.hpp>
 #include <filesystem>
+#include <map>
+#include <mutex>
+#include <sstream>
 #include <thread>
 
 #include "dds/discovery.hpp"
@@ -16,6 +22,7 @@ namespace security_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
+using testing::Not;
 using testing::ThrowsMessage;
 
 ParticipantOptions options(const std::string& role, const std::string& keys) {
@@ -85,6 +92,59 @@ TEST_F(Security, WithoutACertificateNothingIsSeenAndNothingIsInjected) {
   EXPECT_EQ(overheard, 0);
   EXPECT_EQ(injector.matched_readers(), 0);
   EXPECT_EQ(eavesdropper.matched_writers(), 0);
+}
+
+/// What is logged while it lives.
+class LogCapture {
+ public:
+  LogCapture() : before_(spdlog::default_logger()) {
+    spdlog::set_default_logger(
+        std::make_shared<spdlog::logger>("captured", std::make_shared<spdlog::sinks::ostream_sink_mt>(text_)));
+  }
+  ~LogCapture() { spdlog::set_default_logger(before_); }
+  LogCapture(const LogCapture&) = delete;
+  LogCapture& operator=(const LogCapture&) = delete;
+
+  /// With all that Fast DDS has said so far.
+  std::string text() const {
+    eprosima::fastdds::dds::Log::Flush();
+    return text_.str();
+  }
+
+ private:
+  std::shared_ptr<spdlog::logger> before_;
+  std::ostringstream text_;
+};
+
+TEST_F(Security, AnOpenReaderHandsEverySampleOnOnceAndComplainsOfNothing) {
+  constexpr std::uint64_t kRequests = 50;
+  const LogCapture log;
+  {
+    Participant server(options("inslab-trajectory-server", keys_->path()));
+    Participant operator_(options("operator", keys_->path()));
+    std::mutex mutex;
+    std::map<std::uint64_t, int> came;
+    OpenReader<FaultProfile> reader(server, topics::request<FaultProfile>(),
+                                    [&](const FaultProfile& profile, const SampleOrigin&) {
+                                      const std::lock_guard<std::mutex> lock(mutex);
+                                      ++came[profile.request.request_id];
+                                    });
+    Writer<FaultProfile> writer(operator_, topics::request<FaultProfile>());
+    ASSERT_TRUE(eventually([&] { return writer.matched_readers() == 2 && reader.matched_writers() == 1; }));
+    for (std::uint64_t i = 0; i < kRequests; ++i) {
+      FaultProfile profile;
+      profile.request.request_id = i;
+      ASSERT_TRUE(writer.write(profile));
+    }
+    EXPECT_TRUE(eventually([&] {
+      const std::lock_guard<std::mutex> lock(mutex);
+      return came.size() == kRequests;
+    }));
+    EXPECT_TRUE(writer.wait_for_acknowledgments(seconds(20)));  // both readers have had theirs
+    const std::lock_guard<std::mutex> lock(mutex);
+    for (const auto& [id, times] : came) EXPECT_EQ(times, 1) << id;
+  }
+  EXPECT_THAT(log.text(), Not(HasSubstr("Fast DDS: ")));
 }
 
 TEST_F(Security, ALoggerMayNotWriteProfiles) {

@@ -81,6 +81,7 @@ class ForeignApp : public testing::TestWithParam<App> {
     EXPECT_THAT(navigation.output(), HasSubstr("inslab/truth: 1201 samples, 0 missing"));
     EXPECT_THAT(navigation.output(), HasSubstr("inslab/imu/0: 1200 samples, 0 missing"));
     EXPECT_THAT(navigation.output(), HasSubstr("inslab/gnss/0: 60 samples, 0 missing"));
+    EXPECT_THAT(navigation.output(), HasSubstr("inslab/nav: 1200 solutions published"));
     auto received = values_of(values_);
     EXPECT_EQ(received["imu"], logged<ImuSample>(log_, "inslab/imu/0", [](const ImuSample& s) {
                 return std::make_pair(s.dtheta_b.x(), s.dv_b.z());

@@ -321,7 +321,8 @@ int navigate(const Options& options) {
       imu.add(sample.header().sequence_number());
       note("imu", sample.header().sequence_number(), sample.dtheta_b_rad()[0], sample.dv_b_m_per_s()[2]);
       types::NavSolution nav = solve(fix, sample);
-      if (nav_writer->write(&nav)) ++published;
+      // With a handle it returns a code in 2.x too.
+      if (nav_writer->write(&nav, HANDLE_NIL) == RETCODE_OK) ++published;
     });
     take_all<types::TruthState>(*truth_reader, [&](const types::TruthState& sample) {
       truth.add(sample.header().sequence_number());
