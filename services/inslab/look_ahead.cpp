@@ -116,6 +116,30 @@ std::string why_it_does_not_begin(const reference_nav::NavigationFilter& filter)
   return "at rest: " + (at_rest.empty() ? "it is too short" : at_rest) + "; in motion: " + filter.motion_refusal();
 }
 
+bool has_limit(const ImuErrorProfile& errors) {
+  return !errors.gyro.full_scale_deg_per_s.isZero(0.0) || !errors.accel.full_scale_g.isZero(0.0);
+}
+
+/// Whether an IMU can put out less than what acts on it, now or after a swap.
+bool can_saturate(const scenario::LoadedScenario& scenario, const scenario::LoadedImu& imu) {
+  return has_limit(imu.errors) ||
+         std::any_of(scenario.swaps.begin(), scenario.swaps.end(), [&](const AnyProfile& swap) {
+           const auto* errors = std::get_if<ImuErrorProfile>(&swap);
+           return errors != nullptr && errors->target.number == imu.number && has_limit(*errors);
+         });
+}
+
+/// The sensors that nothing is asked of cost most of the time.
+void leave_out_idle_sensors(scenario::LoadedScenario& scenario) {
+  const auto& app = scenario.scenario.reference_nav;
+  const auto idle_imu = [&](const scenario::LoadedImu& imu) {
+    return !(app && imu.number == app->imu) && !can_saturate(scenario, imu);
+  };
+  const auto idle_receiver = [&](const scenario::LoadedGnss& gnss) { return !(app && gnss.number == app->gnss); };
+  scenario.imus.erase(std::remove_if(scenario.imus.begin(), scenario.imus.end(), idle_imu), scenario.imus.end());
+  scenario.gnss.erase(std::remove_if(scenario.gnss.begin(), scenario.gnss.end(), idle_receiver), scenario.gnss.end());
+}
+
 }  // namespace
 
 LookAhead look_ahead(scenario::LoadedScenario scenario, double longest_s,
@@ -127,14 +151,22 @@ LookAhead look_ahead(scenario::LoadedScenario scenario, double longest_s,
     app.gnss = scenario.gnss.front().number;
     scenario.scenario.reference_nav = app;
   }
+  leave_out_idle_sensors(scenario);
   Watcher watcher(scenario);
   if (navigates) watcher.ahead.filter = FilterOutlook{};
   OfflineRun run(scenario, scenario.start(app::realtime_now()), RunId{}, watcher);
   constexpr int kStepsBetweenLooks = 4096;
   const time::Nanoseconds end = time::from_seconds(longest_s);
-  bool more = true;
+  const bool needs_imus = std::any_of(scenario.imus.begin(), scenario.imus.end(),
+                                      [&](const scenario::LoadedImu& imu) { return can_saturate(scenario, imu); });
+  bool more = true, is_known = false;
   while (more && run.sim_time() < end) {
-    for (int i = 0; i < kStepsBetweenLooks && more && run.sim_time() < end; ++i) more = run.step();
+    for (int i = 0; i < kStepsBetweenLooks && more && run.sim_time() < end; ++i) {
+      more = run.step();
+      if (is_known || (watcher.ahead.filter && !watcher.ahead.filter->begins_s)) continue;
+      is_known = true;
+      needs_imus ? run.leave_navigation() : run.leave_sensors();
+    }
     if (progress) progress(run.sim_time());
   }
   LookAhead ahead = watcher.take();

@@ -53,6 +53,16 @@ void OfflineRun::navigate(std::int64_t fixes_complete_up_to_ns) {
   }
 }
 
+void OfflineRun::leave_navigation() {
+  navigator_.reset();
+  emulators_.clear();
+}
+
+void OfflineRun::leave_sensors() {
+  leave_navigation();
+  injectors_.clear();
+}
+
 bool OfflineRun::step() {
   if (!source_.has_next()) {
     if (navigator_) navigate(reference_nav::Navigator::kEver);

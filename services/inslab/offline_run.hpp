@@ -37,6 +37,11 @@ class OfflineRun {
   /// before it.
   bool step();
 
+  /// From here on without receivers and the reference navigation app.
+  void leave_navigation();
+  /// From here on without IMUs, and so without all of that.
+  void leave_sensors();
+
   time::Nanoseconds sim_time() const { return sim_time_; }
   /// The reference navigation app; null when the scenario has none.
   reference_nav::Navigator* navigator() { return navigator_ ? &*navigator_ : nullptr; }

@@ -39,6 +39,12 @@ struct Transition {
 class Covariance {
  public:
   explicit Covariance(const Vector21& sigmas) : P_(sigmas.cwiseAbs2().asDiagonal()) {}
+  /// Of errors that know of each other; made symmetric.
+  static Covariance of(const Matrix21& matrix) {
+    Covariance covariance(Vector21::Zero());
+    covariance.P_ = 0.5 * (matrix + matrix.transpose());
+    return covariance;
+  }
 
   const Matrix21& matrix() const { return P_; }
 

@@ -33,6 +33,10 @@ constexpr nav::Strapdown::Options kFullRotation{true};
 constexpr double kRestLimit = 16.27;
 /// How long a gain of velocity is summed up: 30 s of 0.005 m/s^2, which no second shows, are 0.15 m/s.
 constexpr double kLongestGain_s = 30.0;
+/// A rest that was contradicted is believed in again when so much time has nothing against it.
+constexpr double kDoubt_s = 30.0;
+/// The mean of a receiver's velocities reaches back about so far: 5 a second of 0.05 m/s show 0.03 m/s.
+constexpr double kMemory_s = 10.0;
 
 }  // namespace
 
@@ -48,8 +52,8 @@ InertialFilter::Noise InertialFilter::noise_of(const NavigationParameters& p) {
 }
 
 InertialFilter::InertialFilter(const NavigationParameters& parameters, const nav::Gravity& gravity,
-                               const nav::NavState& start, const Vector21& sigmas, std::int64_t time_ns,
-                               const std::optional<nav::ImuIncrements>& before)
+                               const nav::NavState& start, const SensorErrors& errors, const Covariance& covariance,
+                               std::int64_t time_ns, const std::optional<nav::ImuIncrements>& before)
     : noise_(noise_of(parameters)),
       lever_arm_b_m_(parameters.lever_arm_b_m),
       innovation_test_(parameters.innovation_test),
@@ -58,7 +62,8 @@ InertialFilter::InertialFilter(const NavigationParameters& parameters, const nav
       covariance_interval_s_(parameters.covariance_interval_s),
       gravity_(gravity),
       strapdown_(start, gravity, kFullRotation, before),
-      covariance_(sigmas),
+      covariance_(covariance),
+      sensor_errors_(errors),
       newest_(before.value_or(nav::ImuIncrements{})),
       time_ns_(time_ns),
       last_accepted_ns_(time_ns) {}
@@ -170,6 +175,7 @@ FixResult InertialFilter::update(const GnssFix& fix) {
   Eigen::Matrix<double, 6, 1> variances;
   variances << fix.position_sigma_ned_m.cwiseAbs2(), fix.velocity_sigma_ned_m_per_s.cwiseAbs2();
   const bool has_velocity = variances.tail<3>().minCoeff() > 0.0;
+  if (zero_velocity_.use) hear_at_rest(fix, a);
 
   const Eigen::Matrix<double, 6, 6> S = a.H * covariance_.matrix() * a.H.transpose();
   const Matrix3 S_position = S.topLeftCorner<3, 3>() + Matrix3(variances.head<3>().asDiagonal());
@@ -227,7 +233,48 @@ bool InertialFilter::gains_velocity(const Vector3& gain_n, double span_s) const 
   return squared_normalised(S, gain_n) > kRestLimit;
 }
 
-/// A gentle pull-away feels like rest: what the filter knows of its velocity, and what the forces do to it, must agree.
+/// What a fix says of the IMU's velocity and of its displacement, whatever the filter believes: zero velocities that
+/// were taken make it sure of itself, and their errors are all alike.
+void InertialFilter::hear_at_rest(const GnssFix& fix, const Antenna& a) {
+  const Vector3 position_variance = fix.position_sigma_ned_m.cwiseAbs2();
+  const nav::Geodetic place = nav::displaced(strapdown_.position(), -a.innovation.head<3>());
+  if (!rest_.first_place) {
+    rest_.first_place = place;
+    rest_.first_variance = position_variance;
+  }
+  const Vector3 way_n = nav::ned_from(*rest_.first_place, place);
+  rest_.displacement = way_n.cwiseAbs2().cwiseQuotient(position_variance + rest_.first_variance).sum();
+  if (fix.velocity_sigma_ned_m_per_s.minCoeff() <= 0.0) return;
+  const Vector3 information = fix.velocity_sigma_ned_m_per_s.cwiseAbs2().cwiseInverse();
+  rest_.information += information;
+  rest_.weighted_v_n += information.cwiseProduct(strapdown_.v_n() - a.innovation.tail<3>());
+}
+
+/// A gentle pull-away feels like rest: what the filter knows of its velocity, what the forces do to it and what the
+/// receiver says must all agree with it.
+bool InertialFilter::is_contradicted() const {
+  const double variance = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
+  const Matrix3 S = covariance_.matrix().block<3, 3>(kVelocity, kVelocity) + variance * Matrix3::Identity();
+  if (squared_normalised(S, strapdown_.v_n()) > std::min(innovation_test_.limit, kRestLimit)) return true;
+  if (gains_velocity(rest_.window_gain_n, rest_.window_s) || gains_velocity(rest_.gain_n, rest_.span_s)) return true;
+  if (rest_.displacement > innovation_test_.limit) return true;
+  // (sum v/s^2)^2 / (sum 1/s^2) is the mean's square over its variance.
+  return rest_.information.minCoeff() > 0.0 &&
+         rest_.weighted_v_n.cwiseAbs2().cwiseQuotient(rest_.information).sum() > kRestLimit;
+}
+
+/// What was taken for rest was none: what the forces added meanwhile was taken away, from the velocity and from its
+/// way.
+void InertialFilter::doubt_rest() {
+  if (rest_.updates > 0.0) {
+    const Vector3 way_n = 0.5 * rest_.span_s * rest_.gain_n;
+    covariance_.add(kVelocity, rest_.gain_n * rest_.gain_n.transpose());
+    covariance_.add(kPosition, way_n * way_n.transpose());
+  }
+  rest_ = Rest{};
+  rest_.doubted_s = kDoubt_s;
+}
+
 void InertialFilter::rest() {
   if (strapdown_.v_n().norm() > zero_velocity_.speed_m_per_s) {
     rest_ = Rest{};
@@ -236,18 +283,21 @@ void InertialFilter::rest() {
   settle();
   rest_.gain_n += rest_.window_gain_n;
   rest_.span_s += rest_.window_s;
-  const double variance = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
-  const Matrix3 S = covariance_.matrix().block<3, 3>(kVelocity, kVelocity) + variance * Matrix3::Identity();
-  if (squared_normalised(S, strapdown_.v_n()) > std::min(innovation_test_.limit, kRestLimit) ||
-      gains_velocity(rest_.window_gain_n, rest_.window_s) || gains_velocity(rest_.gain_n, rest_.span_s)) {
-    rest_ = Rest{};
+  const double kept = std::exp(-rest_.window_s / kMemory_s);
+  rest_.information *= kept;
+  rest_.weighted_v_n *= kept;
+  if (is_contradicted()) {
+    doubt_rest();
     return;
   }
+  rest_.doubted_s -= rest_.window_s;
   if (rest_.span_s >= kLongestGain_s) {
     rest_.gain_n.setZero();
     rest_.span_s = 0.0;
   }
+  if (rest_.doubted_s > 0.0) return;
   rest_.updates = std::min(zero_velocity_.windows_alike, rest_.updates + 1.0);
+  const double variance = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
   Vector21 x = Vector21::Zero();
   for (Eigen::Index i = 0; i < 3; ++i) {
     covariance_.update(Vector21::Unit(kVelocity + i), rest_.updates * variance, strapdown_.v_n()[i], x);

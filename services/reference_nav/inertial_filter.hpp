@@ -44,9 +44,15 @@ struct SensorErrors {
 /// how fixes from the past are taken in (NavigationFilter).
 class InertialFilter {
  public:
-  /// `before` is the last corrected interval, for the mechanization's two-sample terms. Throws as nav::Strapdown does.
+  /// `errors` are the sensor errors that the start knows of, `before` is the last corrected interval, for the
+  /// mechanization's two-sample terms. Throws as nav::Strapdown does.
   InertialFilter(const NavigationParameters& parameters, const nav::Gravity& gravity, const nav::NavState& start,
-                 const Vector21& sigmas, std::int64_t time_ns, const std::optional<nav::ImuIncrements>& before);
+                 const SensorErrors& errors, const Covariance& covariance, std::int64_t time_ns,
+                 const std::optional<nav::ImuIncrements>& before);
+  /// Without knowledge of sensor errors, each error for itself.
+  InertialFilter(const NavigationParameters& parameters, const nav::Gravity& gravity, const nav::NavState& start,
+                 const Vector21& sigmas, std::int64_t time_ns, const std::optional<nav::ImuIncrements>& before)
+      : InertialFilter(parameters, gravity, start, SensorErrors{}, Covariance(sigmas), time_ns, before) {}
 
   /// Goes on over one interval, which begins where the last ended.
   void advance(const ImuInterval& interval);
@@ -93,6 +99,13 @@ class InertialFilter {
     Vector3 gain_n = Vector3::Zero();  ///< the same since rest began, or began to be looked at anew
     double span_s = 0.0;
     double updates = 0.0;  ///< taken since it began
+    /// What the receiver says of the IMU's velocity meanwhile, forgotten by and by: sums of 1/sigma^2 and v/sigma^2.
+    Vector3 information = Vector3::Zero();
+    Vector3 weighted_v_n = Vector3::Zero();
+    std::optional<nav::Geodetic> first_place;  ///< of the IMU, by the first fix
+    Vector3 first_variance = Vector3::Zero();  ///< m^2, n
+    double displacement = 0.0;                 ///< of the newest fix from it, squared, over its variance
+    double doubted_s = 0.0;                    ///< for so long yet nothing may speak against it
   };
 
   /// Six rows of a measurement of the antenna: position, velocity.
@@ -105,6 +118,9 @@ class InertialFilter {
   nav::ImuIncrements corrected(const nav::ImuIncrements& increments) const;
   Antenna antenna(const GnssFix& fix) const;
   void rest();
+  bool is_contradicted() const;
+  void doubt_rest();
+  void hear_at_rest(const GnssFix& fix, const Antenna& antenna);
   bool gains_velocity(const Vector3& gain_n, double span_s) const;
   void correct(const Vector21& x);
   void recover(const Antenna& antenna, const Eigen::Matrix<double, 6, 1>& variances);

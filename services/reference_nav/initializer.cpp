@@ -17,6 +17,11 @@ namespace {
 constexpr double kMostHeading_rad = 20.0 * units::kDeg;
 constexpr double kBetweenTurns_s = 0.25;
 
+/// At least these sigmas of three errors; what is added is for itself.
+void raise_variances(Matrix21& P, StateIndex first, const Vector3& least) {
+  P.diagonal().segment<3>(first) = P.diagonal().segment<3>(first).cwiseMax(least.cwiseAbs2());
+}
+
 }  // namespace
 
 Vector21 initial_sigmas(const NavigationParameters& p) {
@@ -85,7 +90,10 @@ double Initializer::sway_rad() const {
 Vector3 Initializer::static_sigmas() const {
   const nav::Geodetic place{fix_->latitude_rad, fix_->longitude_rad, fix_->height_m};
   Vector3 sigmas = alignment_sigmas(parameters_, span_s_, place.latitude_rad, gravity_.g_n(place).norm());
-  sigmas.z() = std::hypot(sigmas.z(), 2.0 * sway_rad() / span_s_ / nav::omega_ie_n(place.latitude_rad).x());
+  // The attitude at the end is not the mean one, which the force says.
+  const double sway = sway_rad();
+  sigmas.head<2>() = (sigmas.head<2>().array().square() + sway * sway).sqrt();
+  sigmas.z() = std::hypot(sigmas.z(), 2.0 * sway / span_s_ / nav::omega_ie_n(place.latitude_rad).x());
   return sigmas;
 }
 
@@ -118,14 +126,39 @@ std::optional<Matrix3> Initializer::attitude() {
   return std::get<Matrix3>(found);
 }
 
-/// At least what the alignment can be: parameters that promise more would have honest fixes refused. A heading that was
-/// given is as sure as the parameters say.
-void Initializer::doubt_attitude(Vector21& sigmas) const {
+/// An attitude from rest errs with the sensors: it levels the force and finds no rate about east, so
+///
+///   phi_N = -u_E / g,  phi_E = u_N / g,  phi_D = (omega_D phi_N - w_E) / omega_N,
+///
+/// u = C_nb (delta b_a + f delta s_a), w = C_nb (delta b_g + omega delta s_g). A turn of the vehicle shows them apart.
+/// Its sigmas are at least what the alignment can be: parameters that promise more would have honest fixes refused. A
+/// heading that was given is as sure as the parameters say.
+void Initializer::doubt_attitude(const Matrix3& C_nb, Matrix21& P) const {
   const InitialState& initial = parameters_.initial;
   if (initial.attitude == InitialAttitude::Given) return;
+  const bool finds_heading = initial.attitude == InitialAttitude::StaticAlignment;
+  const nav::Geodetic place{fix_->latitude_rad, fix_->longitude_rad, fix_->height_m};
+  const Vector3 g_n = gravity_.g_n(place);
+  const Vector3 omega_n = nav::omega_ie_n(place.latitude_rad);
+  Matrix3 by_force = Matrix3::Zero(), by_rate = Matrix3::Zero();
+  by_force(0, 1) = -1.0 / g_n.z();
+  by_force(1, 0) = 1.0 / g_n.z();
+  if (finds_heading) {
+    by_force.row(2) = omega_n.z() / omega_n.x() * by_force.row(0);
+    by_rate(2, 1) = -1.0 / omega_n.x();
+  }
+  const Vector3 f_b = -C_nb.transpose() * g_n, omega_b = C_nb.transpose() * omega_n;
+  Eigen::Matrix<double, 3, kSensorStates> J;
+  J << by_rate * C_nb, by_force * C_nb, by_rate * C_nb * omega_b.asDiagonal(), by_force * C_nb * f_b.asDiagonal();
+  const Eigen::Matrix<double, 3, kSensorStates> cross = J * P.bottomRightCorner<kSensorStates, kSensorStates>();
+  P.block<3, kSensorStates>(kAttitude, kGyroBias) = cross;
+  P.block<kSensorStates, 3>(kGyroBias, kAttitude) = cross.transpose();
   Vector3 least = static_sigmas();
-  if (initial.attitude == InitialAttitude::Levelled) least.z() = 0.0;
-  sigmas.segment<3>(kAttitude) = sigmas.segment<3>(kAttitude).cwiseMax(least);
+  if (!finds_heading) least.z() = 0.0;
+  const Matrix3 known = cross * J.transpose();
+  const Vector3 variances = P.diagonal().segment<3>(kAttitude).cwiseMax(least.cwiseAbs2());
+  P.block<3, 3>(kAttitude, kAttitude) = known;
+  P.diagonal().segment<3>(kAttitude) = known.diagonal().cwiseMax(variances);
 }
 
 std::optional<Beginning> Initializer::add(const ImuSample& sample) {
@@ -150,17 +183,16 @@ std::optional<Beginning> Initializer::add(const ImuSample& sample) {
 Beginning Initializer::at_rest(const ImuSample& sample, const Matrix3& C_nb) const {
   Beginning beginning;
   beginning.time_ns = sample.header.sim_time_ns;
-  beginning.sigmas = initial_sigmas(parameters_);
+  beginning.covariance = initial_sigmas(parameters_).cwiseAbs2().asDiagonal();
   beginning.state.q_nb = nav::quaternion_from_matrix(C_nb);
-  doubt_attitude(beginning.sigmas);
+  doubt_attitude(C_nb, beginning.covariance);
   const bool has_velocity = fix_->velocity_sigma_ned_m_per_s.minCoeff() > 0.0;
   if (has_velocity) beginning.state.v_n = fix_->v_n;
   const double age_s = static_cast<double>(beginning.time_ns - fix_->header.sim_time_ns) * 1e-9;
   beginning.state.position = nav::displaced({fix_->latitude_rad, fix_->longitude_rad, fix_->height_m},
                                             age_s * beginning.state.v_n - C_nb * parameters_.lever_arm_b_m);
-  beginning.sigmas.segment<3>(kPosition) = beginning.sigmas.segment<3>(kPosition).cwiseMax(fix_->position_sigma_ned_m);
-  beginning.sigmas.segment<3>(kVelocity) =
-      beginning.sigmas.segment<3>(kVelocity).cwiseMax(fix_->velocity_sigma_ned_m_per_s);
+  raise_variances(beginning.covariance, kPosition, fix_->position_sigma_ned_m);
+  raise_variances(beginning.covariance, kVelocity, fix_->velocity_sigma_ned_m_per_s);
   return beginning;
 }
 
@@ -168,19 +200,21 @@ Beginning Initializer::at_rest(const ImuSample& sample, const Matrix3& C_nb) con
 Beginning Initializer::in_motion(const ImuSample& sample, const MotionAlignment::Result& result) const {
   Beginning beginning;
   beginning.time_ns = sample.header.sim_time_ns;
-  beginning.sigmas = initial_sigmas(parameters_);
   beginning.state.q_nb = nav::quaternion_from_matrix(result.C_nb);
   beginning.state.v_n = result.v_n;
+  beginning.errors.gyro_bias = result.gyro_bias;
+  beginning.errors.accel_bias = result.accel_bias;
   const double age_s = static_cast<double>(beginning.time_ns - fix_->header.sim_time_ns) * 1e-9;
   const Vector3 way_n = age_s * 0.5 * (fix_->v_n + result.v_n);
   beginning.state.position = nav::displaced({fix_->latitude_rad, fix_->longitude_rad, fix_->height_m},
                                             way_n - result.C_nb * parameters_.lever_arm_b_m);
-  const auto raise = [&](StateIndex first, const Vector3& least) {
-    beginning.sigmas.segment<3>(first) = beginning.sigmas.segment<3>(first).cwiseMax(least);
-  };
-  raise(kPosition, fix_->position_sigma_ned_m);
-  raise(kVelocity, result.velocity_sigma_m_per_s);
-  raise(kAttitude, result.attitude_sigma_rad);
+  const Vector21 sigmas = initial_sigmas(parameters_);
+  Matrix21& P = beginning.covariance;
+  P = sigmas.cwiseAbs2().asDiagonal();
+  P.block<12, 12>(kVelocity, kVelocity) = result.covariance;
+  raise_variances(P, kPosition, fix_->position_sigma_ned_m);
+  raise_variances(P, kVelocity, sigmas.segment<3>(kVelocity));
+  raise_variances(P, kAttitude, sigmas.segment<3>(kAttitude));
   return beginning;
 }
 

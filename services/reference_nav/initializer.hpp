@@ -5,7 +5,7 @@
 #include "nav/strapdown.hpp"
 #include "samples/gnss_fix.hpp"
 #include "samples/imu_sample.hpp"
-#include "services/reference_nav/covariance.hpp"
+#include "services/reference_nav/inertial_filter.hpp"
 #include "services/reference_nav/motion_alignment.hpp"
 #include "services/reference_nav/parameters.hpp"
 
@@ -15,7 +15,8 @@ namespace inslab::reference_nav {
 struct Beginning {
   std::int64_t time_ns = 0;
   nav::NavState state;
-  Vector21 sigmas = Vector21::Zero();
+  SensorErrors errors;
+  Matrix21 covariance = Matrix21::Zero();
 };
 
 /// Standard deviations of the state at the beginning: what the parameters say.
@@ -56,7 +57,7 @@ class Initializer {
   std::optional<Matrix3> attitude();
   double sway_rad() const;
   Vector3 static_sigmas() const;
-  void doubt_attitude(Vector21& sigmas) const;
+  void doubt_attitude(const Matrix3& C_nb, Matrix21& P) const;
   Beginning at_rest(const ImuSample& sample, const Matrix3& C_nb) const;
   Beginning in_motion(const ImuSample& sample, const MotionAlignment::Result& result) const;
   void refuse(const std::string& reason);

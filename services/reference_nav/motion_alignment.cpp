@@ -232,29 +232,33 @@ void MotionAlignment::solve() {
   const Integrals& now = past_.back();
   const Matrix3 C_n0n = nav::matrix_from_quaternion(now.q_n0n);
   const Vector3 alpha = now.alpha_b0 - now.by_accel_bias * accel_bias + now.by_gyro_bias * gyro_bias;
+  const Matrix3 C_nn0 = C_n0n.transpose();
   Matrix3x12 attitude_now = Matrix3x12::Zero();
   attitude_now.leftCols<3>().setIdentity();
   attitude_now.rightCols<3>() = -C * now.by_accel_bias;
-  const Matrix3x12 velocity_now = jacobian(alpha, now);
   const double arw = units::kDegPerSqrtH * parameters_.gyro.arw_deg_per_sqrt_h.maxCoeff();
   const double turned_rad = nav::rotation_vector_from_quaternion(now.q_b0b).norm();
   const double scale_rad = units::kPpm * parameters_.gyro.scale_factor_sigma_ppm.maxCoeff() * turned_rad;
+  // The unknowns are the truth less the estimate: attitude's is phi, the others' have their signs turned.
+  Matrix12 errors = Matrix12::Zero();
+  errors.topRows<3>() = -C_nn0 * jacobian(alpha, now);
+  errors.middleRows<3>(3) = C_nn0 * attitude_now;
+  errors.block<3, 3>(6, 9) = errors.block<3, 3>(9, 6) = -Matrix3::Identity();
   Result result;
   result.C_nb =
-      C_n0n.transpose() * C *
+      C_nn0 * C *
       nav::matrix_from_quaternion(nav::quaternion_from_rotation_vector(-now.by_accel_bias * gyro_bias) * now.q_b0b);
-  result.v_n = C_n0n.transpose() * (v0 + C * alpha + now.fall_n0);
-  result.attitude_sigma_rad = ((attitude_now * covariance * attitude_now.transpose()).diagonal().array() +
-                               arw * arw * elapsed_s(now.time_ns) + scale_rad * scale_rad)
-                                  .sqrt();
-  result.velocity_sigma_m_per_s =
-      (velocity_now * covariance * velocity_now.transpose()).diagonal().cwiseMax(0.0).cwiseSqrt();
+  result.v_n = C_nn0 * (v0 + C * alpha + now.fall_n0);
+  result.gyro_bias = gyro_bias;
+  result.accel_bias = accel_bias;
+  result.covariance = errors * covariance * errors.transpose();
+  result.covariance.diagonal().segment<3>(3).array() += arw * arw * elapsed_s(now.time_ns) + scale_rad * scale_rad;
+  const Vector3 sigma_rad = result.covariance.diagonal().segment<3>(3).cwiseSqrt();
   if (fit > kWorstFit) {
     why << "the receiver's velocities do not fit the IMU's forces: " << std::sqrt(fit) << " times their sigmas";
-  } else if (!(result.attitude_sigma_rad.z() <= kMostHeadingSigma_rad &&
-               result.attitude_sigma_rad.head<2>().maxCoeff() <= kMostTilt_rad)) {
-    why << "motion leaves heading unsure by " << result.attitude_sigma_rad.z() / units::kDeg << " deg and tilt by "
-        << result.attitude_sigma_rad.head<2>().maxCoeff() / units::kDeg << " deg";
+  } else if (!(sigma_rad.z() <= kMostHeadingSigma_rad && sigma_rad.head<2>().maxCoeff() <= kMostTilt_rad)) {
+    why << "motion leaves heading unsure by " << sigma_rad.z() / units::kDeg << " deg and tilt by "
+        << sigma_rad.head<2>().maxCoeff() / units::kDeg << " deg";
   } else {
     result_ = result;
   }

@@ -39,9 +39,12 @@ class MotionAlignment {
 
   struct Result {
     Matrix3 C_nb = Matrix3::Identity();
-    Vector3 v_n = Vector3::Zero();                 ///< of the IMU, m/s
-    Vector3 attitude_sigma_rad = Vector3::Zero();  ///< about north, east, down
-    Vector3 velocity_sigma_m_per_s = Vector3::Zero();
+    Vector3 v_n = Vector3::Zero();         ///< of the IMU, m/s
+    Vector3 gyro_bias = Vector3::Zero();   ///< rad/s
+    Vector3 accel_bias = Vector3::Zero();  ///< m/s^2
+    /// Of the errors, each the estimate less the truth: velocity, attitude (C_nb is (I - [phi x]) times the true one),
+    /// gyro bias, accelerometer bias.
+    Eigen::Matrix<double, 12, 12> covariance = Eigen::Matrix<double, 12, 12>::Zero();
   };
   /// At the end of the newest sample, when heading and tilt have become sure enough to begin with.
   const std::optional<Result>& result() const { return result_; }

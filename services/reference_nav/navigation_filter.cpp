@@ -43,11 +43,12 @@ NavigationFilter::NavigationFilter(const NavigationParameters& parameters, const
     : parameters_(parameters), gravity_(gravity), initializer_(parameters, gravity), rest_(parameters.zero_velocity) {}
 
 void NavigationFilter::start(const nav::NavState& state, std::int64_t time_ns) {
-  begin({time_ns, state, initial_sigmas(parameters_)}, std::nullopt);
+  begin({time_ns, state, {}, initial_sigmas(parameters_).cwiseAbs2().asDiagonal()}, std::nullopt);
 }
 
 void NavigationFilter::begin(const Beginning& beginning, const std::optional<nav::ImuIncrements>& before) {
-  filter_.emplace(parameters_, gravity_, beginning.state, beginning.sigmas, beginning.time_ns, before);
+  filter_.emplace(parameters_, gravity_, beginning.state, beginning.errors, Covariance::of(beginning.covariance),
+                  beginning.time_ns, before);
   past_.clear();
   intervals_.clear();
   const auto waits = [&](const KeptFix& kept) { return kept.fix.header.sim_time_ns > beginning.time_ns; };

@@ -20,20 +20,6 @@ ImuErrorProfile imu_profile(const char* imu, const char* kind) {
   return catalogue_profile<ImuErrorProfile>(std::string("imu/") + imu + kind);
 }
 
-/// What an engineer tells the filter of such an IMU: the profile, and as an unknown bias what the data sheet lets the
-/// warming and gravity do, neither of which the filter knows.
-ImuErrorProfile told_of(ImuErrorProfile imu) {
-  if (imu.temperature.empty()) return imu;
-  const double warming_deg_c = imu.temperature.back().temperature_deg_c - imu.temperature.front().temperature_deg_c;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double gravity_deg_per_h = imu.gyro.g_sensitivity_deg_per_h_per_g.segment<3>(3 * axis).norm();
-    imu.gyro.bias_turn_on_sigma_deg_per_h[axis] =
-        std::hypot(imu.gyro.bias_temperature_deg_per_h_per_deg_c[axis] * warming_deg_c, gravity_deg_per_h);
-  }
-  imu.accel.bias_turn_on_sigma_mgal = imu.accel.bias_temperature_mgal_per_deg_c.cwiseAbs() * warming_deg_c;
-  return imu;
-}
-
 }  // namespace
 
 const std::array<PublishedDrift, 3>& published_drifts() {
@@ -77,7 +63,7 @@ NavigationSetup full_setup(std::uint64_t seed, MotionFrom motion) {
   vibration.domain = VibrationDomain::Motion;  // the truth, too, sways with the car
   for (std::size_t i = 0; i < setup.imus.size(); ++i) {
     setup.imus[i].errors = imu_profile(published_drifts()[i].imu, "_full");
-    setup.imus[i].believed = told_of(setup.imus[i].errors);
+    setup.imus[i].believed = setup.imus[i].errors;
     setup.imus[i].vibration = vibration;
   }
   return setup;

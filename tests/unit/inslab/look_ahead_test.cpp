@@ -104,9 +104,22 @@ TEST(LookAhead, SaysWhenTheReferenceFilterBeginsOrWhatToSet) {
   const auto shipped = [](const std::string& name) {
     return scenario::load(std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "scenarios" / (name + ".json"));
   };
-  const LookAhead circle = look_ahead(shipped("circle"), 70.0);
+  const LookAhead circle = look_ahead(shipped("circle"), 100.0);
   ASSERT_TRUE(circle.filter && circle.filter->begins_s) << circle.filter->why_not;
   EXPECT_NEAR(*circle.filter->begins_s, 60.0, 0.01);
+  // The circle comes after the filter's beginning, which is when the look ahead leaves what it has no use for.
+  EXPECT_EQ(circle.span_s, 100.0);
+  EXPECT_GT(circle.rate_deg_per_s.at_s, 60.0);
+  EXPECT_GT(circle.rate_deg_per_s.value, 1.0);
+  scenario::LoadedScenario narrow = shipped("circle");
+  narrow.imus[0].errors.gyro = {};
+  narrow.imus[0].vibration = {};
+  narrow.imus[0].vibration.target = narrow.imus[0].errors.target;
+  narrow.imus[0].errors.gyro.full_scale_deg_per_s.setConstant(0.5 * circle.rate_deg_per_s.value);
+  const LookAhead over = look_ahead(narrow, 100.0);
+  EXPECT_NEAR(*over.filter->begins_s, 60.0, 0.01);
+  ASSERT_EQ(over.over_scale.size(), 1U);
+  EXPECT_GT(over.over_scale[0].first_s, 60.0);
   scenario::LoadedScenario still = shipped("static");
   still.imus[0].errors.gyro.bias_turn_on_sigma_deg_per_h.setConstant(500.0);
   const LookAhead lost = look_ahead(still, 70.0);

@@ -40,6 +40,7 @@ std::vector<Term> terms() {
       {"gyro bias_turn_on", gyro(&GyroErrors::bias_turn_on_sigma_deg_per_h), gyro_bias},
       {"gyro bias_gm_sigma", gyro(&GyroErrors::bias_gm_sigma_deg_per_h), gyro_bias},
       {"gyro bias_instability", gyro(&GyroErrors::bias_instability_deg_per_h), gyro_bias},
+      {"gyro bias_random_walk, an hour of it", gyro(&GyroErrors::bias_random_walk_deg_per_h_per_sqrt_h), gyro_bias},
       {"gyro bias_gm_correlation_time", gyro(&GyroErrors::bias_gm_correlation_time_s),
        [](const NavigationParameters& p) { return p.gyro.bias_correlation_time_s; }},
       {"gyro scale_factor", gyro(&GyroErrors::scale_factor_ppm), gyro_scale},
@@ -55,6 +56,7 @@ std::vector<Term> terms() {
       {"accel bias_turn_on", accel(&AccelErrors::bias_turn_on_sigma_mgal), accel_bias},
       {"accel bias_gm_sigma", accel(&AccelErrors::bias_gm_sigma_mgal), accel_bias},
       {"accel bias_instability", accel(&AccelErrors::bias_instability_mgal), accel_bias},
+      {"accel bias_random_walk, an hour of it", accel(&AccelErrors::bias_random_walk_mgal_per_sqrt_h), accel_bias},
       {"accel bias_gm_correlation_time", accel(&AccelErrors::bias_gm_correlation_time_s),
        [](const NavigationParameters& p) { return p.accel.bias_correlation_time_s; }},
       {"accel scale_factor", accel(&AccelErrors::scale_factor_ppm), accel_scale},
@@ -98,6 +100,18 @@ TEST(MatchingParameters, TermsOfOneErrorAddAsTheirSquares) {
     imu.gyro.bias_instability_deg_per_h = Vector3(84.0, 0.0, 0.0);
   });
   EXPECT_LT((p.gyro.bias_sigma_deg_per_h - Vector3(85.0, 13.0, 13.0)).norm(), 1e-13);
+}
+
+// 15 deg C above 20 at most; 1 g along any axis: 3, 4, 12 make 13.
+TEST(MatchingParameters, WarmingAndGravityCountAsABias) {
+  const NavigationParameters p = matching([](ImuErrorProfile& imu) {
+    imu.temperature = {{0.0, 10.0}, {600.0, 35.0}, {900.0, 30.0}};
+    imu.gyro.bias_temperature_deg_per_h_per_deg_c = Vector3(0.4, 0.0, -0.2);
+    imu.gyro.g_sensitivity_deg_per_h_per_g << 0.0, 0.0, 8.0, 3.0, -4.0, 12.0, 0.0, 4.0, 0.0;
+    imu.accel.bias_temperature_mgal_per_deg_c = Vector3(1.0, -2.0, 0.0);
+  });
+  EXPECT_LT((p.gyro.bias_sigma_deg_per_h - Vector3(10.0, 13.0, 5.0)).norm(), 1e-13);
+  EXPECT_LT((p.accel.bias_sigma_mgal - Vector3(15.0, 30.0, 0.0)).norm(), 1e-13);
 }
 
 // An angle e couples an axis into another by e rad, a part of its own size: xy and xz belong to x. 3 and 4 arcsec

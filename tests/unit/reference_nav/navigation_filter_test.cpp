@@ -374,6 +374,43 @@ TEST(NavigationFilter, DoesNotLevelItselfInASteadyTurn) {
   EXPECT_NE(filter.alignment_refusal().find("the receiver says that it moves"), std::string::npos);
 }
 
+// A ship that rolls by 0.6 deg in 9 s: the mean force levels the mean attitude, not the one at the end.
+TEST(NavigationFilter, LevelsASwayingVehicleNoSurerThanItSways) {
+  constexpr double kSway_rad = 0.6 * units::kDeg, kOmega_rad_per_s = 2.0 * units::kPi / 9.0;
+  const nav::Geodetic place{0.98, 0.22, 36.0};
+  for (const double alignment_s : {20.0, 22.0, 25.0}) {
+    NavigationParameters p;
+    p.initial.attitude = InitialAttitude::Levelled;
+    p.initial.alignment_s = alignment_s;
+    NavigationFilter filter(p, kGravity);
+    GnssFix fix;
+    fix.fix_type = FixType::Fixed;
+    fix.latitude_rad = place.latitude_rad;
+    fix.longitude_rad = place.longitude_rad;
+    fix.height_m = place.height_m;
+    fix.position_sigma_ned_m.setConstant(0.02);
+    filter.add(fix);
+    double roll_rad = 0.0;
+    for (int k = 0; filter.filter() == nullptr && k < 10000; ++k) {
+      const double t_s = (k + 1) * kDt_s;
+      const double rolled_rad = kSway_rad * std::sin(kOmega_rad_per_s * t_s) - roll_rad;
+      const Matrix3 C_bn = nav::matrix_from_rpy({roll_rad + 0.5 * rolled_rad, 0.0, 0.0}).transpose();
+      roll_rad += rolled_rad;
+      ImuSample sample;
+      sample.dtheta_b = kDt_s * C_bn * nav::omega_ie_n(place.latitude_rad) + Vector3(rolled_rad, 0.0, 0.0);
+      sample.dv_b = -kDt_s * C_bn * kGravity.g_n(place);
+      sample.interval_ns = kDt_ns;
+      sample.header.sim_time_ns = (k + 1) * kDt_ns;
+      filter.add(sample);
+    }
+    ASSERT_NE(filter.filter(), nullptr) << filter.alignment_refusal();
+    const Matrix3 C_nb = nav::matrix_from_quaternion(filter.filter()->state().q_nb);
+    const double sigma_rad = std::sqrt(filter.filter()->covariance().matrix()(kAttitude, kAttitude));
+    EXPECT_LT(std::abs(nav::rpy_from_matrix(C_nb).roll_rad - roll_rad), 2.0 * sigma_rad) << alignment_s;
+    EXPECT_LT(sigma_rad, 3.0 * kSway_rad);
+  }
+}
+
 TEST(NavigationFilter, RestHoldsTheVelocityThroughAnOutage) {
   // An unmodelled accelerometer error of 100 mGal: 30 s free would be 0.03 m/s and 0.45 m.
   const auto drift_m = [](bool use) {
