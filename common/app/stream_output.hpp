@@ -104,7 +104,8 @@ class StreamOutput {
 
   /// Takes a credit for this stream, and sends again what it asks for.
   void take(const Credit& credit) {
-    if (credit.next_sequence > next_ + ahead_ || !ledger_.take(credit, run_)) return;
+    if (credit.next_sequence > next_ + ahead_ || !ledger_.take(credit, run_, monotonic_now())) return;
+    if (lockstep_) leave_behind();
     if (lockstep_) window_.forget_before(ledger_.lowest().value_or(0));
     if (!credit.resend || credit.next_sequence >= next_ || window_.empty()) return;
     flush_block();
@@ -143,6 +144,13 @@ class StreamOutput {
   }
 
  private:
+  /// Of consumers that nobody expected, those that hold up the run: our own say every 200 ms how far they are.
+  void leave_behind() {
+    const std::string names = ledger_.leave_behind(next_, monotonic_now());
+    if (names.empty()) return;
+    spdlog::warn("{}: {} has not come on for {} s: the run no longer waits for it", topic_, plain_text(names),
+                 std::chrono::duration_cast<std::chrono::seconds>(CreditLedger::kPatience).count());
+  }
   static std::vector<ConsumerKey> with_nav_app(const Settings& settings) {
     std::vector<ConsumerKey> consumers = settings.consumers;
     if (settings.paced_by_nav_app) consumers.emplace_back(kNavApp, 0u);

@@ -58,7 +58,10 @@ void NavigatorOnBus::handle(const Message& message) {
 
 void NavigatorOnBus::handle(const app::Arrived<ImuSample>& arrived) {
   imu_.add(arrived);
-  while (const auto sample = imu_.take()) navigator_.add(*sample);
+  while (const auto sample = imu_.take()) {
+    navigator_.add(*sample);
+    board_.set_sim_time(sample->header.sim_time_ns);
+  }
 }
 
 void NavigatorOnBus::handle(const app::Arrived<GnssFix>& arrived) {

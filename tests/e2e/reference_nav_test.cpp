@@ -31,6 +31,19 @@ TEST(ReferenceNav, AnswersEachImuSampleLiveAndIsAccepted) {
   EXPECT_EQ(solutions.back().mode, NavMode::Navigating);
 }
 
+TEST(ReferenceNav, SaysHowFarItIs) {
+  const TestFolder folder;
+  const std::string log = folder / "log.mcap";
+  Process run("inslab", {"run", source("tests/data/reference_nav.json"), "--domain", own_domain(), "--log", log,
+                         "--clock", "lockstep"});
+  ASSERT_EQ(run.wait(seconds(90)), 0) << run.output();
+  std::int64_t last_ns = 0;
+  for (const ServiceStatus& status : samples_of_kind<ServiceStatus>(log, "inslab/service_status")) {
+    if (status.service == "inslab-reference-nav") last_ns = status.sim_time_ns;
+  }
+  EXPECT_EQ(last_ns, 10'000'000'000);
+}
+
 TEST(ReferenceNav, InLockstepItsSolutionsAreThoseOfTheOfflineRunToTheBit) {
   const TestFolder folder;
   const std::string scenario = source("tests/data/reference_nav.json"), log = folder / "lockstep.mcap";
