@@ -41,14 +41,16 @@ std::string words_of(const Identity& identity) {
          (identity.scenario.empty() ? "" : ", scenario '" + identity.scenario + "'") + ")";
 }
 
-std::string difference(const Identity& a, const Identity& b) {
-  if (a.scenario_hash != b.scenario_hash) {
-    const bool one_name = a.scenario == b.scenario;
-    return one_name ? "both scenarios are called '" + a.scenario + "', but they or what they name differ"
-                    : "one has the scenario '" + a.scenario + "', the other '" + b.scenario + "'";
+std::string difference(const Identity& own, const Identity& other) {
+  if (!own.scenario_hash.empty() && own.scenario_hash != other.scenario_hash) {
+    const bool one_name = own.scenario == other.scenario;
+    return one_name ? "both scenarios are called '" + own.scenario + "', but they or what they name differ"
+                    : "one has the scenario '" + own.scenario + "', the other '" + other.scenario + "'";
   }
-  if (a.version != b.version) return "one is inslab " + a.version + ", the other " + b.version;
-  if (a.run_id != RunId{} && b.run_id != RunId{} && a.run_id != b.run_id) return "they were started for different runs";
+  if (!own.version.empty() && own.version != other.version)
+    return "one is inslab " + own.version + ", the other " + other.version;
+  if (own.run_id != RunId{} && other.run_id != RunId{} && own.run_id != other.run_id)
+    return "they were started for different runs";
   return "";
 }
 

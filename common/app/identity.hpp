@@ -21,7 +21,7 @@ struct Identity {
   std::uint32_t pid = 0;
   std::uint64_t started_ticks = 0;     ///< with the process id it is one process for ever
   std::int64_t since_realtime_ns = 0;  ///< CLOCK_REALTIME
-  std::string version;                 ///< of the product
+  std::string version;                 ///< of the product; empty: goes along with any
   std::string scenario;                ///< its name
   std::string scenario_hash;           ///< of the scenario and all that it names; empty: has none
   RunId run_id;                        ///< the one run that it obeys; zero: that of the server it finds
@@ -53,8 +53,9 @@ std::optional<Identity> identity_in(const std::vector<std::uint8_t>& announcemen
 /// "inslab-imu-injector 0 (host bench, process 4711, since 2026-11-29 08:12:11 UTC, scenario 'demo')"
 std::string words_of(const Identity& identity);
 
-/// What two processes of one unit must have in common and have not; empty when they belong together.
-std::string difference(const Identity& a, const Identity& b);
+/// What another process of a unit must have in common with this one and has not; empty when they belong together. Who
+/// has no scenario of its own goes along with any.
+std::string difference(const Identity& own, const Identity& other);
 
 /// Whether a process that begins must leave its place to another one of the same role: always, but of two that begin
 /// together the first stays. Clocks of hosts that are not synchronised decide only that.

@@ -31,7 +31,7 @@ class Context {
   ServiceOptions options_;
   scenario::LoadedScenario scenario_;
   dds::Participant participant_;
-  Writers writers_{participant_.peers(), identity_};
+  Writers writers_{participant_.peers(), participant_.key(), identity_};
 };
 
 /// What this process says of itself, as `service` with what it was given.

@@ -48,13 +48,14 @@ TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, Trut
   if (const std::string topic = consumer_.paced_by_nav_app(); !topic.empty()) {
     nav_reader_ = std::make_unique<dds::OpenReader<NavSolution>>(
         context.participant(), dds::topics::nav(),
-        [this, topic](const NavSolution& solution, const dds::SampleOrigin&) {
-          Credit credit;
-          credit.consumer = kNavApp;
-          credit.topic = topic;
-          credit.next_sequence = solution.imu_sequence + 1;
-          mailbox_.put(credit);
-        });
+        context.writers().only_the_app(dds::topics::nav().name, context.scenario().scenario.reference_nav.has_value(),
+                                       [this, topic](const NavSolution& solution, const dds::SampleOrigin&) {
+                                         Credit credit;
+                                         credit.consumer = kNavApp;
+                                         credit.topic = topic;
+                                         credit.next_sequence = solution.imu_sequence + 1;
+                                         mailbox_.put(credit);
+                                       }));
   }
 }
 

@@ -241,6 +241,8 @@ Participant::~Participant() {
   efd::DomainParticipantFactory::get_instance()->delete_participant(participant_);
 }
 
+ParticipantKey Participant::key() const { return Listener::key_of(participant_->guid()); }
+
 const Peers& Participant::peers() const { return listener_->peers; }
 
 std::vector<OtherVersion> Participant::take_other_versions() {

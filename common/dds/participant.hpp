@@ -90,6 +90,8 @@ class Participant {
     return topic_of_type(name, type_name);
   }
 
+  /// Its own key among the participants of the network.
+  ParticipantKey key() const;
   /// The other participants on the network.
   const Peers& peers() const;
   /// Who was heard since the last call of having another version of our types, in this unit.

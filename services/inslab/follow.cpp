@@ -45,8 +45,9 @@ class Follower {
     while (!app::shutdown_requested()) {
       const auto status = client_.status();
       if (const auto why = silence(status)) return failed(*why);
+      if (const std::string why = client_.other_run(); !why.empty()) return failed(why);
       if (status) {
-        if (const auto why = other_run(*status)) return failed(*why);
+        say_whose_it_is(*status);
         say_when_it_begins(*status);
         if (status->state != RunState::Waiting) progress_.show(time::Nanoseconds(status->sim_time_ns));
         if (has_ended(status->state)) {
@@ -98,14 +99,10 @@ class Follower {
                        options_.timeout_s);
   }
 
-  /// Says whose run it is when it is heard first; afterwards, why it is not that one any more.
-  std::optional<std::string> other_run(const SimStatus& status) {
-    if (!run_id_) {
-      run_id_ = status.run_id;
-      say("run " + app::run_id_text(*run_id_));
-    }
-    if (*run_id_ == status.run_id) return std::nullopt;
-    return "another run, " + app::run_id_text(status.run_id) + " of '" + status.scenario + "', is in its place";
+  /// When the run is heard first.
+  void say_whose_it_is(const SimStatus& status) {
+    if (!said_run_) say("run " + app::run_id_text(status.run_id));
+    said_run_ = true;
   }
 
   void say_when_it_begins(const SimStatus& status) {
@@ -140,8 +137,8 @@ class Follower {
   dds::Participant participant_;
   RunClient client_;
   Progress progress_;
-  std::optional<RunId> run_id_;
   std::size_t next_swap_ = 0;
+  bool said_run_ = false;
   bool begun_ = false;
   bool released_ = false;
   bool told_ = false;                     ///< what it waits for

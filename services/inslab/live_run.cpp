@@ -27,6 +27,13 @@ app::Identity identity_for(const RunOptions& options, const scenario::LoadedScen
   return app::identity_of("inslab-run", own, loaded);
 }
 
+/// Its services are known by their run. The clock of this scenario may be the command line's, so that its hash is not
+/// theirs.
+app::Identity known_by_run(app::Identity identity) {
+  identity.scenario_hash.clear();
+  return identity;
+}
+
 bool in_progress(const SimStatus& status) {
   return status.state == RunState::Running || status.state == RunState::Paused;
 }
@@ -38,9 +45,11 @@ LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& load
       loaded_(loaded),
       identity_(identity_for(options, loaded)),
       participant_(app::participant_options(options.network, identity_)),
-      client_(participant_),
-      service_status_(participant_, dds::topics::service_status(),
-                      [this](const ServiceStatus& status, const dds::SampleOrigin&) { note(status); }),
+      client_(participant_, known_by_run(identity_)),
+      service_status_(
+          participant_, dds::topics::service_status(),
+          client_.writers().only(dds::topics::service_status(),
+                                 [this](const ServiceStatus& status, const dds::SampleOrigin&) { note(status); })),
       lockstep_(options.clock.mode.empty() ? loaded.scenario.clock.mode == ClockMode::Lockstep
                                            : options.clock.mode == "lockstep"),
       holds_the_start_(lockstep_ && !loaded.swaps.empty()) {

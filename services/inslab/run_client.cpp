@@ -1,30 +1,66 @@
 #include "services/inslab/run_client.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <cstdio>
 #include <thread>
 
 #include "app/host.hpp"
 #include "app/shutdown.hpp"
+#include "samples/plain_text.hpp"
 
 namespace inslab::cli {
 
-RunClient::RunClient(dds::Participant& participant)
-    : imu_error_(participant, dds::topics::request<ImuErrorProfile>()),
+namespace {
+
+app::Identity of_any_set(const dds::Participant& participant) {
+  app::Identity own;
+  own.service = participant.options().name;
+  own.unit = participant.options().unit;
+  return own;
+}
+
+}  // namespace
+
+RunClient::RunClient(dds::Participant& participant) : RunClient(participant, of_any_set(participant)) {}
+
+RunClient::RunClient(dds::Participant& participant, const app::Identity& own)
+    : of_one_run_(own.run_id != RunId{}),
+      run_id_(own.run_id),
+      writers_(participant.peers(), participant.key(), own),
+      imu_error_(participant, dds::topics::request<ImuErrorProfile>()),
       vibration_(participant, dds::topics::request<VibrationProfile>()),
       installation_(participant, dds::topics::request<InstallationProfile>()),
       gnss_error_(participant, dds::topics::request<GnssErrorProfile>()),
       fault_(participant, dds::topics::request<FaultProfile>()),
       command_(participant, dds::topics::sim_command()),
       status_reader_(participant, dds::topics::sim_status(),
-                     [this](const SimStatus& status, const dds::SampleOrigin&) {
-                       const std::lock_guard<std::mutex> lock(mutex_);
-                       status_ = status;
-                       ++statuses_;
-                     }),
-      ack_reader_(participant, dds::topics::profile_ack(), [this](const ProfileAck& ack, const dds::SampleOrigin&) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        acks_[ack.request_id].push_back(ack);
-      }) {}
+                     writers_.only(dds::topics::sim_status(),
+                                   [this](const SimStatus& status, const dds::SampleOrigin&) { hear(status); })),
+      ack_reader_(participant, dds::topics::profile_ack(),
+                  writers_.only(dds::topics::profile_ack(), [this](const ProfileAck& ack, const dds::SampleOrigin&) {
+                    const std::lock_guard<std::mutex> lock(mutex_);
+                    acks_[ack.request_id].push_back(ack);
+                  })) {}
+
+void RunClient::hear(const SimStatus& status) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool has_left = !of_one_run_ && status_ && has_ended(status_->state);
+  if (run_id_ == RunId{} || has_left) run_id_ = status.run_id;
+  if (status.run_id == run_id_) {
+    status_ = status;
+    ++statuses_;
+  } else if (other_run_.empty()) {
+    other_run_ = "another run, " + app::run_id_text(status.run_id) + " of '" + plain_text(status.scenario) +
+                 "', is in its place";
+    spdlog::warn("{}", other_run_);
+  }
+}
+
+std::string RunClient::other_run() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return other_run_;
+}
 
 bool RunClient::connected() const {
   return imu_error_.matched_readers() > 0 && vibration_.matched_readers() > 0 && installation_.matched_readers() > 0 &&

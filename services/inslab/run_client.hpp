@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/writers.hpp"
 #include "dds/reader.hpp"
 #include "dds/writer.hpp"
 #include "samples/any_profile.hpp"
@@ -15,10 +16,15 @@
 
 namespace inslab::cli {
 
-/// A client of a running set: sends requests for swaps and commands, hears acknowledgements and how the run goes.
+/// A client of a running set: sends requests for swaps and commands, hears acknowledgements and how the run goes. It
+/// follows one run until that has ended, the first that it hears of its set's trajectory server; what is said of
+/// another one meanwhile, or by somebody else, is left out, and said in the log.
 class RunClient {
  public:
+  /// Of whatever set is in the participant's unit, and of its next run when one has ended.
   explicit RunClient(dds::Participant& participant);
+  /// Of the set that has this process's scenario and run, and of no other run.
+  RunClient(dds::Participant& participant, const app::Identity& own);
 
   /// Whether a trajectory server listens to requests.
   bool connected() const;
@@ -31,10 +37,19 @@ class RunClient {
   std::optional<SimStatus> status() const;
   /// How many statuses have come: whether the server still speaks.
   std::uint64_t statuses() const;
+  /// Which other run the trajectory server is in since, in words; empty: none.
+  std::string other_run() const;
+  /// Who may speak in this set.
+  app::Writers& writers() { return writers_; }
   /// What came back for a request so far.
   std::vector<ProfileAck> acks(std::uint64_t request_id) const;
 
  private:
+  void hear(const SimStatus& status);
+
+  const bool of_one_run_;
+  RunId run_id_;  ///< zero: of none yet
+  app::Writers writers_;
   dds::Writer<ImuErrorProfile> imu_error_;
   dds::Writer<VibrationProfile> vibration_;
   dds::Writer<InstallationProfile> installation_;
@@ -44,6 +59,7 @@ class RunClient {
   mutable std::mutex mutex_;
   std::optional<SimStatus> status_;
   std::uint64_t statuses_ = 0;
+  std::string other_run_;
   std::map<std::uint64_t, std::vector<ProfileAck>> acks_;
   dds::Reader<SimStatus> status_reader_;
   dds::Reader<ProfileAck> ack_reader_;

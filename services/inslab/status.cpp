@@ -38,6 +38,7 @@ class Listener {
  public:
   explicit Listener(const app::NetworkOptions& network)
       : participant_(app::participant_options(network, "inslab-status")),
+        writers_(participant_.peers(), participant_.key(), of_any_set(network)),
         services_reader_(participant_, dds::topics::service_status(),
                          [this](const ServiceStatus& status, const dds::SampleOrigin&) {
                            const std::lock_guard<std::mutex> lock(mutex_);
@@ -45,15 +46,17 @@ class Listener {
                            heard = {status, app::monotonic_now(), std::move(heard.status)};
                          }),
         status_reader_(participant_, dds::topics::sim_status(),
-                       [this](const SimStatus& status, const dds::SampleOrigin&) {
-                         const std::lock_guard<std::mutex> lock(mutex_);
-                         run_ = status;
-                       }),
-        vehicle_reader_(participant_, dds::topics::vehicle_link(),
-                        [this](const VehicleLink& link, const dds::SampleOrigin&) {
-                          const std::lock_guard<std::mutex> lock(mutex_);
-                          vehicle_ = link;
-                        }) {}
+                       writers_.only(dds::topics::sim_status(),
+                                     [this](const SimStatus& status, const dds::SampleOrigin&) {
+                                       const std::lock_guard<std::mutex> lock(mutex_);
+                                       run_ = status;
+                                     })),
+        vehicle_reader_(
+            participant_, dds::topics::vehicle_link(),
+            writers_.only(dds::topics::vehicle_link(), [this](const VehicleLink& link, const dds::SampleOrigin&) {
+              const std::lock_guard<std::mutex> lock(mutex_);
+              vehicle_ = link;
+            })) {}
 
   struct Heard {
     ServiceStatus status;
@@ -74,7 +77,15 @@ class Listener {
   }
 
  private:
+  static app::Identity of_any_set(const app::NetworkOptions& network) {
+    app::Identity own;
+    own.service = "inslab-status";
+    own.unit = network.unit;
+    return own;
+  }
+
   dds::Participant participant_;
+  app::Writers writers_;
   mutable std::mutex mutex_;
   std::map<ServiceKey, Heard> services_;
   std::optional<SimStatus> run_;

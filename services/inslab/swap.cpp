@@ -84,8 +84,10 @@ class Patience {
   /// The run is going on: `statuses` have come of it.
   void hear(const RunClient& client) {
     const std::uint64_t statuses = client.statuses();
-    const bool ended = client.status() && has_ended(client.status()->state);
-    const bool going_on = statuses != statuses_ && client.status() && !ended;
+    const auto status = client.status();
+    if (status && run_id_ == RunId{}) run_id_ = status->run_id;
+    const bool ended = status && (has_ended(status->state) || status->run_id != run_id_);
+    const bool going_on = statuses != statuses_ && status && !ended;
     if (going_on && !limited_) end_ = app::monotonic_now() + time::from_seconds(kBeyond_s);
     // What was said before the end may still be on its way.
     if (ended && !ended_) end_ = std::min(end_, app::monotonic_now() + std::chrono::seconds(2));
@@ -99,6 +101,7 @@ class Patience {
   bool ended_ = false;
   time::Nanoseconds end_;
   std::uint64_t statuses_ = 0;
+  RunId run_id_;  ///< the run that is waited for
 };
 
 std::string words_of_wait(const AnyProfile& request, const RunClient& client) {

@@ -62,7 +62,7 @@ ServerOnBus::ServerOnBus(app::Context& context)
   open_profile_topics<GnssErrorProfile>(context.participant());
   open_profile_topics<FaultProfile>(context.participant());
   if (scenario_.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) {
-    vehicle_ = std::make_unique<VehicleOnBus>(context.participant(), scenario_.scenario.trajectory.vehicle,
+    vehicle_ = std::make_unique<VehicleOnBus>(context, scenario_.scenario.trajectory.vehicle,
                                               [this](const VehicleState& state) { mailbox_.put(state); });
   }
   status_.run_id = run_id_;

@@ -5,12 +5,14 @@
 
 namespace inslab::trajectory {
 
-VehicleOnBus::VehicleOnBus(dds::Participant& participant, const scenario::LiveVehicle& options,
+VehicleOnBus::VehicleOnBus(app::Context& context, const scenario::LiveVehicle& options,
                            std::function<void(const VehicleState&)> put)
-    : used_(participant, dds::topics::vehicle_state_used(options.nominal_rate_hz)),
-      link_(participant, dds::topics::vehicle_link()),
-      states_(participant, dds::topics::vehicle_state(options.nominal_rate_hz),
-              [put = std::move(put)](const VehicleState& state, const dds::SampleOrigin&) { put(state); }) {}
+    : used_(context.participant(), dds::topics::vehicle_state_used(options.nominal_rate_hz)),
+      link_(context.participant(), dds::topics::vehicle_link()),
+      states_(context.participant(), dds::topics::vehicle_state(options.nominal_rate_hz),
+              context.writers().only_the_app(
+                  dds::topics::vehicle_state().name, false,
+                  [put = std::move(put)](const VehicleState& state, const dds::SampleOrigin&) { put(state); })) {}
 
 void VehicleOnBus::take(const VehicleState& state, TruthSource& source) {
   const std::uint64_t refused = source.vehicle_link()->refused;

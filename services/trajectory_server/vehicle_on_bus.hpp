@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "app/service.hpp"
 #include "dds/reader.hpp"
 #include "dds/writer.hpp"
 #include "services/trajectory_server/truth_source.hpp"
@@ -12,7 +13,7 @@ namespace inslab::trajectory {
 class VehicleOnBus {
  public:
   /// `put` hands a state to the worker; it is called by a thread of DDS.
-  VehicleOnBus(dds::Participant& participant, const scenario::LiveVehicle& options,
+  VehicleOnBus(app::Context& context, const scenario::LiveVehicle& options,
                std::function<void(const VehicleState&)> put);
 
   /// Whether anybody is there who writes states.

@@ -86,9 +86,15 @@ LoggerOnBus::Channel& LoggerOnBus::add_reader(app::Context& context, const dds::
   const auto enqueue = [this, index](const dds::Received<T>& sample, const dds::SampleOrigin& origin) {
     mailbox_.put({index, sample.cdr, app::realtime_now().count(), dds::participant_of(origin)});
   };
+  channel.matched = [] { return true; };
   if (writers == Writers::Anybody) {
     channel.reader = std::make_shared<dds::OpenReader<T>>(context.participant(), topic, enqueue);
-    channel.matched = [] { return true; };
+  } else if (writers == Writers::OneApp) {
+    const bool is_nav = std::is_same_v<T, NavSolution> || std::is_same_v<T, Block<NavSolution>>;
+    const std::string stream = is_nav ? dds::topics::nav().name : topic.name;
+    const bool is_reference_nav = is_nav && context.scenario().scenario.reference_nav.has_value();
+    channel.reader = std::make_shared<dds::OpenReader<T>>(
+        context.participant(), topic, context.writers().only_the_app(stream, is_reference_nav, enqueue));
   } else {
     auto reader = std::make_shared<app::SetReader<T>>(context, topic, enqueue);
     channel.matched = [reader] { return reader->matched_writers() > 0; };
@@ -216,13 +222,13 @@ void LoggerOnBus::add_profile_channels(app::Context& context) {
 
 /// The answers of the app under test, single or in blocks: they go to one channel of the log either way.
 void LoggerOnBus::add_nav_channels(app::Context& context) {
-  Channel& singles = add_channel(context, dds::topics::nav(), Writers::Anybody);
+  Channel& singles = add_channel(context, dds::topics::nav(), Writers::OneApp);
   singles.on_message = [this](const Message& message) {
     NavSolution solution;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), solution)) return;
     scorer_.add(solution, message.received_realtime_ns);
   };
-  Channel& blocks = add_reader<Block<NavSolution>>(context, dds::topics::block(dds::topics::nav()), Writers::Anybody);
+  Channel& blocks = add_reader<Block<NavSolution>>(context, dds::topics::block(dds::topics::nav()), Writers::OneApp);
   blocks.take = [&singles](const Message& message) {
     Block<NavSolution> block;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), block)) return;
@@ -236,7 +242,7 @@ void LoggerOnBus::add_nav_channels(app::Context& context) {
 
 void LoggerOnBus::add_vehicle_channels(app::Context& context) {
   const double nominal_hz = context.scenario().scenario.trajectory.vehicle.nominal_rate_hz;
-  add_channel(context, dds::topics::vehicle_state(nominal_hz), Writers::Anybody);
+  add_channel(context, dds::topics::vehicle_state(nominal_hz), Writers::OneApp);
   add_singles(context, dds::topics::vehicle_state_used(nominal_hz));
   add_channel(context, dds::topics::vehicle_link());
 }

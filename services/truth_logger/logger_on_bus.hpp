@@ -59,7 +59,7 @@ class LoggerOnBus {
     std::shared_ptr<void> reader;
   };
 
-  enum class Writers { Ours, Anybody };
+  enum class Writers { Ours, OneApp, Anybody };
 
   static std::optional<LoggerState> interrupted(app::Context& context, app::Checkpoint& checkpoint);
   LoggerState state() const;

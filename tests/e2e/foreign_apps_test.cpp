@@ -128,6 +128,54 @@ INSTANTIATE_TEST_SUITE_P(Vendors, ForeignApp,
                                              "file://" INSLAB_SOURCE_DIR "/deploy/clients/cyclone/cyclonedds.xml"}),
                          [](const auto& instance) { return std::string(instance.param.program); });
 
+/// The solutions of one unit come from one app.
+class NavigationApps : public testing::Test {
+ protected:
+  static std::unique_ptr<Process> app() {
+    const Environment environment("FASTRTPS_DEFAULT_PROFILES_FILE", source("config/dds/loopback.xml"));
+    return std::make_unique<Process>("fastdds_nav_client", std::vector<std::string>{"--domain", own_domain()});
+  }
+  std::unique_ptr<Process> set(const std::string& scenario) const {
+    return std::make_unique<Process>(
+        "inslab", std::vector<std::string>{"run", source("tests/data/" + scenario), "--domain", own_domain(), "--log",
+                                           folder_ / "log.mcap"});
+  }
+  static std::string last_line(const Process& process) {
+    const std::string text = process.output();
+    return text.substr(text.find_last_of('\n', text.size() - 2) + 1);
+  }
+
+  const TestFolder folder_;
+};
+
+TEST_F(NavigationApps, OfWhichTwoWriteAreAFaultThatNamesBoth) {
+  const auto first = app();
+  const auto run = set("foreign.json");
+  ASSERT_TRUE(run->prints("foreign: 1", seconds(60))) << run->output();
+  const auto second = app();
+  EXPECT_TRUE(run->prints("inslab/nav: a second writer beside ", seconds(20))) << run->output();
+  EXPECT_EQ(run->wait(seconds(60)), 1) << run->output();
+  EXPECT_THAT(last_line(*run), HasSubstr("inslab/nav: a second writer beside ")) << run->output();
+}
+
+TEST_F(NavigationApps, OfWhichOneFollowsTheOtherAreNone) {
+  const auto killed = app();
+  const auto run = set("foreign.json");
+  ASSERT_TRUE(run->prints("foreign: 1", seconds(60))) << run->output();
+  killed->send(SIGKILL);
+  const auto follows = app();
+  EXPECT_EQ(run->wait(seconds(60)), 0) << run->output();
+  EXPECT_THAT(run->output(), Not(HasSubstr("second writer")));
+}
+
+TEST_F(NavigationApps, BesideTheReferenceAppAreAFaultAtTheirFirstSolution) {
+  const auto run = set("reference_nav.json");
+  const auto foreign = app();
+  EXPECT_TRUE(run->prints("inslab/nav: a writer that is not this set's: ", seconds(60))) << run->output();
+  run->send(SIGTERM);
+  EXPECT_EQ(run->wait(seconds(60)), 1) << run->output();
+}
+
 TEST(ForeignAppOnBlocks, TakesPartInLockstepWithTheBlocksAlone) {
   const TestFolder folder;
   const Environment environment("FASTRTPS_DEFAULT_PROFILES_FILE", source("config/dds/loopback.xml"));

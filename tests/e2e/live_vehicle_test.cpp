@@ -103,6 +103,20 @@ TEST_F(LiveVehicle, TruthOfAnUntroubledRunIsTheStatesLatencyAgo) {
   EXPECT_GT(compared, 0u);
 }
 
+TEST_F(LiveVehicle, IsOneAndASecondIsAFaultAndLeftOut) {
+  setenv("FASTRTPS_DEFAULT_PROFILES_FILE", source("config/dds/loopback.xml").c_str(), 1);
+  Process first("vehicle_simulator", {"--domain", own_domain()});
+  Process second("vehicle_simulator", {"--domain", own_domain()});
+  unsetenv("FASTRTPS_DEFAULT_PROFILES_FILE");
+  Process set("inslab", {"run", scenario_, "--domain", own_domain(), "--log", log_});
+  EXPECT_TRUE(set.prints("inslab/vehicle_state: a second writer beside ", seconds(60))) << set.output();
+  EXPECT_EQ(set.wait(seconds(60)), 1) << set.output();
+  // Two writers that were followed in turns would be twice as many.
+  link_ = last<VehicleLink>("inslab/vehicle_link");
+  EXPECT_GT(link_.received, 300u);
+  EXPECT_LT(link_.received, 700u);
+}
+
 TEST_F(LiveVehicle, CannotBeSimulatedOfflineWithoutTheLogOfALiveRun) {
   Process offline("inslab", {"simulate", scenario_, "-o", folder_ / "out"});
   EXPECT_EQ(offline.wait(seconds(20)), 2);

@@ -197,9 +197,17 @@ TEST_F(OneSet, AWriterThatIsNotOfTheSetIsAFaultAtOnceAndTheRowsStayTheSets) {
   entry.request.apply_at_ns = 1;
   entry.gyro.bias_constant_deg_per_h.setConstant(1e308);
   journal.write(entry);
+  dds::Participant onlooker(app::participant_options(network(), "onlooker"));
+  cli::RunClient watching(onlooker);
+  ASSERT_TRUE(is_running(watching));
+  ASSERT_TRUE(eventually([&] { return status.matched_readers() >= 6; }, seconds(20)));
   SimStatus over = *client.status();
   over.state = RunState::Finished;
   status.write(over);
+  EXPECT_TRUE(eventually([&] { return !watching.writers().fault().empty(); }, seconds(5)));
+  EXPECT_THAT(watching.writers().fault(), HasSubstr("inslab/sim/status: a writer that is not this set's: 'foe', GUID"));
+  EXPECT_TRUE(eventually([heard = watching.statuses(), &watching] { return watching.statuses() > heard; }, seconds(5)));
+  EXPECT_EQ(watching.status()->state, RunState::Running);
   EXPECT_TRUE(set->prints("inslab/truth: a writer that is not this set's: 'foe', GUID ", seconds(5))) << set->output();
   EXPECT_TRUE(set->prints("inslab/imu/0: a writer that is not this set's: 'foe', GUID ", seconds(5)));
   EXPECT_TRUE(set->prints("inslab/journal/imu_error: a writer that is not this set's: 'foe', GUID ", seconds(5)));
@@ -207,6 +215,31 @@ TEST_F(OneSet, AWriterThatIsNotOfTheSetIsAFaultAtOnceAndTheRowsStayTheSets) {
 
   EXPECT_EQ(set->wait(seconds(60)), 1) << set->output();
   EXPECT_THAT(last_line(*set), HasSubstr("a writer that is not this set's: 'foe'"));
+  expect_same_run(log_, reference);
+}
+
+TEST_F(OneSet, InLockstepAConsumerThatNobodyExpectsAndThatStandsHoldsTheClockForSecondsOnly) {
+  const std::string reference = offline();
+  Process set("inslab",
+              {"run", scenario(), "--log", log_, "--domain", own_domain(), "--clock", "lockstep", "--paused"});
+  dds::Participant participant(app::participant_options(network(), "ghost"));
+  cli::RunClient client(participant);
+  dds::Writer<Credit> credits(participant, dds::topics::credit());
+  ASSERT_TRUE(eventually([&] { return client.status() && client.status()->state == RunState::Paused; }, seconds(30)))
+      << set.output();
+  ASSERT_TRUE(eventually([&] { return client.connected() && credits.matched_readers() >= 4; }, seconds(20)));
+  for (const char* topic : {"inslab/truth", "inslab/imu/0", "inslab/gnss/0"}) {
+    Credit credit;
+    credit.run_id = client.status()->run_id;
+    credit.consumer = "ghost";
+    credit.topic = topic;
+    credits.write(credit);
+  }
+  ASSERT_TRUE(eventually([&] { return client.status()->journal_entries == 6; }, seconds(20))) << set.output();
+  ASSERT_TRUE(client.send({7, CommandKind::Resume, 0.0}));
+  EXPECT_TRUE(set.prints("inslab/truth: ghost 0 has not come on for 5 s: the run no longer waits for it", seconds(30)))
+      << set.output();
+  EXPECT_EQ(set.wait(seconds(60)), 0) << set.output();
   expect_same_run(log_, reference);
 }
 

@@ -32,8 +32,10 @@ class WritersOfAStream : public testing::Test {
     return key;
   }
 
+  static constexpr dds::ParticipantKey kOwn{9, 9, 9};
+
   dds::Peers peers_;
-  Writers writers_{peers_, identity(kTruthLogger, 1)};
+  Writers writers_{peers_, kOwn, identity(kTruthLogger, 1)};
 };
 
 TEST_F(WritersOfAStream, IsTheServiceOfItsRole) {
@@ -44,10 +46,64 @@ TEST_F(WritersOfAStream, IsTheServiceOfItsRole) {
 }
 
 TEST_F(WritersOfAStream, IsTheReaderItselfWhereItsRoleWrites) {
-  dds::ParticipantKey own{};
-  own.fill(9);  // no participant hears of itself
-  EXPECT_TRUE(writers_.admit("inslab/service_status", {kTruthLogger, 0u}, own));
+  EXPECT_TRUE(writers_.admit("inslab/service_status", {kTruthLogger, 0u}, kOwn));
   EXPECT_EQ(writers_.fault(), "");
+}
+
+TEST_F(WritersOfAStream, IsNotWhoeverHasLeftTheNetworkInTheReadersName) {
+  dds::ParticipantKey gone{};
+  gone.fill(5);
+  EXPECT_FALSE(writers_.admit("inslab/truth", {kTruthLogger, 0u}, gone));
+  EXPECT_THAT(writers_.fault(), HasSubstr("05.05.05"));
+}
+
+TEST_F(WritersOfAStream, OfAnAppIsOneProcessAndOneThatTakesItsPlaceWhenItHasGone) {
+  const auto first = joins(1, std::nullopt, "app");
+  EXPECT_TRUE(writers_.admit_app("inslab/nav", first));
+  peers_.forget(first);
+  const auto second = joins(2, std::nullopt, "app");
+  EXPECT_TRUE(writers_.admit_app("inslab/nav", second));
+  const auto killed_and_started_again = joins(3, std::nullopt, "app");  // DDS knows the second for a while
+  EXPECT_TRUE(writers_.admit_app("inslab/nav", killed_and_started_again));
+  EXPECT_EQ(writers_.fault(), "");
+  EXPECT_TRUE(writers_.admit_app("inslab/vehicle_state", first));
+}
+
+TEST_F(WritersOfAStream, OfAnAppTheSecondIsAFaultAsSoonAsBothAreSeenToWrite) {
+  const auto first = joins(1, std::nullopt, "app");
+  const auto second = joins(2, std::nullopt, "other app");
+  EXPECT_TRUE(writers_.admit_app("inslab/nav", first));
+  EXPECT_TRUE(writers_.admit_app("inslab/nav", second));
+  EXPECT_TRUE(writers_.admit_app("inslab/nav", first));
+  EXPECT_THAT(writers_.fault(), HasSubstr("inslab/nav: a second writer beside 'app', GUID 01.01"));
+  EXPECT_THAT(writers_.fault(), HasSubstr(": 'other app', GUID 02.02"));
+  EXPECT_FALSE(writers_.admit_app("inslab/nav", second));
+  EXPECT_TRUE(writers_.admit_app("inslab/nav", first));
+}
+
+TEST_F(WritersOfAStream, OfAnAppBesideAProcessThatIsSeenToLiveTheSecondIsAFaultAtItsFirstSample) {
+  Identity living = identity(kReferenceNav, process_id(), process_space());
+  living.started_ticks = *started_ticks(process_id());
+  EXPECT_TRUE(writers_.admit_app("inslab/nav", joins(1, living)));
+  EXPECT_FALSE(writers_.admit_app("inslab/nav", joins(2, std::nullopt, "app")));
+  EXPECT_THAT(writers_.fault(), HasSubstr("a second writer beside inslab-reference-nav 0"));
+}
+
+TEST_F(WritersOfAStream, OfASetIsKnownToWhoHasNoScenarioOfItsOwn) {
+  Identity client;
+  client.service = "inslab-swap";
+  Writers writers(peers_, kOwn, client);
+  EXPECT_TRUE(writers.admit("inslab/sim/status", {kTrajectoryServer, 0u}, joins(1, identity(kTrajectoryServer, 2))));
+  Identity elsewhere = identity(kTrajectoryServer, 3);
+  elsewhere.unit = "other";
+  EXPECT_FALSE(writers.admit("inslab/sim/status", {kTrajectoryServer, 0u}, joins(2, elsewhere)));
+  EXPECT_FALSE(writers.admit("inslab/sim/status", {kTrajectoryServer, 0u}, joins(3, std::nullopt, "foe")));
+}
+
+TEST_F(WritersOfAStream, WithoutAScenarioAreNotOfASetThatHasOne) {
+  Identity without = identity(kImuInjector, 3);
+  without.scenario_hash.clear();
+  EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(1, without)));
 }
 
 TEST_F(WritersOfAStream, AStrangerIsAFaultAtItsFirstSampleBeforeAndAfterTheRightfulOne) {
