@@ -13,6 +13,7 @@
 #include "dds/writer.hpp"
 #include "recovery/state_stream.hpp"
 #include "samples/run_control.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::app {
 
@@ -148,7 +149,7 @@ class StreamOutput {
   void leave_behind() {
     const std::string names = ledger_.leave_behind(next_, monotonic_now());
     if (names.empty()) return;
-    spdlog::warn("{}: {} has not come on for {} s: the run no longer waits for it", topic_, plain_text(names),
+    spdlog::warn("{}: {} has not come on for {} s: the run no longer waits for it", topic_, text::shown(names),
                  std::chrono::duration_cast<std::chrono::seconds>(CreditLedger::kPatience).count());
   }
   static std::vector<ConsumerKey> with_nav_app(const Settings& settings) {

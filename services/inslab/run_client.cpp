@@ -8,6 +8,7 @@
 #include "app/host.hpp"
 #include "app/shutdown.hpp"
 #include "samples/plain_text.hpp"
+#include "text/shown.hpp"
 
 namespace inslab::cli {
 
@@ -51,7 +52,7 @@ void RunClient::hear(const SimStatus& status) {
     status_ = status;
     ++statuses_;
   } else if (other_run_.empty()) {
-    other_run_ = "another run, " + app::run_id_text(status.run_id) + " of '" + plain_text(status.scenario) +
+    other_run_ = "another run, " + app::run_id_text(status.run_id) + " of '" + text::shown(status.scenario) +
                  "', is in its place";
     spdlog::warn("{}", other_run_);
   }
