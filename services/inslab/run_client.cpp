@@ -7,7 +7,6 @@
 
 #include "app/host.hpp"
 #include "app/shutdown.hpp"
-#include "samples/plain_text.hpp"
 #include "text/shown.hpp"
 
 namespace inslab::cli {
