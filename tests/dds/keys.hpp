@@ -15,7 +15,7 @@ class Keys {
   explicit Keys(const std::string& units = "") {
     char pattern[] = "/tmp/inslab-keys-XXXXXX";
     folder_ = mkdtemp(pattern);
-    made_ = shell(INSLAB_SOURCE_DIR "/deploy/security/make-keys " + path() + " 2 " + units);
+    made_ = shell("'" INSLAB_SOURCE_DIR "/deploy/security/make-keys' " + path() + " 2 " + units);
   }
   /// A copy of others, to be damaged.
   Keys(const Keys& other) : made_(other.made_) {
