@@ -78,7 +78,7 @@ TEST_F(SecurityFilesOf, AFileThatIsSomethingElseIsNamed) {
 TEST_F(SecurityFilesOf, AnExpiredCertificateIsTold) {
   ASSERT_TRUE(
       keys.run("openssl req -new -key operator.key.pem -subj '/O=Inslab/CN=operator' -out csr && "
-               "openssl x509 -req -in csr -CA ca.cert.pem -CAkey ca.key.pem -CAcreateserial -days -1 "
+               "openssl x509 -req -in csr -CA ca.cert.pem -CAkey ca.key.pem -CAcreateserial -days 0 "
                "-out operator.cert.pem"));
   EXPECT_THAT(refusal(), AllOf(HasSubstr("operator.cert.pem: "), HasSubstr("expired")));
 }
