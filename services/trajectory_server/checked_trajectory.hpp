@@ -4,8 +4,8 @@
 
 namespace inslab::trajectory {
 
-/// The same trajectory. Throws std::invalid_argument, naming the path, when it breaks a rule, and std::domain_error when
-/// it begins where no navigation frame is defined.
+/// The same trajectory. Throws std::invalid_argument, naming the path, when it breaks a rule, and std::domain_error
+/// when it begins where no navigation frame is defined.
 const scenario::Trajectory& checked(const scenario::Trajectory& trajectory);
 
 }  // namespace inslab::trajectory
