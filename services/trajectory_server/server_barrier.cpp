@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
+#include <string>
 
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
@@ -43,15 +45,17 @@ std::string ServerOnBus::missing_services() const {
 /// What the scenario demands of others: readers of streams, solutions, states of a vehicle.
 std::string ServerOnBus::missing_apps() const {
   const std::size_t prefix = std::strlen(app::kWaitsForApp);
-  std::string missing;
+  std::set<std::string> wanted;  // several services may wait for the same
   for (const auto& [key, heard] : services_) {
     const bool ended = heard.state == ServiceState::Finished || heard.state == ServiceState::Fault;
-    if (!ended && waits_for_app(heard.message)) append(missing, heard.message.substr(prefix));
+    if (!ended && waits_for_app(heard.message)) wanted.insert(heard.message.substr(prefix));
   }
   if (const std::string readers = truth_.missing_readers(); waits_for_app(readers)) {
-    append(missing, readers.substr(prefix));
+    wanted.insert(readers.substr(prefix));
   }
-  if (vehicle_ && !vehicle_->connected()) append(missing, "a writer of inslab/vehicle_state");
+  if (vehicle_ && !vehicle_->connected()) wanted.insert("a writer of inslab/vehicle_state");
+  std::string missing;
+  for (const std::string& what : wanted) append(missing, what);
   return missing.empty() ? "" : "an app: " + missing + " on " + context_.options().network.words();
 }
 

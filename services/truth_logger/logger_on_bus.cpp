@@ -86,15 +86,17 @@ LoggerOnBus::Channel& LoggerOnBus::add_reader(app::Context& context, const dds::
   const auto enqueue = [this, index](const dds::Received<T>& sample, const dds::SampleOrigin& origin) {
     mailbox_.put({index, sample.cdr, app::realtime_now().count(), dds::participant_of(origin)});
   };
-  channel.matched = [] { return true; };
   if (writers == Writers::Anybody) {
     channel.reader = std::make_shared<dds::OpenReader<T>>(context.participant(), topic, enqueue);
+    channel.matched = [] { return true; };
   } else if (writers == Writers::OneApp) {
     const bool is_nav = std::is_same_v<T, NavSolution> || std::is_same_v<T, Block<NavSolution>>;
     const std::string stream = is_nav ? dds::topics::nav().name : topic.name;
     const bool is_reference_nav = is_nav && context.scenario().scenario.reference_nav.has_value();
-    channel.reader = std::make_shared<dds::OpenReader<T>>(
+    auto reader = std::make_shared<dds::OpenReader<T>>(
         context.participant(), topic, context.writers().only_the_app(stream, is_reference_nav, enqueue));
+    channel.matched = [reader] { return reader->matched_writers() > 0; };
+    channel.reader = reader;
   } else {
     auto reader = std::make_shared<app::SetReader<T>>(context, topic, enqueue);
     channel.matched = [reader] { return reader->matched_writers() > 0; };
@@ -238,11 +240,16 @@ void LoggerOnBus::add_nav_channels(app::Context& context) {
       singles.take(single);
     }
   };
+  const bool is_required = context.scenario().scenario.require_nav_app;
+  singles.matched = blocks.matched = [is_required, in_singles = singles.matched, in_blocks = blocks.matched] {
+    return !is_required || in_singles() || in_blocks();
+  };
 }
 
 void LoggerOnBus::add_vehicle_channels(app::Context& context) {
   const double nominal_hz = context.scenario().scenario.trajectory.vehicle.nominal_rate_hz;
-  add_channel(context, dds::topics::vehicle_state(nominal_hz), Writers::OneApp);
+  // It may come late: the barrier of the trajectory server knows whether the run waits for it.
+  add_channel(context, dds::topics::vehicle_state(nominal_hz), Writers::OneApp).matched = [] { return true; };
   add_singles(context, dds::topics::vehicle_state_used(nominal_hz));
   add_channel(context, dds::topics::vehicle_link());
 }
@@ -315,7 +322,9 @@ void LoggerOnBus::take(const Message& message) {
 /// What this service waits for before it is ready; empty when nothing.
 std::string LoggerOnBus::missing() const {
   for (const Channel& channel : channels_) {
-    if (!channel.matched()) return "waits for a writer of " + channel.topic;
+    if (channel.matched()) continue;
+    const bool is_of_app = channel.topic == wire::topic_names::kNav;
+    return (is_of_app ? app::kWaitsForApp : std::string("waits for ")) + "a writer of " + channel.topic;
   }
   return "";
 }
