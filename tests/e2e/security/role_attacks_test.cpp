@@ -27,6 +27,9 @@ struct Deed {
   std::vector<std::string> topics;
 };
 
+/// After the endpoints of one process have matched, those of the others do within a part of this.
+constexpr seconds kTimeToComeThrough(3);
+
 const std::vector<Deed> kDeeds{
     {"publish truth", Deed::Writes, {"inslab/truth", "inslab/block/truth"}},
     {"publish sensor data", Deed::Writes, {"inslab/imu/0", "inslab/gnss/0", "inslab/imu_truth/0"}},
@@ -137,8 +140,8 @@ class RoleAttacks : public testing::Test {
     return done;
   }
 
-  /// Adds what somebody with keys of this authority came through with. What must not be had its time once all that
-  /// should be has been; false when some of that was not.
+  /// Adds what somebody with keys of this authority came through with. What must not be has kTimeToComeThrough once all
+  /// that should be has been; false when some of that was not.
   static bool try_as(const std::string& role, HostileRole& intruder, std::set<std::string>& done) {
     const std::set<std::string> expected = documented_of(role);
     bool all = true;
@@ -155,7 +158,11 @@ class RoleAttacks : public testing::Test {
       // One that may read nothing of what is asked for hears the run's status, or services.
       const auto hears = [&] { return intruder.hears("inslab/service_status") || intruder.hears("inslab/sim/status"); };
       if (how == Deed::Reads) all = eventually(hears, seconds(10)) && all;
-      note(intruder, how, done);
+      const auto came_through_with_more = [&] {
+        note(intruder, how, done);
+        return !std::includes(expected.begin(), expected.end(), done.begin(), done.end());
+      };
+      eventually(came_through_with_more, kTimeToComeThrough);
     }
     return all;
   }
