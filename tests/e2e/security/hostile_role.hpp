@@ -9,9 +9,9 @@
 #include <map>
 #include <string>
 
-#include "dds/participant.hpp"
-#include "dds/qos.hpp"
-#include "dds/topics.hpp"
+#include "inslab/bus/dds/participant.hpp"
+#include "inslab/bus/dds/qos.hpp"
+#include "inslab/bus/dds/topics.hpp"
 
 namespace inslab::e2e {
 

@@ -40,7 +40,7 @@ std::string scenario_that_may_be_late(const TestFolder& folder) {
   };
   replace("../../config", source("config"));
   replace("turning.nav", source("tests/data/turning.nav"));
-  replace("\"max_lag_ms\": 500", "\"max_lag_ms\": 30000");
+  replace("\"max_lag_ms\": 5000", "\"max_lag_ms\": 30000");
   std::ofstream(folder / "late.json") << text;
   return folder / "late.json";
 }
