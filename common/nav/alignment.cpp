@@ -1,12 +1,12 @@
-#include "nav/alignment.hpp"
+#include "inslab/nav/alignment.hpp"
 
 #include <cmath>
 #include <optional>
 #include <sstream>
 
-#include "nav/attitude.hpp"
-#include "nav/wgs84.hpp"
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/nav/attitude.hpp"
+#include "inslab/nav/wgs84.hpp"
 
 namespace inslab::nav {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <variant>
 
-#include "nav/vectors.hpp"
+#include "inslab/nav/vectors.hpp"
 
 namespace inslab::nav {
 

@@ -1,4 +1,4 @@
-#include "nav/attitude.hpp"
+#include "inslab/nav/attitude.hpp"
 
 #include <cmath>
 #include <stdexcept>

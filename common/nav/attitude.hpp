@@ -1,6 +1,6 @@
 #pragma once
 
-#include "nav/vectors.hpp"
+#include "inslab/nav/vectors.hpp"
 
 namespace inslab::nav {
 

@@ -1,6 +1,6 @@
-#include "nav/compensated_quaternion.hpp"
+#include "inslab/nav/compensated_quaternion.hpp"
 
-#include "nav/attitude.hpp"
+#include "inslab/nav/attitude.hpp"
 
 namespace inslab::nav {
 

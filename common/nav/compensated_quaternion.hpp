@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "nav/compensated_sum.hpp"
-#include "nav/vectors.hpp"
+#include "inslab/nav/compensated_sum.hpp"
+#include "inslab/nav/vectors.hpp"
 
 namespace inslab::nav {
 

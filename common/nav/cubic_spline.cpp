@@ -1,4 +1,4 @@
-#include "nav/cubic_spline.hpp"
+#include "inslab/nav/cubic_spline.hpp"
 
 namespace inslab::nav {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "nav/vectors.hpp"
+#include "inslab/nav/vectors.hpp"
 
 namespace inslab::nav {
 

@@ -1,9 +1,9 @@
-#include "nav/error_model.hpp"
+#include "inslab/nav/error_model.hpp"
 
 #include <cmath>
 
-#include "nav/attitude.hpp"
-#include "nav/wgs84.hpp"
+#include "inslab/nav/attitude.hpp"
+#include "inslab/nav/wgs84.hpp"
 
 namespace inslab::nav {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "nav/strapdown.hpp"
+#include "inslab/nav/strapdown.hpp"
 
 namespace inslab::nav {
 

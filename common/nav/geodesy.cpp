@@ -1,11 +1,11 @@
-#include "nav/geodesy.hpp"
+#include "inslab/nav/geodesy.hpp"
 
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
-#include "nav/wgs84.hpp"
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/nav/wgs84.hpp"
 
 namespace inslab::nav {
 

@@ -1,8 +1,8 @@
-#include "nav/gravity.hpp"
+#include "inslab/nav/gravity.hpp"
 
 #include <cmath>
 
-#include "nav/wgs84.hpp"
+#include "inslab/nav/wgs84.hpp"
 
 namespace inslab::nav {
 

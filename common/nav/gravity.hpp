@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "nav/geodesy.hpp"
+#include "inslab/nav/geodesy.hpp"
 
 namespace inslab::nav {
 

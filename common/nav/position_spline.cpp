@@ -1,9 +1,9 @@
-#include "nav/position_spline.hpp"
+#include "inslab/nav/position_spline.hpp"
 
 #include <stdexcept>
 #include <utility>
 
-#include "nav/cubic_spline.hpp"
+#include "inslab/nav/cubic_spline.hpp"
 
 namespace inslab::nav {
 

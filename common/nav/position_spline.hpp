@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "nav/geodesy.hpp"
+#include "inslab/nav/geodesy.hpp"
 
 namespace inslab::nav {
 

@@ -1,8 +1,8 @@
-#include "nav/rotation_rate.hpp"
+#include "inslab/nav/rotation_rate.hpp"
 
 #include <cmath>
 
-#include "nav/rotation_spline.hpp"
+#include "inslab/nav/rotation_spline.hpp"
 
 namespace inslab::nav {
 

@@ -1,4 +1,4 @@
-#include "nav/rotation_spline.hpp"
+#include "inslab/nav/rotation_spline.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "nav/attitude.hpp"
+#include "inslab/nav/attitude.hpp"
 
 namespace inslab::nav {
 

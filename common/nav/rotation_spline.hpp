@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "nav/vectors.hpp"
+#include "inslab/nav/vectors.hpp"
 
 namespace inslab::nav {
 

@@ -1,11 +1,11 @@
-#include "nav/strapdown.hpp"
+#include "inslab/nav/strapdown.hpp"
 
 #include <cmath>
 #include <stdexcept>
 
-#include "nav/attitude.hpp"
-#include "nav/wgs84.hpp"
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/nav/attitude.hpp"
+#include "inslab/nav/wgs84.hpp"
 
 namespace inslab::nav {
 

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "nav/compensated_quaternion.hpp"
-#include "nav/geodesy.hpp"
-#include "nav/gravity.hpp"
+#include "inslab/nav/compensated_quaternion.hpp"
+#include "inslab/nav/geodesy.hpp"
+#include "inslab/nav/gravity.hpp"
 
 namespace inslab::nav {
 

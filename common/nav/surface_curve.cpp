@@ -1,11 +1,11 @@
-#include "nav/surface_curve.hpp"
+#include "inslab/nav/surface_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "nav/cubic_spline.hpp"
-#include "nav/wgs84.hpp"
+#include "inslab/nav/cubic_spline.hpp"
+#include "inslab/nav/wgs84.hpp"
 
 namespace inslab::nav {
 

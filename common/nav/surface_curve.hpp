@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "nav/position_spline.hpp"
+#include "inslab/nav/position_spline.hpp"
 
 namespace inslab::nav {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "samples/field.hpp"
+#include "inslab/foundation/fields/field.hpp"
 
 namespace inslab::scenario {
 

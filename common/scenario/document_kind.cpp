@@ -1,11 +1,11 @@
-#include "scenario/document_kind.hpp"
+#include "inslab/scenario/document_kind.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 
-#include "samples/any_profile.hpp"
-#include "scenario/scenario.hpp"
+#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/scenario/scenario.hpp"
 
 namespace inslab::scenario {
 

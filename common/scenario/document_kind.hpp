@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "config/json_file.hpp"
-#include "samples/profile_request.hpp"
+#include "inslab/data/json/json_file.hpp"
+#include "inslab/data/requests/profile_request.hpp"
 
 namespace inslab::scenario {
 

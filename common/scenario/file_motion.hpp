@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "io/trajectory_limits.hpp"
-#include "samples/field.hpp"
-#include "scenario/path_attitude.hpp"
+#include "inslab/data/samples/trajectory_limits.hpp"
+#include "inslab/foundation/fields/field.hpp"
+#include "inslab/scenario/path_attitude.hpp"
 
 namespace inslab::scenario {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "samples/field.hpp"
-#include "samples/violation.hpp"
+#include "inslab/foundation/fields/field.hpp"
+#include "inslab/foundation/fields/violation.hpp"
 
 namespace inslab::scenario {
 

@@ -1,12 +1,12 @@
-#include "scenario/load.hpp"
+#include "inslab/scenario/load.hpp"
 
-#include "io/error.hpp"
-#include "io/trajectory_judge.hpp"
-#include "random/stream.hpp"
-#include "samples/profile_rules.hpp"
-#include "scenario/motion_matrix.hpp"
-#include "scenario/read_document.hpp"
-#include "text/shown.hpp"
+#include "inslab/data/profiles/profile_rules.hpp"
+#include "inslab/formats/trajectory/trajectory_judge.hpp"
+#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/text/shown.hpp"
+#include "inslab/noise/random/stream.hpp"
+#include "inslab/scenario/motion_matrix.hpp"
+#include "inslab/scenario/read_document.hpp"
 
 namespace inslab::scenario {
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "io/trajectory_file.hpp"
-#include "scenario/scenario.hpp"
-#include "time/grid.hpp"
+#include "inslab/data/samples/trajectory_file.hpp"
+#include "inslab/foundation/time/grid.hpp"
+#include "inslab/scenario/scenario.hpp"
 
 namespace inslab::scenario {
 

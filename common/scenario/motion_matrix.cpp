@@ -1,4 +1,4 @@
-#include "scenario/motion_matrix.hpp"
+#include "inslab/scenario/motion_matrix.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "config/error.hpp"
-#include "io/error.hpp"
-#include "io/text_lines.hpp"
-#include "samples/limits.hpp"
-#include "text/shown.hpp"
+#include "inslab/data/json/error.hpp"
+#include "inslab/foundation/fields/limits.hpp"
+#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/text_lines.hpp"
+#include "inslab/foundation/text/shown.hpp"
 
 namespace inslab::scenario {
 

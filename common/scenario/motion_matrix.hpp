@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "scenario/trajectory.hpp"
+#include "inslab/scenario/trajectory.hpp"
 
 namespace inslab::scenario {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "nav/position_spline.hpp"
-#include "time/gps_time.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
+#include "inslab/nav/position_spline.hpp"
 
 namespace inslab::scenario {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "config/json_reader.hpp"
-#include "scenario/document_kind.hpp"
+#include "inslab/data/json/json_reader.hpp"
+#include "inslab/scenario/document_kind.hpp"
 
 namespace inslab::scenario {
 

@@ -1,14 +1,14 @@
-#include "scenario/scenario.hpp"
+#include "inslab/scenario/scenario.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <set>
 
-#include "samples/limits.hpp"
-#include "scenario/waypoint_route.hpp"
-#include "text/shown.hpp"
-#include "time/grid.hpp"
+#include "inslab/foundation/fields/limits.hpp"
+#include "inslab/foundation/text/shown.hpp"
+#include "inslab/foundation/time/grid.hpp"
+#include "inslab/scenario/waypoint_route.hpp"
 
 namespace inslab::scenario {
 

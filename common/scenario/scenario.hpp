@@ -1,10 +1,10 @@
 #pragma once
 
-#include "samples/any_profile.hpp"
-#include "samples/outage.hpp"
-#include "samples/run_control.hpp"
-#include "scenario/acceptance.hpp"
-#include "scenario/trajectory.hpp"
+#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/requests/run_control.hpp"
+#include "inslab/data/samples/outage.hpp"
+#include "inslab/scenario/acceptance.hpp"
+#include "inslab/scenario/trajectory.hpp"
 
 /// What a scenario file says. Paths in it are relative to the file; scenario/load.hpp follows them.
 namespace inslab::scenario {

@@ -1,10 +1,10 @@
-#include "scenario/trajectory.hpp"
+#include "inslab/scenario/trajectory.hpp"
 
 #include <cmath>
 #include <sstream>
 
-#include "scenario/waypoint_route.hpp"
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/scenario/waypoint_route.hpp"
 
 namespace inslab::scenario {
 

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "nav/gravity.hpp"
-#include "samples/field.hpp"
-#include "samples/violation.hpp"
-#include "scenario/file_motion.hpp"
-#include "scenario/live_vehicle.hpp"
-#include "scenario/vehicle_attitude.hpp"
-#include "scenario/waypoint.hpp"
+#include "inslab/foundation/fields/field.hpp"
+#include "inslab/foundation/fields/violation.hpp"
+#include "inslab/nav/gravity.hpp"
+#include "inslab/scenario/file_motion.hpp"
+#include "inslab/scenario/live_vehicle.hpp"
+#include "inslab/scenario/vehicle_attitude.hpp"
+#include "inslab/scenario/waypoint.hpp"
 
 /// The motion part of a scenario: where the vehicle starts and what it does, segment after segment.
 ///

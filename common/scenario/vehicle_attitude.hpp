@@ -1,6 +1,6 @@
 #pragma once
 
-#include "samples/field.hpp"
+#include "inslab/foundation/fields/field.hpp"
 
 namespace inslab::scenario {
 

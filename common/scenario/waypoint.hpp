@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "nav/geodesy.hpp"
-#include "samples/field.hpp"
-#include "samples/violation.hpp"
+#include "inslab/foundation/fields/field.hpp"
+#include "inslab/foundation/fields/violation.hpp"
+#include "inslab/nav/geodesy.hpp"
 
 namespace inslab::scenario {
 

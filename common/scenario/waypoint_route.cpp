@@ -1,10 +1,10 @@
-#include "scenario/waypoint_route.hpp"
+#include "inslab/scenario/waypoint_route.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
 
 namespace inslab::scenario {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "nav/surface_curve.hpp"
-#include "scenario/path_piece.hpp"
-#include "scenario/waypoint.hpp"
+#include "inslab/nav/surface_curve.hpp"
+#include "inslab/scenario/path_piece.hpp"
+#include "inslab/scenario/waypoint.hpp"
 
 namespace inslab::scenario {
 

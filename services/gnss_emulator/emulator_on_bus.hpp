@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/service_names.hpp"
-#include "app/stream_output.hpp"
-#include "app/truth_follower.hpp"
-#include "services/gnss_emulator/emulator.hpp"
+#include "inslab/bus/service/stream_output.hpp"
+#include "inslab/bus/service/truth_follower.hpp"
+#include "inslab/scenario/service_names.hpp"
+#include "inslab/sim/emulator.hpp"
 
 namespace inslab::gnss {
 

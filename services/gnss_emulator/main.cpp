@@ -1,5 +1,5 @@
-#include "app/service_names.hpp"
-#include "services/gnss_emulator/emulator_on_bus.hpp"
+#include "inslab/scenario/service_names.hpp"
+#include "inslab/services/gnss_emulator/emulator_on_bus.hpp"
 
 int main(int argc, char** argv) {
   using namespace inslab;

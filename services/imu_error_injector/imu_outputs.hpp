@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/service_names.hpp"
-#include "app/stream_output.hpp"
-#include "scenario/load.hpp"
+#include "inslab/bus/service/stream_output.hpp"
+#include "inslab/scenario/load.hpp"
+#include "inslab/scenario/service_names.hpp"
 
 namespace inslab::imu {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/truth_follower.hpp"
-#include "services/imu_error_injector/imu_outputs.hpp"
-#include "services/imu_error_injector/injector.hpp"
+#include "inslab/bus/service/truth_follower.hpp"
+#include "inslab/services/imu_error_injector/imu_outputs.hpp"
+#include "inslab/sim/injector.hpp"
 
 namespace inslab::imu {
 

@@ -5,17 +5,17 @@
 #include <iostream>
 #include <new>
 
-#include "app/command_ending.hpp"
-#include "app/exit_code.hpp"
-#include "app/set_members.hpp"
-#include "app/shutdown.hpp"
-#include "config/error.hpp"
-#include "io/error.hpp"
-#include "io/output_place.hpp"
-#include "io/unfinished.hpp"
-#include "services/inslab/command_line.hpp"
-#include "services/inslab/commands.hpp"
-#include "text/shown.hpp"
+#include "inslab/bus/service/set_members.hpp"
+#include "inslab/data/json/error.hpp"
+#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/output_place.hpp"
+#include "inslab/foundation/files/unfinished.hpp"
+#include "inslab/foundation/host/command_ending.hpp"
+#include "inslab/foundation/host/exit_code.hpp"
+#include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/foundation/text/shown.hpp"
+#include "inslab/services/inslab/commands/command_line.hpp"
+#include "inslab/services/inslab/commands/commands.hpp"
 
 namespace {
 

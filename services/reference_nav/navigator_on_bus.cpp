@@ -1,10 +1,10 @@
-#include "services/reference_nav/navigator_on_bus.hpp"
+#include "inslab/services/reference_nav/navigator_on_bus.hpp"
 
-#include "app/exit_code.hpp"
-#include "app/last_word.hpp"
-#include "app/service_names.hpp"
-#include "app/shutdown.hpp"
-#include "services/reference_nav/app_setup.hpp"
+#include "inslab/foundation/host/exit_code.hpp"
+#include "inslab/foundation/host/last_word.hpp"
+#include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/models/navigation/app_setup.hpp"
+#include "inslab/scenario/service_names.hpp"
 
 namespace inslab::reference_nav {
 

@@ -2,14 +2,14 @@
 
 #include <variant>
 
-#include "app/mailbox.hpp"
-#include "app/service.hpp"
-#include "app/set_reader.hpp"
-#include "app/status_board.hpp"
-#include "app/stop_grace.hpp"
-#include "app/stream_input.hpp"
-#include "services/reference_nav/navigator.hpp"
-#include "services/reference_nav/refusals.hpp"
+#include "inslab/bus/service/service.hpp"
+#include "inslab/bus/service/set_reader.hpp"
+#include "inslab/bus/service/status_board.hpp"
+#include "inslab/bus/service/stream_input.hpp"
+#include "inslab/foundation/host/mailbox.hpp"
+#include "inslab/foundation/host/stop_grace.hpp"
+#include "inslab/models/navigation/navigator.hpp"
+#include "inslab/models/navigation/refusals.hpp"
 
 namespace inslab::reference_nav {
 

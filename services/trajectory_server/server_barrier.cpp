@@ -5,12 +5,12 @@
 #include <set>
 #include <string>
 
-#include "app/exit_code.hpp"
-#include "app/host.hpp"
-#include "app/service_names.hpp"
-#include "app/set_members.hpp"
-#include "app/shutdown.hpp"
-#include "services/trajectory_server/server_on_bus.hpp"
+#include "inslab/bus/service/set_members.hpp"
+#include "inslab/foundation/host/exit_code.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/scenario/service_names.hpp"
+#include "inslab/services/trajectory_server/server_on_bus.hpp"
 
 namespace inslab::trajectory {
 

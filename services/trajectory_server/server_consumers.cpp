@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "app/host.hpp"
-#include "app/service_names.hpp"
-#include "app/shutdown.hpp"
-#include "services/trajectory_server/server_on_bus.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/scenario/service_names.hpp"
+#include "inslab/services/trajectory_server/server_on_bus.hpp"
 
 namespace inslab::trajectory {
 

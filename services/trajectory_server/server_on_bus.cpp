@@ -1,15 +1,15 @@
-#include "services/trajectory_server/server_on_bus.hpp"
+#include "inslab/services/trajectory_server/server_on_bus.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/exit_code.hpp"
-#include "app/host.hpp"
-#include "app/last_word.hpp"
-#include "app/service_names.hpp"
-#include "app/shutdown.hpp"
-#include "app/stamp.hpp"
+#include "inslab/data/streams/stamp.hpp"
+#include "inslab/foundation/host/exit_code.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/foundation/host/last_word.hpp"
+#include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/scenario/service_names.hpp"
 
 namespace inslab::trajectory {
 

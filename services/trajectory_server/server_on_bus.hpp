@@ -5,18 +5,18 @@
 #include <set>
 #include <vector>
 
-#include "app/mailbox.hpp"
-#include "app/service.hpp"
-#include "app/set_reader.hpp"
-#include "app/status_board.hpp"
-#include "app/stream_output.hpp"
-#include "dds/reader.hpp"
-#include "services/trajectory_server/other_runs.hpp"
-#include "services/trajectory_server/run_clock.hpp"
-#include "services/trajectory_server/run_control.hpp"
-#include "services/trajectory_server/truth_source.hpp"
-#include "services/trajectory_server/vehicle_on_bus.hpp"
-#include "text/shown.hpp"
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/service/service.hpp"
+#include "inslab/bus/service/set_reader.hpp"
+#include "inslab/bus/service/status_board.hpp"
+#include "inslab/bus/service/stream_output.hpp"
+#include "inslab/foundation/host/mailbox.hpp"
+#include "inslab/foundation/text/shown.hpp"
+#include "inslab/services/trajectory_server/vehicle_on_bus.hpp"
+#include "inslab/sim/other_runs.hpp"
+#include "inslab/sim/run_clock.hpp"
+#include "inslab/sim/run_control.hpp"
+#include "inslab/sim/truth_source.hpp"
 
 namespace inslab::trajectory {
 

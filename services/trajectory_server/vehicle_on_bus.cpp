@@ -1,7 +1,7 @@
-#include "services/trajectory_server/vehicle_on_bus.hpp"
+#include "inslab/services/trajectory_server/vehicle_on_bus.hpp"
 
-#include "app/host.hpp"
-#include "app/stamp.hpp"
+#include "inslab/data/streams/stamp.hpp"
+#include "inslab/foundation/host/host.hpp"
 
 namespace inslab::trajectory {
 

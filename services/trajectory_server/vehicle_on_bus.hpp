@@ -2,10 +2,10 @@
 
 #include <functional>
 
-#include "app/service.hpp"
-#include "dds/reader.hpp"
-#include "dds/writer.hpp"
-#include "services/trajectory_server/truth_source.hpp"
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/dds/writer.hpp"
+#include "inslab/bus/service/service.hpp"
+#include "inslab/sim/truth_source.hpp"
 
 namespace inslab::trajectory {
 

@@ -1,15 +1,15 @@
-#include "services/truth_logger/logger_on_bus.hpp"
+#include "inslab/services/truth_logger/logger_on_bus.hpp"
 
 #include <filesystem>
 
-#include "app/exit_code.hpp"
-#include "app/host.hpp"
-#include "app/last_word.hpp"
-#include "app/service_names.hpp"
-#include "app/shutdown.hpp"
-#include "io/error.hpp"
-#include "score/score_json.hpp"
-#include "score/score_text.hpp"
+#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/host/exit_code.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/foundation/host/last_word.hpp"
+#include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/referee/score/score_json.hpp"
+#include "inslab/referee/score/score_text.hpp"
+#include "inslab/scenario/service_names.hpp"
 
 namespace inslab::logger {
 

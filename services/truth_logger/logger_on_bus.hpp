@@ -7,19 +7,19 @@
 #include <set>
 #include <vector>
 
-#include "app/checkpoint.hpp"
-#include "app/mailbox.hpp"
-#include "app/service.hpp"
-#include "app/set_reader.hpp"
-#include "app/status_board.hpp"
-#include "app/stop_grace.hpp"
-#include "app/stream_monitor.hpp"
-#include "dds/reader.hpp"
-#include "dds/writer.hpp"
-#include "score/scorer.hpp"
-#include "services/truth_logger/log_tail.hpp"
-#include "services/truth_logger/logger_state.hpp"
-#include "services/truth_logger/run_log.hpp"
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/dds/writer.hpp"
+#include "inslab/bus/service/checkpoint.hpp"
+#include "inslab/bus/service/service.hpp"
+#include "inslab/bus/service/set_reader.hpp"
+#include "inslab/bus/service/status_board.hpp"
+#include "inslab/data/streams/stream_monitor.hpp"
+#include "inslab/foundation/host/mailbox.hpp"
+#include "inslab/foundation/host/stop_grace.hpp"
+#include "inslab/referee/score/scorer.hpp"
+#include "inslab/sim/log_tail.hpp"
+#include "inslab/sim/logger_state.hpp"
+#include "inslab/sim/run_log.hpp"
 
 namespace inslab::logger {
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "app/host.hpp"
-#include "io/error.hpp"
-#include "services/truth_logger/logger_on_bus.hpp"
+#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/services/truth_logger/logger_on_bus.hpp"
 
 namespace inslab::logger {
 

@@ -2,13 +2,13 @@
 
 #include <filesystem>
 
-#include "app/exit_code.hpp"
-#include "app/host.hpp"
-#include "app/service_names.hpp"
-#include "io/error.hpp"
-#include "io/mcap_reader.hpp"
-#include "io/output_place.hpp"
-#include "services/truth_logger/logger_on_bus.hpp"
+#include "inslab/formats/mcap/mcap_reader.hpp"
+#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/output_place.hpp"
+#include "inslab/foundation/host/exit_code.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/scenario/service_names.hpp"
+#include "inslab/services/truth_logger/logger_on_bus.hpp"
 
 namespace {
 

@@ -5,12 +5,12 @@
 #include <fstream>
 #include <thread>
 
-#include "app/host.hpp"
-#include "app/stamp.hpp"
-#include "dds/reader.hpp"
-#include "dds/writer.hpp"
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/dds/writer.hpp"
+#include "inslab/data/streams/stamp.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/foundation/time/rate.hpp"
 #include "tests/bench/process.hpp"
-#include "time/rate.hpp"
 
 namespace inslab::bench {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "dds/participant.hpp"
+#include "inslab/bus/dds/participant.hpp"
 
 /// The measure that the chain is held against: one process writes TruthState on a grid of deadlines with the product's
 /// own QoS, another takes the time in the callback. Nothing else happens in either.

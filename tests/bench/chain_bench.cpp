@@ -14,7 +14,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/service.hpp"
+#include "inslab/bus/service/service.hpp"
 #include "tests/bench/bare_hop.hpp"
 #include "tests/bench/chain_block.hpp"
 #include "tests/bench/swap_latency.hpp"

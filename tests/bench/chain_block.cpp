@@ -7,15 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "app/service_names.hpp"
-#include "io/mcap_reader.hpp"
-#include "samples/imu_sample.hpp"
-#include "samples/nav_solution.hpp"
-#include "samples/service_status.hpp"
-#include "samples/truth_state.hpp"
-#include "scenario/load.hpp"
-#include "wire/cdr.hpp"
-#include "wire/topic_names.hpp"
+#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/samples/imu_sample.hpp"
+#include "inslab/data/samples/nav_solution.hpp"
+#include "inslab/data/samples/service_status.hpp"
+#include "inslab/data/samples/truth_state.hpp"
+#include "inslab/data/wire/cdr.hpp"
+#include "inslab/formats/mcap/mcap_reader.hpp"
+#include "inslab/scenario/load.hpp"
+#include "inslab/scenario/service_names.hpp"
 
 namespace inslab::bench {
 

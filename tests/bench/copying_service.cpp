@@ -6,12 +6,12 @@
 #include <memory>
 #include <stdexcept>
 
-#include "app/service_names.hpp"
-#include "app/stream_output.hpp"
-#include "app/truth_follower.hpp"
-#include "samples/gnss_fix.hpp"
-#include "samples/imu_truth.hpp"
-#include "services/imu_error_injector/imu_outputs.hpp"
+#include "inslab/bus/service/stream_output.hpp"
+#include "inslab/bus/service/truth_follower.hpp"
+#include "inslab/data/samples/gnss_fix.hpp"
+#include "inslab/data/samples/imu_truth.hpp"
+#include "inslab/scenario/service_names.hpp"
+#include "inslab/services/imu_error_injector/imu_outputs.hpp"
 
 namespace inslab::bench {
 namespace {

@@ -10,9 +10,9 @@
 #include <random>
 #include <string>
 
-#include "io/mcap_writer.hpp"
-#include "wire/cdr.hpp"
-#include "wire/wire_type.hpp"
+#include "inslab/data/catalog/wire_type.hpp"
+#include "inslab/data/wire/cdr.hpp"
+#include "inslab/formats/mcap/mcap_writer.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 
-#include "random/stream.hpp"
-#include "services/gnss_emulator/model.hpp"
-#include "services/imu_error_injector/model.hpp"
+#include "inslab/models/gnss/model.hpp"
+#include "inslab/models/imu/model.hpp"
+#include "inslab/noise/random/stream.hpp"
 
 /// Price of the models on one core. Goals: 12 ns a normal number, 3 M samples/s of an IMU with bias and noise, 1 M of
 /// one with every term.

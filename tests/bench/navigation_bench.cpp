@@ -2,8 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "nav/attitude.hpp"
-#include "nav/strapdown.hpp"
+#include "inslab/nav/attitude.hpp"
+#include "inslab/nav/strapdown.hpp"
 
 namespace inslab::nav {
 namespace {

@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/host.hpp"
-#include "services/inslab/log_sink.hpp"
-#include "services/inslab/offline_run.hpp"
-#include "services/inslab/swap_window.hpp"
-#include "tests/unit/inslab/journal_of_faults.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/referee/evidence/swap_window.hpp"
+#include "inslab/sim/log_sink.hpp"
+#include "inslab/sim/offline_run.hpp"
+#include "tests/unit/sim/journal_of_faults.hpp"
 
 namespace inslab::cli {
 namespace {

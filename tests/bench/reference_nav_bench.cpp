@@ -2,8 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "nav/attitude.hpp"
-#include "services/reference_nav/navigation_filter.hpp"
+#include "inslab/models/navigation/navigation_filter.hpp"
+#include "inslab/nav/attitude.hpp"
 
 namespace inslab::reference_nav {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "services/trajectory_server/row_motion.hpp"
-#include "services/trajectory_server/smooth_model.hpp"
-#include "services/trajectory_server/waypoint_motion.hpp"
+#include "inslab/models/trajectory/row_motion.hpp"
+#include "inslab/models/trajectory/smooth_model.hpp"
+#include "inslab/models/trajectory/waypoint_motion.hpp"
 
 namespace inslab::trajectory {
 namespace {

@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/host.hpp"
-#include "app/service.hpp"
-#include "dds/reader.hpp"
-#include "scenario/load.hpp"
-#include "services/inslab/run_client.hpp"
+#include "inslab/bus/client/run_client.hpp"
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/service/service.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/scenario/load.hpp"
 
 namespace inslab::bench {
 

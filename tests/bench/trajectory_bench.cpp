@@ -3,10 +3,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "services/trajectory_server/inverse_mechanization_model.hpp"
-#include "services/trajectory_server/motion_table_model.hpp"
-#include "tests/unit/trajectory_server/file_rows.hpp"
-#include "tests/unit/trajectory_server/tables.hpp"
+#include "inslab/models/trajectory/inverse_mechanization_model.hpp"
+#include "inslab/models/trajectory/motion_table_model.hpp"
+#include "tests/unit/models/trajectory/file_rows.hpp"
+#include "tests/unit/models/trajectory/tables.hpp"
 
 namespace inslab::trajectory {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dds/type_adapter.hpp"
+#include "inslab/bus/dds/type_adapter.hpp"
 
 namespace inslab::dds {
 

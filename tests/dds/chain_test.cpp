@@ -4,8 +4,8 @@
 #include <map>
 #include <mutex>
 
-#include "dds/reader.hpp"
-#include "dds/writer.hpp"
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/dds/writer.hpp"
 
 namespace inslab::dds {
 

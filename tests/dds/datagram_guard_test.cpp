@@ -1,4 +1,4 @@
-#include "dds/datagram_guard.hpp"
+#include "inslab/bus/dds/datagram_guard.hpp"
 
 #include <gtest/gtest.h>
 

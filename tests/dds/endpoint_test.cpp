@@ -1,9 +1,9 @@
-#include "dds/endpoint.hpp"
+#include "inslab/bus/dds/endpoint.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dds/wire_findings.hpp"
+#include "inslab/bus/dds/wire_findings.hpp"
 
 namespace inslab::dds {
 namespace endpoint_test {

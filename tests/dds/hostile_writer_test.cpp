@@ -5,10 +5,10 @@
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <random>
 
-#include "dds/reader.hpp"
-#include "dds/writer.hpp"
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/dds/writer.hpp"
 #include "tests/dds/any_bytes.hpp"
-#include "tests/unit/samples/spoiled_fields.hpp"
+#include "tests/unit/foundation/fields/spoiled_fields.hpp"
 
 namespace inslab::dds {
 namespace hostile_writer_test {

@@ -1,4 +1,4 @@
-#include "dds/packet_guard.hpp"
+#include "inslab/bus/dds/packet_guard.hpp"
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <atomic>
 #include <thread>
 
-#include "dds/reader.hpp"
-#include "dds/writer.hpp"
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/dds/writer.hpp"
 
 namespace inslab::dds {
 namespace packet_guard_test {

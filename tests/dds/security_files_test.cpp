@@ -1,4 +1,4 @@
-#include "dds/security_files.hpp"
+#include "inslab/bus/dds/security_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -12,9 +12,9 @@
 #include <sstream>
 #include <thread>
 
-#include "dds/discovery.hpp"
-#include "dds/reader.hpp"
-#include "dds/writer.hpp"
+#include "inslab/bus/dds/discovery.hpp"
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/dds/writer.hpp"
 #include "tests/dds/keys.hpp"
 
 namespace inslab::dds {

@@ -1,4 +1,4 @@
-#include "dds/seen_numbers.hpp"
+#include "inslab/bus/dds/seen_numbers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,10 +12,10 @@
 #include <regex>
 #include <set>
 
-#include "dds/participant.hpp"
-#include "dds/writer.hpp"
-#include "io/log_types.hpp"
-#include "services/inslab/topic_tap.hpp"
+#include "inslab/bus/client/topic_tap.hpp"
+#include "inslab/bus/dds/participant.hpp"
+#include "inslab/bus/dds/writer.hpp"
+#include "inslab/formats/log/log_types.hpp"
 #include "tests/dds/keys.hpp"
 
 namespace inslab::dds {
@@ -111,7 +111,7 @@ std::unique_ptr<Keys> TopicTable::keys_;
 std::map<std::string, Permissions> TopicTable::roles_;
 
 TEST_F(TopicTable, HasEveryNameThatTheCodeKnows) {
-  const std::string names = text_of("common/wire/topic_names.hpp");
+  const std::string names = text_of("common/data/catalog/topic_names.hpp");
   const std::regex literal("\"(inslab/[a-z_/]+)\"");
   std::set<std::string> known;
   for (std::sregex_iterator at(names.begin(), names.end(), literal), end; at != end; ++at) known.insert((*at)[1]);

@@ -9,11 +9,11 @@
 #include "vehiclePubSubTypes.hpp"
 // clang-format on
 
-#include "dds/type_adapter.hpp"
+#include "inslab/bus/dds/type_adapter.hpp"
 
 #include <gtest/gtest.h>
 
-#include "wire/idl_writer.hpp"
+#include "inslab/data/wire/idl_writer.hpp"
 
 namespace inslab::dds {
 namespace type_adapter_test {

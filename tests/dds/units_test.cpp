@@ -5,8 +5,8 @@
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <thread>
 
-#include "dds/reader.hpp"
-#include "dds/writer.hpp"
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/dds/writer.hpp"
 
 namespace inslab::dds {
 namespace units_test {

@@ -10,9 +10,9 @@
 #include <memory>
 #include <regex>
 
-#include "app/service.hpp"
-#include "dds/topics.hpp"
-#include "dds/writer.hpp"
+#include "inslab/bus/dds/topics.hpp"
+#include "inslab/bus/dds/writer.hpp"
+#include "inslab/bus/service/service.hpp"
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {

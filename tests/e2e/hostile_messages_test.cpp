@@ -5,12 +5,12 @@
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 
-#include "app/service.hpp"
-#include "dds/writer.hpp"
+#include "inslab/bus/dds/writer.hpp"
+#include "inslab/bus/service/service.hpp"
 #include "tests/dds/any_bytes.hpp"
 #include "tests/e2e/logged_samples.hpp"
 #include "tests/e2e/process.hpp"
-#include "tests/unit/samples/spoiled_fields.hpp"
+#include "tests/unit/foundation/fields/spoiled_fields.hpp"
 
 namespace inslab::e2e {
 namespace hostile_messages_test {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "io/mcap_reader.hpp"
-#include "wire/cdr.hpp"
-#include "wire/wire_type.hpp"
+#include "inslab/data/catalog/wire_type.hpp"
+#include "inslab/data/wire/cdr.hpp"
+#include "inslab/formats/mcap/mcap_reader.hpp"
 
 namespace inslab::e2e {
 

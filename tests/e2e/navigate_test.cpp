@@ -7,9 +7,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "inslab/foundation/units/units.hpp"
 #include "tests/e2e/logged_samples.hpp"
 #include "tests/e2e/process.hpp"
-#include "units/units.hpp"
 
 namespace inslab::e2e {
 namespace navigate_test {

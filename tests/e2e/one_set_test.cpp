@@ -9,9 +9,9 @@
 #include <memory>
 #include <regex>
 
-#include "app/service.hpp"
-#include "io/log_info.hpp"
-#include "services/inslab/run_client.hpp"
+#include "inslab/bus/client/run_client.hpp"
+#include "inslab/bus/service/service.hpp"
+#include "inslab/formats/log/log_info.hpp"
 #include "tests/dds/any_bytes.hpp"
 #include "tests/e2e/logged_samples.hpp"
 #include "tests/e2e/process.hpp"

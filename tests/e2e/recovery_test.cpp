@@ -8,8 +8,8 @@
 #include <fstream>
 #include <memory>
 
-#include "app/service.hpp"
-#include "services/inslab/run_client.hpp"
+#include "inslab/bus/client/run_client.hpp"
+#include "inslab/bus/service/service.hpp"
 #include "tests/e2e/logged_samples.hpp"
 #include "tests/e2e/process.hpp"
 

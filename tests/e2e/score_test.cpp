@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "io/mcap_reader.hpp"
+#include "inslab/formats/mcap/mcap_reader.hpp"
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {

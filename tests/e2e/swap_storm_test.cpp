@@ -10,9 +10,9 @@
 #include <random>
 #include <thread>
 
-#include "app/service.hpp"
-#include "scenario/load.hpp"
-#include "services/inslab/run_client.hpp"
+#include "inslab/bus/client/run_client.hpp"
+#include "inslab/bus/service/service.hpp"
+#include "inslab/scenario/load.hpp"
 #include "tests/dds/any_bytes.hpp"
 #include "tests/e2e/logged_samples.hpp"
 #include "tests/e2e/process.hpp"

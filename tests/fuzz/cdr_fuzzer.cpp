@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "wire/cdr.hpp"
-#include "wire/wire_type.hpp"
+#include "inslab/data/catalog/wire_type.hpp"
+#include "inslab/data/wire/cdr.hpp"
 
 namespace {
 

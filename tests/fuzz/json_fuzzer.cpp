@@ -1,8 +1,8 @@
 // Scenario and profile files: any text gives a value or a config::Error, nothing else.
 #include <string>
 
-#include "config/error.hpp"
-#include "scenario/load.hpp"
+#include "inslab/data/json/error.hpp"
+#include "inslab/scenario/load.hpp"
 #include "tests/fuzz/memory_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,8 +1,8 @@
 // NovAtel logs: any text gives samples, lines that are counted as bad, or a refusal that names the place.
 #include <cstdlib>
 
-#include "io/error.hpp"
-#include "io/novatel_imu.hpp"
+#include "inslab/formats/novatel/novatel_imu.hpp"
+#include "inslab/foundation/files/error.hpp"
 #include "tests/fuzz/memory_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -13,12 +13,12 @@
 #include <stdexcept>
 #include <thread>
 
-#include "config/error.hpp"
-#include "io/error.hpp"
-#include "io/output_place.hpp"
+#include "inslab/data/json/error.hpp"
+#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/output_place.hpp"
+#include "inslab/foundation/text/shown.hpp"
 #include "tests/mutations/mutator.hpp"
 #include "tests/mutations/targets.hpp"
-#include "text/shown.hpp"
 
 namespace {
 

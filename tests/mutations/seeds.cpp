@@ -4,12 +4,12 @@
 #include <fstream>
 #include <iterator>
 
-#include "io/byte_writer.hpp"
-#include "io/log_export.hpp"
-#include "io/log_file_export.hpp"
-#include "io/mcap_put.hpp"
-#include "io/mcap_reader.hpp"
-#include "services/inslab/log_sink.hpp"
+#include "inslab/formats/export/log_export.hpp"
+#include "inslab/formats/export/log_file_export.hpp"
+#include "inslab/formats/mcap/mcap_put.hpp"
+#include "inslab/formats/mcap/mcap_reader.hpp"
+#include "inslab/foundation/files/byte_writer.hpp"
+#include "inslab/sim/log_sink.hpp"
 
 namespace inslab::mutations {
 

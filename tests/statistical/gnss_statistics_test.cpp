@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "nav/geodesy.hpp"
-#include "services/gnss_emulator/model.hpp"
+#include "inslab/models/gnss/model.hpp"
+#include "inslab/nav/geodesy.hpp"
 
 namespace inslab::gnss {
 namespace gnss_statistics_test {

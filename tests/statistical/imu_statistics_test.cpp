@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "allan/allan_stream.hpp"
-#include "allan/noise_model.hpp"
-#include "services/imu_error_injector/model.hpp"
+#include "inslab/models/imu/model.hpp"
+#include "inslab/noise/allan/allan_stream.hpp"
+#include "inslab/noise/allan/noise_model.hpp"
 
 /// The random errors of the whole IMU model, read off its output by Allan variance: several seeds and three axes give
 /// independent estimates, and the tolerance is 4 standard errors from their own spread. (With 48 estimates that is

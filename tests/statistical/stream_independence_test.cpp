@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "nav/geodesy.hpp"
-#include "scenario/load.hpp"
-#include "services/gnss_emulator/model.hpp"
-#include "services/imu_error_injector/model.hpp"
+#include "inslab/models/gnss/model.hpp"
+#include "inslab/models/imu/model.hpp"
+#include "inslab/nav/geodesy.hpp"
+#include "inslab/scenario/load.hpp"
 
 /// No two axes, terms, sensors or units share random numbers: read off the output of the models, one term on at a time,
 /// which is fair since another term changes no draw (tested below).

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "services/inslab/verify/navigation.hpp"
-#include "services/inslab/verify/town_drive.hpp"
+#include "inslab/referee/verify/navigation.hpp"
+#include "inslab/referee/verify/town_drive.hpp"
 
 namespace inslab::verify {
 namespace verify_navigation_test {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "services/inslab/verify/vibration.hpp"
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/referee/verify/vibration.hpp"
 
 /// The block of `inslab verify vibration`, row by row as the command runs it, and that a wrong figure is seen.
 namespace inslab::verify {

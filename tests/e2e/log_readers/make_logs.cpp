@@ -11,10 +11,10 @@
 #include <filesystem>
 #include <string>
 
-#include "io/log_channel.hpp"
-#include "io/log_export.hpp"
-#include "io/mcap_reader.hpp"
-#include "tests/unit/io/random_sample.hpp"
+#include "inslab/formats/export/log_export.hpp"
+#include "inslab/formats/log/log_channel.hpp"
+#include "inslab/formats/mcap/mcap_reader.hpp"
+#include "tests/unit/formats/text/random_sample.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "nav/attitude.hpp"
+#include "inslab/nav/attitude.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
 
 namespace inslab::nav {
 namespace attitude_test {

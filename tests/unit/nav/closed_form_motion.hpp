@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "nav/attitude.hpp"
-#include "nav/strapdown.hpp"
+#include "inslab/nav/attitude.hpp"
+#include "inslab/nav/strapdown.hpp"
 
 /// Motions whose state is known in closed form: up and down over one point, turning in any way.
 namespace inslab::nav {

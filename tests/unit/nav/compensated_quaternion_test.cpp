@@ -1,8 +1,8 @@
-#include "nav/compensated_quaternion.hpp"
+#include "inslab/nav/compensated_quaternion.hpp"
 
 #include <gtest/gtest.h>
 
-#include "nav/attitude.hpp"
+#include "inslab/nav/attitude.hpp"
 
 namespace inslab::nav {
 namespace compensated_quaternion_test {

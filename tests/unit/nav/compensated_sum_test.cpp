@@ -1,4 +1,4 @@
-#include "nav/compensated_sum.hpp"
+#include "inslab/nav/compensated_sum.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "nav/error_model.hpp"
+#include "inslab/nav/error_model.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "nav/attitude.hpp"
-#include "nav/wgs84.hpp"
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/nav/attitude.hpp"
+#include "inslab/nav/wgs84.hpp"
 
 /// F against finite differences of the mechanization itself.
 namespace inslab::nav {

@@ -1,4 +1,4 @@
-#include "nav/geodesy.hpp"
+#include "inslab/nav/geodesy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "nav/wgs84.hpp"
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/nav/wgs84.hpp"
 
 namespace inslab::nav {
 namespace geodesy_test {

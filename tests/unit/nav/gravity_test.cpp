@@ -1,11 +1,11 @@
-#include "nav/gravity.hpp"
+#include "inslab/nav/gravity.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "nav/wgs84.hpp"
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/nav/wgs84.hpp"
 
 namespace inslab::nav {
 namespace gravity_test {

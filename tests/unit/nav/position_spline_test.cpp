@@ -1,11 +1,11 @@
-#include "nav/position_spline.hpp"
+#include "inslab/nav/position_spline.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "nav/wgs84.hpp"
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/nav/wgs84.hpp"
 
 namespace inslab::nav {
 namespace position_spline_test {

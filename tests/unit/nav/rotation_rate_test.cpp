@@ -1,8 +1,8 @@
-#include "nav/rotation_rate.hpp"
+#include "inslab/nav/rotation_rate.hpp"
 
 #include <gtest/gtest.h>
 
-#include "nav/attitude.hpp"
+#include "inslab/nav/attitude.hpp"
 
 namespace inslab::nav {
 namespace rotation_rate_test {

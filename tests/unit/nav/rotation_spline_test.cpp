@@ -1,11 +1,11 @@
-#include "nav/rotation_spline.hpp"
+#include "inslab/nav/rotation_spline.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "nav/attitude.hpp"
+#include "inslab/nav/attitude.hpp"
 
 namespace inslab::nav {
 namespace rotation_spline_test {

@@ -1,4 +1,4 @@
-#include "nav/strapdown.hpp"
+#include "inslab/nav/strapdown.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "nav/wgs84.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/nav/wgs84.hpp"
 #include "tests/unit/nav/closed_form_motion.hpp"
-#include "units/units.hpp"
 
 namespace inslab::nav {
 namespace strapdown_test {

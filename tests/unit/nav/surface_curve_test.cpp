@@ -1,11 +1,11 @@
-#include "nav/surface_curve.hpp"
+#include "inslab/nav/surface_curve.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "units/units.hpp"
+#include "inslab/foundation/units/units.hpp"
 
 namespace inslab::nav {
 namespace surface_curve_test {

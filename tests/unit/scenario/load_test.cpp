@@ -1,4 +1,4 @@
-#include "scenario/load.hpp"
+#include "inslab/scenario/load.hpp"
 
 #include <gtest/gtest.h>
 

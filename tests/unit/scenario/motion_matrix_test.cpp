@@ -1,9 +1,9 @@
-#include "scenario/motion_matrix.hpp"
+#include "inslab/scenario/motion_matrix.hpp"
 
 #include <gtest/gtest.h>
 
-#include "config/error.hpp"
-#include "tests/unit/io/temporary_folder.hpp"
+#include "inslab/data/json/error.hpp"
+#include "tests/unit/formats/text/temporary_folder.hpp"
 
 namespace inslab::scenario {
 namespace motion_matrix_test {

@@ -1,0 +1,126 @@
+#include "inslab/bus/client/run_client.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <cstdio>
+#include <thread>
+
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/foundation/text/shown.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+app::Identity of_any_set(const dds::Participant& participant) {
+  app::Identity own;
+  own.service = participant.options().name;
+  own.unit = participant.options().unit;
+  return own;
+}
+
+}  // namespace
+
+RunClient::RunClient(dds::Participant& participant) : RunClient(participant, of_any_set(participant)) {}
+
+RunClient::RunClient(dds::Participant& participant, const app::Identity& own)
+    : of_one_run_(own.run_id != RunId{}),
+      run_id_(own.run_id),
+      writers_(participant.peers(), participant.key(), own),
+      imu_error_(participant, dds::topics::request<ImuErrorProfile>()),
+      vibration_(participant, dds::topics::request<VibrationProfile>()),
+      installation_(participant, dds::topics::request<InstallationProfile>()),
+      gnss_error_(participant, dds::topics::request<GnssErrorProfile>()),
+      fault_(participant, dds::topics::request<FaultProfile>()),
+      command_(participant, dds::topics::sim_command()),
+      status_reader_(participant, dds::topics::sim_status(),
+                     writers_.only(dds::topics::sim_status(),
+                                   [this](const SimStatus& status, const dds::SampleOrigin&) { hear(status); })),
+      ack_reader_(participant, dds::topics::profile_ack(),
+                  writers_.only(dds::topics::profile_ack(), [this](const ProfileAck& ack, const dds::SampleOrigin&) {
+                    const std::lock_guard<std::mutex> lock(mutex_);
+                    acks_[ack.request_id].push_back(ack);
+                  })) {}
+
+void RunClient::hear(const SimStatus& status) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool has_left = !of_one_run_ && status_ && has_ended(status_->state);
+  if (run_id_ == RunId{} || has_left) run_id_ = status.run_id;
+  if (status.run_id == run_id_) {
+    status_ = status;
+    ++statuses_;
+  } else if (other_run_.empty()) {
+    other_run_ = "another run, " + app::run_id_text(status.run_id) + " of '" + text::shown(status.scenario) +
+                 "', is in its place";
+    spdlog::warn("{}", other_run_);
+  }
+}
+
+std::string RunClient::other_run() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return other_run_;
+}
+
+bool RunClient::connected() const {
+  return imu_error_.matched_readers() > 0 && vibration_.matched_readers() > 0 && installation_.matched_readers() > 0 &&
+         gnss_error_.matched_readers() > 0 && fault_.matched_readers() > 0 && command_.matched_readers() > 0;
+}
+
+bool RunClient::send(const AnyProfile& request) {
+  struct Send {
+    RunClient& client;
+    bool operator()(const ImuErrorProfile& p) const { return client.imu_error_.write(p); }
+    bool operator()(const VibrationProfile& p) const { return client.vibration_.write(p); }
+    bool operator()(const InstallationProfile& p) const { return client.installation_.write(p); }
+    bool operator()(const GnssErrorProfile& p) const { return client.gnss_error_.write(p); }
+    bool operator()(const FaultProfile& p) const { return client.fault_.write(p); }
+  };
+  return std::visit(Send{*this}, request);
+}
+
+bool RunClient::send(const SimCommand& command) { return command_.write(command); }
+
+std::optional<SimStatus> RunClient::status() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return status_;
+}
+
+std::uint64_t RunClient::statuses() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return statuses_;
+}
+
+std::vector<ProfileAck> RunClient::acks(std::uint64_t request_id) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = acks_.find(request_id);
+  return found == acks_.end() ? std::vector<ProfileAck>{} : found->second;
+}
+
+void listen_for(double seconds) {
+  const time::Nanoseconds end = app::monotonic_now() + time::from_seconds(seconds);
+  while (app::monotonic_now() < end && !app::shutdown_requested()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+LongWait::LongWait() : begun_(app::monotonic_now()) {}
+
+void LongWait::tell(const std::string& what) {
+  constexpr time::Nanoseconds kLong = std::chrono::seconds(2);
+  if (told_ || app::monotonic_now() - begun_ < kLong) return;
+  told_ = true;
+  std::fprintf(stderr, "waits for %s\n", what.c_str());
+}
+
+bool wait_for(time::Nanoseconds deadline, const std::function<bool()>& condition, const std::string& what) {
+  LongWait wait;
+  while (!condition()) {
+    if (app::monotonic_now() > deadline || app::shutdown_requested()) return false;
+    wait.tell(what);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
+}  // namespace inslab::cli

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/dds/writer.hpp"
+#include "inslab/bus/service/writers.hpp"
+#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/requests/run_control.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
+
+namespace inslab::cli {
+
+/// A client of a running set: sends requests for swaps and commands, hears acknowledgements and how the run goes. It
+/// follows one run until that has ended, the first that it hears of its set's trajectory server; what is said of
+/// another one meanwhile, or by somebody else, is left out, and said in the log.
+class RunClient {
+ public:
+  /// Of whatever set is in the participant's unit, and of its next run when one has ended.
+  explicit RunClient(dds::Participant& participant);
+  /// Of the set that has this process's scenario and run, and of no other run.
+  RunClient(dds::Participant& participant, const app::Identity& own);
+
+  /// Whether a trajectory server listens to requests.
+  bool connected() const;
+  /// False when the request could not be sent.
+  bool send(const AnyProfile& request);
+  /// False when the command could not be sent; what becomes of it stands in the status.
+  bool send(const SimCommand& command);
+
+  /// The run's latest status; nothing before the first.
+  std::optional<SimStatus> status() const;
+  /// How many statuses have come: whether the server still speaks.
+  std::uint64_t statuses() const;
+  /// Which other run the trajectory server is in since, in words; empty: none.
+  std::string other_run() const;
+  /// Who may speak in this set.
+  app::Writers& writers() { return writers_; }
+  /// What came back for a request so far.
+  std::vector<ProfileAck> acks(std::uint64_t request_id) const;
+
+ private:
+  void hear(const SimStatus& status);
+
+  const bool of_one_run_;
+  RunId run_id_;  ///< zero: of none yet
+  app::Writers writers_;
+  dds::Writer<ImuErrorProfile> imu_error_;
+  dds::Writer<VibrationProfile> vibration_;
+  dds::Writer<InstallationProfile> installation_;
+  dds::Writer<GnssErrorProfile> gnss_error_;
+  dds::Writer<FaultProfile> fault_;
+  dds::Writer<SimCommand> command_;
+  mutable std::mutex mutex_;
+  std::optional<SimStatus> status_;
+  std::uint64_t statuses_ = 0;
+  std::string other_run_;
+  std::map<std::uint64_t, std::vector<ProfileAck>> acks_;
+  dds::Reader<SimStatus> status_reader_;
+  dds::Reader<ProfileAck> ack_reader_;
+};
+
+/// Waits until `condition` holds; false at the deadline (CLOCK_MONOTONIC) or at a signal. A wait that grows long says
+/// on the error output what it waits for.
+bool wait_for(time::Nanoseconds deadline, const std::function<bool()>& condition, const std::string& what);
+
+/// Sleeps for so long, or until a signal.
+void listen_for(double seconds);
+
+/// Says after two seconds, once, what is waited for.
+class LongWait {
+ public:
+  LongWait();
+  /// Call now and then while the wait goes on.
+  void tell(const std::string& what);
+
+ private:
+  time::Nanoseconds begun_;
+  bool told_ = false;
+};
+
+}  // namespace inslab::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
+#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+
+#include "inslab/bus/dds/topics.hpp"
+
+namespace inslab::dds {
+
+/// Fast DDS settings of a writer of such a topic. What was measured against the defaults: 6 to 18 times the lossless
+/// rate, and no losses.
+eprosima::fastdds::dds::DataWriterQos writer_qos(Delivery delivery, double nominal_rate_hz);
+
+/// Fast DDS settings of a reader of such a topic.
+eprosima::fastdds::dds::DataReaderQos reader_qos(Delivery delivery, double nominal_rate_hz);
+
+}  // namespace inslab::dds

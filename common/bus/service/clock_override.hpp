@@ -1,0 +1,11 @@
+#pragma once
+
+#include "inslab/bus/service/service_options.hpp"
+#include "inslab/scenario/load.hpp"
+
+namespace inslab::app {
+
+/// Gives a scenario the clock that the command line asks for. Throws config::Error when its rules forbid that.
+void override_clock(const ClockOptions& options, scenario::LoadedScenario& loaded);
+
+}  // namespace inslab::app

@@ -1,0 +1,86 @@
+#include "inslab/bus/service/scenario_hash.hpp"
+
+#include <openssl/evp.h>
+
+#include <fstream>
+#include <memory>
+
+#include "inslab/data/json/json_writer.hpp"
+#include "inslab/data/wire/cdr.hpp"
+#include "inslab/foundation/files/error.hpp"
+
+namespace inslab::app {
+
+namespace {
+
+class Sha256 {
+ public:
+  Sha256() { EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr); }
+
+  void add(const void* data, std::size_t size) { EVP_DigestUpdate(context_.get(), data, size); }
+  /// With its length, so that what follows cannot be taken for a part of it.
+  void add_text(const std::string& text) {
+    const std::uint64_t size = text.size();
+    add(&size, sizeof(size));
+    add(text.data(), text.size());
+  }
+  template <class Profile>
+  void add_profile(const Profile& profile) {
+    wire::encode(profile, cdr_);
+    add_text({cdr_.begin(), cdr_.end()});
+  }
+
+  std::string hexadecimal() {
+    static constexpr char kHex[] = "0123456789abcdef";
+    std::uint8_t digest[EVP_MAX_MD_SIZE];
+    unsigned size = 0;
+    EVP_DigestFinal_ex(context_.get(), digest, &size);
+    std::string text;
+    for (unsigned i = 0; i < size; ++i) {
+      text += kHex[digest[i] >> 4];
+      text += kHex[digest[i] & 15];
+    }
+    return text;
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_{EVP_MD_CTX_new(), &EVP_MD_CTX_free};
+  std::vector<std::uint8_t> cdr_;
+};
+
+void add_file(Sha256& hash, const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> piece(std::size_t{1} << 20);
+  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {
+    hash.add(piece.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.eof()) throw io::ReadError(path.string() + ": cannot be read");
+}
+
+}  // namespace
+
+std::string scenario_hash(const scenario::LoadedScenario& loaded) {
+  Sha256 hash;
+  hash.add_text(config::to_json(loaded.scenario).dump());
+  for (const auto& imu : loaded.imus) {
+    hash.add_profile(imu.errors);
+    hash.add_profile(imu.vibration);
+    hash.add_profile(imu.installation);
+    hash.add_profile(imu.nominal_installation);
+  }
+  for (const auto& gnss : loaded.gnss) {
+    hash.add_profile(gnss.errors);
+    hash.add_profile(gnss.installation);
+    hash.add_profile(gnss.nominal_installation);
+  }
+  for (const AnyProfile& swap : loaded.swaps) {
+    std::visit([&hash](const auto& profile) { hash.add_profile(profile); }, swap);
+  }
+  const scenario::Trajectory& trajectory = loaded.scenario.trajectory;
+  if (trajectory.source == scenario::TrajectorySource::File) {
+    add_file(hash, loaded.file.parent_path() / trajectory.file.path);
+  }
+  return hash.hexadecimal();
+}
+
+}  // namespace inslab::app

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/service/service.hpp"
+
+namespace inslab::app {
+
+/// Reader of a topic that the set itself writes: hands on what its rightful writers send (app/writers.hpp). Otherwise
+/// as dds::Reader.
+template <class T>
+class SetReader {
+ public:
+  SetReader(Context& context, const dds::Topic<T>& topic, typename dds::Reader<T>::Callback callback)
+      : reader_(context.participant(), topic, context.writers().only(topic, std::move(callback))) {}
+
+  int matched_writers() const { return reader_.matched_writers(); }
+
+ private:
+  dds::Reader<T> reader_;
+};
+
+}  // namespace inslab::app

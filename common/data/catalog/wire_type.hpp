@@ -1,0 +1,95 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "inslab/data/profiles/fault_profile.hpp"
+#include "inslab/data/profiles/gnss_error_profile.hpp"
+#include "inslab/data/profiles/imu_error_profile.hpp"
+#include "inslab/data/profiles/installation_profile.hpp"
+#include "inslab/data/profiles/vibration_profile.hpp"
+#include "inslab/data/requests/run_control.hpp"
+#include "inslab/data/samples/block.hpp"
+#include "inslab/data/samples/credit.hpp"
+#include "inslab/data/samples/gnss_fix.hpp"
+#include "inslab/data/samples/imu_sample.hpp"
+#include "inslab/data/samples/imu_truth.hpp"
+#include "inslab/data/samples/nav_solution.hpp"
+#include "inslab/data/samples/service_status.hpp"
+#include "inslab/data/samples/truth_state.hpp"
+#include "inslab/data/samples/vehicle_state.hpp"
+
+namespace inslab::wire {
+
+/// The module of idl/ that all types are in. Its last part is the version of the wire types: it goes up with every
+/// change of a struct or an enumeration, so that a client built with other types does not match instead of reading
+/// them wrong.
+#define INSLAB_WIRE_MODULE "inslab::v1::"
+inline constexpr std::string_view kModule = INSLAB_WIRE_MODULE;
+
+/// The present name of a type that a log may call by an earlier one; any other name as it is. Before the types had a
+/// version, version 1 was `inslab::TruthState` and so on.
+std::string present_name(std::string_view type);
+
+/// The IDL name of every struct that travels as a topic, and the file of idl/ that declares it.
+template <class T>
+struct WireType;
+
+#define INSLAB_WIRE_TYPE(Struct, File)                                   \
+  template <>                                                            \
+  struct WireType<samples::Struct> {                                     \
+    static constexpr std::string_view name = INSLAB_WIRE_MODULE #Struct; \
+    static constexpr std::string_view idl_file = File;                   \
+  }
+
+INSLAB_WIRE_TYPE(TruthState, "truth.idl");
+INSLAB_WIRE_TYPE(ImuSample, "imu.idl");
+INSLAB_WIRE_TYPE(ImuTruth, "imu.idl");
+INSLAB_WIRE_TYPE(GnssFix, "gnss.idl");
+INSLAB_WIRE_TYPE(NavSolution, "nav.idl");
+INSLAB_WIRE_TYPE(ImuErrorProfile, "profile.idl");
+INSLAB_WIRE_TYPE(VibrationProfile, "profile.idl");
+INSLAB_WIRE_TYPE(InstallationProfile, "profile.idl");
+INSLAB_WIRE_TYPE(GnssErrorProfile, "profile.idl");
+INSLAB_WIRE_TYPE(FaultProfile, "profile.idl");
+INSLAB_WIRE_TYPE(ProfileAck, "control.idl");
+INSLAB_WIRE_TYPE(Installation, "control.idl");
+INSLAB_WIRE_TYPE(SimCommand, "control.idl");
+INSLAB_WIRE_TYPE(SimStatus, "control.idl");
+INSLAB_WIRE_TYPE(TimeMark, "control.idl");
+INSLAB_WIRE_TYPE(ServiceStatus, "control.idl");
+INSLAB_WIRE_TYPE(VehicleState, "vehicle.idl");
+INSLAB_WIRE_TYPE(UsedVehicleState, "vehicle.idl");
+INSLAB_WIRE_TYPE(VehicleLink, "vehicle.idl");
+INSLAB_WIRE_TYPE(Credit, "control.idl");
+
+#undef INSLAB_WIRE_TYPE
+
+#define INSLAB_BLOCK_TYPE(Struct, IdlName)                               \
+  template <>                                                            \
+  struct WireType<samples::Block<samples::Struct>> {                     \
+    static constexpr std::string_view name = INSLAB_WIRE_MODULE IdlName; \
+    static constexpr std::string_view idl_file = "block.idl";            \
+  }
+
+INSLAB_BLOCK_TYPE(TruthState, "TruthBlock");
+INSLAB_BLOCK_TYPE(ImuSample, "ImuBlock");
+INSLAB_BLOCK_TYPE(ImuTruth, "ImuTruthBlock");
+INSLAB_BLOCK_TYPE(GnssFix, "GnssBlock");
+INSLAB_BLOCK_TYPE(NavSolution, "NavBlock");
+
+#undef INSLAB_BLOCK_TYPE
+#undef INSLAB_WIRE_MODULE
+
+/// Every type that travels as a topic by itself: `Of` is given them all, as testing::Types is in tests. Beside them
+/// travel blocks of the streams' samples.
+template <template <class...> class Of>
+using EveryWireType = Of<TruthState, ImuSample, ImuTruth, GnssFix, NavSolution, ImuErrorProfile, VibrationProfile,
+                         InstallationProfile, GnssErrorProfile, FaultProfile, ProfileAck, Installation, SimCommand,
+                         SimStatus, TimeMark, ServiceStatus, VehicleState, UsedVehicleState, VehicleLink, Credit>;
+
+/// The product's own text of one file of idl/, with the files it includes put before it and no preprocessor line left:
+/// what a reader needs to decode the types in it. Throws std::out_of_range for a name that is not in idl/.
+std::string self_contained_idl(std::string_view idl_file);
+
+}  // namespace inslab::wire

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "inslab/data/requests/profile_request.hpp"
+
+namespace inslab {
+inline namespace samples {
+
+/// What is wrong with one axis of an IMU: it repeats its last increment, shows the wrong sign, or no number at all.
+enum class AxisFault : std::uint32_t { None, Stuck, SignFlip, Nan };
+
+template <>
+struct EnumNames<AxisFault> {
+  static constexpr std::string_view type = "AxisFault";
+  static constexpr std::string_view prefix = "AXIS_FAULT_";
+  static constexpr std::array<std::string_view, 4> values{"none", "stuck", "sign_flip", "nan"};
+};
+
+/// Faults of one sensor, all off by default: topic inslab/profile/fault.
+struct FaultProfile {
+  static constexpr ProfileKind kind = ProfileKind::Fault;
+
+  SensorAddress target{SensorKind::Imu, 0};
+  ProfileRequest request;
+  std::string name;
+  std::string source;
+  Vector3 gyro_bias_jump_deg_per_h = Vector3::Zero();              ///< imu
+  Vector3 accel_bias_jump_mgal = Vector3::Zero();                  ///< imu
+  Vector3 gyro_noise_burst_deg_per_sqrt_h = Vector3::Zero();       ///< imu
+  Vector3 accel_noise_burst_m_per_s_per_sqrt_h = Vector3::Zero();  ///< imu
+  std::array<AxisFault, 3> gyro_axes{};                            ///< imu
+  std::array<AxisFault, 3> accel_axes{};                           ///< imu
+  bool gyro_silent = false;                                        ///< imu: no rates while on
+  bool accel_silent = false;                                       ///< imu: no specific forces while on
+  Vector3 position_jump_ned_m = Vector3::Zero();                   ///< gnss
+  Vector3 velocity_jump_ned_m_per_s = Vector3::Zero();             ///< gnss
+  Vector3 position_drift_ned_m_per_s = Vector3::Zero();            ///< gnss: spoofing that leads away slowly
+  bool drift_in_velocity = false;                                  ///< gnss
+  bool outage = false;                                             ///< gnss: no fixes while on
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    profile_head_fields(self, visit);
+    visit(Field("source", "why").at_most(256), self.source);
+    visit(Field("gyro_bias_jump_deg_per_h", "imu: bias added while the fault is on").in(-1e6, 1e6),
+          self.gyro_bias_jump_deg_per_h);
+    visit(Field("accel_bias_jump_mgal", "imu: bias added while the fault is on").in(-1e7, 1e7),
+          self.accel_bias_jump_mgal);
+    visit(Field("gyro_noise_burst_deg_per_sqrt_h", "imu: white noise added while the fault is on").in(0.0, 1e5),
+          self.gyro_noise_burst_deg_per_sqrt_h);
+    visit(Field("accel_noise_burst_m_per_s_per_sqrt_h", "imu: white noise added while the fault is on").in(0.0, 1e5),
+          self.accel_noise_burst_m_per_s_per_sqrt_h);
+    visit(Field("gyro_fault_x", "imu: what is wrong with the axis"), self.gyro_axes[0]);
+    visit(Field("gyro_fault_y", "imu: what is wrong with the axis"), self.gyro_axes[1]);
+    visit(Field("gyro_fault_z", "imu: what is wrong with the axis"), self.gyro_axes[2]);
+    visit(Field("accel_fault_x", "imu: what is wrong with the axis"), self.accel_axes[0]);
+    visit(Field("accel_fault_y", "imu: what is wrong with the axis"), self.accel_axes[1]);
+    visit(Field("accel_fault_z", "imu: what is wrong with the axis"), self.accel_axes[2]);
+    visit(Field("gyro_silent", "imu: no rates while on"), self.gyro_silent);
+    visit(Field("accel_silent", "imu: no specific forces while on"), self.accel_silent);
+    visit(Field("position_jump_ned_m", "gnss: offset added while the fault is on").in(-1e5, 1e5),
+          self.position_jump_ned_m);
+    visit(Field("velocity_jump_ned_m_per_s", "gnss: offset added while the fault is on").in(-1e4, 1e4),
+          self.velocity_jump_ned_m_per_s);
+    visit(Field("position_drift_ned_m_per_s",
+                "gnss: speed of an offset that grows from 0 when the fault comes on, to at most 100 km")
+              .in(-1e3, 1e3),
+          self.position_drift_ned_m_per_s);
+    visit(Field("drift_in_velocity", "gnss: velocity shows the drift too, as a consistent spoofer makes it"),
+          self.drift_in_velocity);
+    visit(Field("outage", "gnss: no fix while on"), self.outage);
+  }
+};
+
+}  // namespace samples
+}  // namespace inslab

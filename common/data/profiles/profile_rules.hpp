@@ -1,0 +1,290 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/profiles/fault_profile.hpp"
+#include "inslab/data/profiles/gnss_error_profile.hpp"
+#include "inslab/data/profiles/imu_error_profile.hpp"
+#include "inslab/data/profiles/installation_profile.hpp"
+#include "inslab/data/profiles/vibration_profile.hpp"
+#include "inslab/foundation/fields/limits.hpp"
+#include "inslab/foundation/fields/violation.hpp"
+#include "inslab/foundation/units/units.hpp"
+
+/// Rules of profiles that span several fields; the limits of single fields stand in their declarations. Each function
+/// returns the first rule broken, or nothing.
+namespace inslab {
+inline namespace samples {
+
+inline constexpr double kMaxLeverArmM = 1000.0;
+inline constexpr double kMaxMotionM = 0.05;     ///< of a mount against the vehicle
+inline constexpr double kMaxMotionDeg = 2.0;    ///< the same
+inline constexpr double kMaxMotionHz = 2000.0;  ///< the same
+
+namespace detail {
+
+inline std::optional<Violation> target_violation(const SensorAddress& target, SensorKind expected) {
+  if (target.kind == expected) return std::nullopt;
+  return Violation{
+      Rule::ProfileFitsSensor, "target_kind",
+      "is " + std::string(enum_name(target.kind)) + "; this profile is for " + std::string(enum_name(expected))};
+}
+
+inline std::optional<Violation> fade_violation(const ProfileRequest& request) {
+  if (request.fade_s == 0.0) return std::nullopt;
+  return Violation{Rule::OnlyVibrationFades, "request.fade_s",
+                   "is " + std::to_string(request.fade_s) + "; only vibration fades"};
+}
+
+inline std::string element(const std::string& path, int index) { return path + "[" + std::to_string(index) + "]"; }
+
+inline std::optional<Violation> correlation_violation(const std::string& path, const char* quantity,
+                                                      const Vector3& sigma, const Vector3& correlation_time_s) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (sigma[axis] != 0.0 && !(correlation_time_s[axis] > 0.0)) {
+      return Violation{Rule::CorrelationTime, element(path, axis),
+                       std::string("is not above 0 where ") + quantity + " is"};
+    }
+  }
+  return std::nullopt;
+}
+
+/// `path` ends before the field's name, such as "lesser_solutions[1].".
+inline std::optional<Violation> solution_violation(const std::string& path, const SolutionErrors& errors) {
+  if (auto broken = correlation_violation(path + "position_gm_correlation_time_s", "position_gm_sigma_ned_m",
+                                          errors.position_gm_sigma_ned_m, errors.position_gm_correlation_time_s)) {
+    return broken;
+  }
+  return correlation_violation(path + "velocity_gm_correlation_time_s", "velocity_gm_sigma_ned_m_per_s",
+                               errors.velocity_gm_sigma_ned_m_per_s, errors.velocity_gm_correlation_time_s);
+}
+
+inline std::optional<Violation> ladder_violation(const GnssErrorProfile& profile) {
+  for (std::size_t i = 0; i < profile.lesser_solutions.size(); ++i) {
+    const LesserSolution& solution = profile.lesser_solutions[i];
+    const std::string path = "lesser_solutions[" + std::to_string(i) + "].";
+    const FixType better =
+        i + 1 < profile.lesser_solutions.size() ? profile.lesser_solutions[i + 1].fix_type : profile.fix_type;
+    if (!(solution.fix_type < better)) {
+      return Violation{Rule::SolutionsAscend, path + "fix_type",
+                       "is " + std::string(enum_name(solution.fix_type)) + "; expected a worse one than " +
+                           std::string(enum_name(better)) + ", which comes next"};
+    }
+    if (auto broken = solution_violation(path, solution)) return broken;
+  }
+  return std::nullopt;
+}
+
+inline std::optional<Violation> nonlinearity_violation(const std::string& path, const char* full_scale_name,
+                                                       const Vector3& nonlinearity, const Vector3& full_scale) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (nonlinearity[axis] != 0.0 && full_scale[axis] == 0.0) {
+      return Violation{Rule::NonlinearityScale, element(path, axis),
+                       std::string("is given without ") + full_scale_name + ", of which it is a part"};
+    }
+  }
+  return std::nullopt;
+}
+
+inline std::optional<Violation> gyro_violation(const GyroErrors& gyro) {
+  if (auto broken = correlation_violation("gyro.bias_gm_correlation_time_s", "bias_gm_sigma_deg_per_h",
+                                          gyro.bias_gm_sigma_deg_per_h, gyro.bias_gm_correlation_time_s)) {
+    return broken;
+  }
+  if (auto broken = correlation_violation("gyro.scale_factor_gm_correlation_time_s", "scale_factor_gm_sigma_ppm",
+                                          gyro.scale_factor_gm_sigma_ppm, gyro.scale_factor_gm_correlation_time_s)) {
+    return broken;
+  }
+  return nonlinearity_violation("gyro.nonlinearity_ppm_of_full_scale", "full_scale_deg_per_s",
+                                gyro.nonlinearity_ppm_of_full_scale, gyro.full_scale_deg_per_s);
+}
+
+inline std::optional<Violation> accel_violation(const AccelErrors& accel) {
+  if (auto broken = correlation_violation("accel.bias_gm_correlation_time_s", "bias_gm_sigma_mgal",
+                                          accel.bias_gm_sigma_mgal, accel.bias_gm_correlation_time_s)) {
+    return broken;
+  }
+  if (auto broken = correlation_violation("accel.scale_factor_gm_correlation_time_s", "scale_factor_gm_sigma_ppm",
+                                          accel.scale_factor_gm_sigma_ppm, accel.scale_factor_gm_correlation_time_s)) {
+    return broken;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (accel.full_scale_g[axis] != 0.0 && accel.full_scale_g[axis] < 1.0) {
+      return Violation{Rule::FullScale, element("accel.full_scale_g", axis),
+                       "is " + number_text(accel.full_scale_g[axis]) +
+                           "; an accelerometer reads at least its own weight, 1 g (0: no limit)"};
+    }
+  }
+  return nonlinearity_violation("accel.nonlinearity_ppm_of_full_scale", "full_scale_g",
+                                accel.nonlinearity_ppm_of_full_scale, accel.full_scale_g);
+}
+
+inline std::optional<Violation> temperature_violation(const std::vector<TemperaturePoint>& points) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!(points[i].at_s > points[i - 1].at_s)) {
+      return Violation{Rule::TemperatureInOrder, "temperature[" + std::to_string(i) + "].at_s",
+                       "is " + number_text(points[i].at_s) + "; expected later than the one before, " +
+                           number_text(points[i - 1].at_s)};
+    }
+  }
+  return std::nullopt;
+}
+
+template <class Point>
+std::optional<Violation> random_table_violation(const std::string& path, const std::vector<Point>& points) {
+  if (points.size() == 1) {
+    return Violation{Rule::RandomTable, path, "has one element; expected at least two, which span a band"};
+  }
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!(points[i].frequency_hz > points[i - 1].frequency_hz)) {
+      return Violation{Rule::RandomTable, path + "[" + std::to_string(i) + "].frequency_hz",
+                       "is " + number_text(points[i].frequency_hz) + "; expected above the one before, " +
+                           number_text(points[i - 1].frequency_hz)};
+    }
+  }
+  return std::nullopt;
+}
+
+/// `reach(sinusoid)` is the largest excursion that one sinusoid can make, in the unit of `limit`.
+template <class Sinusoid, class Reach>
+std::optional<Violation> motion_violation(const std::string& path, const std::vector<Sinusoid>& sinusoids,
+                                          const Reach& reach, double limit, const char* unit) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < sinusoids.size(); ++i) {
+    if (!(sinusoids[i].frequency_hz <= kMaxMotionHz)) {
+      return Violation{Rule::MotionFrequency, path + "[" + std::to_string(i) + "].frequency_hz",
+                       "is " + number_text(sinusoids[i].frequency_hz) + "; a mount moves at up to " +
+                           number_text(kMaxMotionHz) + " Hz"};
+    }
+    sum += reach(sinusoids[i]);
+  }
+  if (sum <= limit) return std::nullopt;
+  return Violation{Rule::MotionReach, path,
+                   "reaches " + number_text(sum) + " " + unit + "; a mount moves by at most " + number_text(limit)};
+}
+
+inline std::optional<Violation> mount_violation(const VibrationProfile& profile) {
+  const auto omega = [](double frequency_hz) { return 2.0 * units::kPi * frequency_hz; };
+  const auto displacement_m = [&omega](const LinearSinusoid& sinusoid) {
+    const double w = omega(sinusoid.frequency_hz);
+    return sinusoid.amplitude_m_per_s2.norm() / (w * w);
+  };
+  const auto turn_deg = [&omega](const AngularSinusoid& sinusoid) {
+    return sinusoid.amplitude_deg_per_s.norm() / omega(sinusoid.frequency_hz);
+  };
+  if (auto broken = motion_violation("linear", profile.linear, displacement_m, kMaxMotionM, "m")) return broken;
+  if (auto broken = motion_violation("angular", profile.angular, turn_deg, kMaxMotionDeg, "deg")) return broken;
+  constexpr const char* kReason = "is given; random vibration is for the domain 'sensor'";
+  if (!profile.linear_random.empty()) return Violation{Rule::MotionHarmonic, "linear_random", kReason};
+  if (!profile.angular_random.empty()) return Violation{Rule::MotionHarmonic, "angular_random", kReason};
+  return std::nullopt;
+}
+
+inline std::optional<Violation> zero_violation(Rule rule, const char* path, const Vector3& value, const char* reason) {
+  if (value.isZero(0.0)) return std::nullopt;
+  return Violation{rule, path, reason};
+}
+
+}  // namespace detail
+
+inline std::optional<Violation> violation(const ImuErrorProfile& profile) {
+  if (auto broken = detail::target_violation(profile.target, SensorKind::Imu)) return broken;
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::gyro_violation(profile.gyro)) return broken;
+  if (auto broken = detail::accel_violation(profile.accel)) return broken;
+  return detail::temperature_violation(profile.temperature);
+}
+
+inline std::optional<Violation> violation(const VibrationProfile& profile) {
+  if (auto broken = detail::target_violation(profile.target, SensorKind::Imu)) return broken;
+  if (auto broken = detail::random_table_violation("linear_random", profile.linear_random)) return broken;
+  if (auto broken = detail::random_table_violation("angular_random", profile.angular_random)) return broken;
+  return profile.domain == VibrationDomain::Motion ? detail::mount_violation(profile) : std::nullopt;
+}
+
+inline std::optional<Violation> violation(const InstallationProfile& profile) {
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (!(profile.lever_arm_v_m.norm() <= kMaxLeverArmM)) {
+    return Violation{Rule::LeverArmLength, "lever_arm_v_m",
+                     "is " + std::to_string(profile.lever_arm_v_m.norm()) + " m long; a lever arm has at most 1000 m"};
+  }
+  if (profile.target.kind != SensorKind::Gnss) return std::nullopt;
+  return detail::zero_violation(Rule::AntennaMounting, "mounting_rpy_deg", profile.mounting_rpy_deg,
+                                "is not 0; an antenna has no axes");
+}
+
+inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
+  if (auto broken = detail::target_violation(profile.target, SensorKind::Gnss)) return broken;
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (profile.fix_type == FixType::None) {
+    return Violation{Rule::FixTypeGiven, "fix_type", "is none; a receiver without a fix is the fault 'outage'"};
+  }
+  if (auto broken = detail::solution_violation("", profile)) return broken;
+  return detail::ladder_violation(profile);
+}
+
+namespace detail {
+
+/// What of a fault profile an IMU alone can have.
+inline std::optional<Violation> imu_fault_violation(const FaultProfile& profile) {
+  constexpr const char* kReason = "is given; this is a fault of an imu";
+  const std::pair<const char*, const Vector3*> vectors[] = {
+      {"gyro_bias_jump_deg_per_h", &profile.gyro_bias_jump_deg_per_h},
+      {"accel_bias_jump_mgal", &profile.accel_bias_jump_mgal},
+      {"gyro_noise_burst_deg_per_sqrt_h", &profile.gyro_noise_burst_deg_per_sqrt_h},
+      {"accel_noise_burst_m_per_s_per_sqrt_h", &profile.accel_noise_burst_m_per_s_per_sqrt_h}};
+  for (const auto& [path, value] : vectors) {
+    if (auto broken = zero_violation(Rule::FaultFitsSensor, path, *value, kReason)) return broken;
+  }
+  const std::pair<const char*, const std::array<AxisFault, 3>*> triads[] = {{"gyro_fault_", &profile.gyro_axes},
+                                                                            {"accel_fault_", &profile.accel_axes}};
+  for (const auto& [path, axes] : triads) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if ((*axes)[axis] == AxisFault::None) continue;
+      return Violation{Rule::FaultFitsSensor, std::string(path) + "xyz"[axis], kReason};
+    }
+  }
+  if (profile.gyro_silent) return Violation{Rule::FaultFitsSensor, "gyro_silent", kReason};
+  if (profile.accel_silent) return Violation{Rule::FaultFitsSensor, "accel_silent", kReason};
+  return std::nullopt;
+}
+
+/// What of a fault profile a receiver alone can have.
+inline std::optional<Violation> receiver_fault_violation(const FaultProfile& profile) {
+  if (profile.outage) {
+    return Violation{Rule::FaultFitsSensor, "outage", "is true; an outage is a fault of a gnss receiver"};
+  }
+  constexpr const char* kReason = "is given; this is a fault of a gnss receiver";
+  const std::pair<const char*, const Vector3*> vectors[] = {
+      {"position_jump_ned_m", &profile.position_jump_ned_m},
+      {"velocity_jump_ned_m_per_s", &profile.velocity_jump_ned_m_per_s},
+      {"position_drift_ned_m_per_s", &profile.position_drift_ned_m_per_s}};
+  for (const auto& [path, value] : vectors) {
+    if (auto broken = zero_violation(Rule::FaultFitsSensor, path, *value, kReason)) return broken;
+  }
+  if (profile.drift_in_velocity) return Violation{Rule::FaultFitsSensor, "drift_in_velocity", kReason};
+  return std::nullopt;
+}
+
+}  // namespace detail
+
+inline std::optional<Violation> violation(const FaultProfile& profile) {
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  return profile.target.kind == SensorKind::Imu ? detail::receiver_fault_violation(profile)
+                                                : detail::imu_fault_violation(profile);
+}
+
+/// The first limit or rule that a profile of any kind breaks.
+inline std::optional<Violation> broken_rule(const AnyProfile& profile) {
+  return std::visit(
+      [](const auto& one) {
+        auto limits = limit_violation(one);
+        return limits ? limits : violation(one);
+      },
+      profile);
+}
+
+}  // namespace samples
+}  // namespace inslab

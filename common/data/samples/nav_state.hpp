@@ -1,0 +1,20 @@
+#pragma once
+
+#include "inslab/data/samples/imu_truth.hpp"
+#include "inslab/data/samples/truth_state.hpp"
+#include "inslab/nav/strapdown.hpp"
+
+/// The true navigation state that a sample holds.
+namespace inslab {
+
+/// Of the vehicle's reference point and axes.
+inline nav::NavState nav_state(const TruthState& truth) {
+  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nv};
+}
+
+/// Of the IMU's centre and axes.
+inline nav::NavState nav_state(const ImuTruth& truth) {
+  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb};
+}
+
+}  // namespace inslab

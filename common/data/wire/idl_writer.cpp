@@ -1,0 +1,177 @@
+#include "inslab/data/wire/idl_writer.hpp"
+
+#include <set>
+#include <sstream>
+
+#include "inslab/data/catalog/wire_type.hpp"
+
+namespace inslab::wire {
+
+namespace {
+
+/// Names of the structs that only occur inside profiles.
+template <class T>
+struct NestedName;
+template <>
+struct NestedName<ProfileRequest> {
+  static constexpr std::string_view value = "ProfileRequest";
+};
+template <>
+struct NestedName<GyroErrors> {
+  static constexpr std::string_view value = "GyroErrors";
+};
+template <>
+struct NestedName<AccelErrors> {
+  static constexpr std::string_view value = "AccelErrors";
+};
+template <>
+struct NestedName<LesserSolution> {
+  static constexpr std::string_view value = "LesserSolution";
+};
+template <>
+struct NestedName<LinearSinusoid> {
+  static constexpr std::string_view value = "LinearSinusoid";
+};
+template <>
+struct NestedName<AngularSinusoid> {
+  static constexpr std::string_view value = "AngularSinusoid";
+};
+template <>
+struct NestedName<TemperaturePoint> {
+  static constexpr std::string_view value = "TemperaturePoint";
+};
+template <>
+struct NestedName<LinearRandomPoint> {
+  static constexpr std::string_view value = "LinearRandomPoint";
+};
+template <>
+struct NestedName<AngularRandomPoint> {
+  static constexpr std::string_view value = "AngularRandomPoint";
+};
+
+/// Collects the definitions of a type and of everything it holds, each once, in the order of dependence.
+class IdlWriter {
+ public:
+  template <class Enum>
+  void is_declared_elsewhere() {
+    done_.insert(std::string(EnumNames<Enum>::type));
+  }
+
+  template <class Enum>
+  void write_enum() {
+    if (!done_.insert(std::string(EnumNames<Enum>::type)).second) return;
+    text_ << "  enum " << EnumNames<Enum>::type << " {\n    ";
+    bool first = true;
+    for (const std::string_view value : EnumNames<Enum>::values) {
+      text_ << (first ? "" : ", ") << EnumNames<Enum>::prefix << upper(value);
+      first = false;
+    }
+    text_ << "\n  };\n\n";
+  }
+
+  template <class T>
+  void write_struct(std::string_view name, std::string_view comment) {
+    if (!done_.insert(std::string(name)).second) return;
+    Members members{*this, {}};
+    T value;
+    T::fields(value, members);
+    if (!comment.empty()) text_ << "  // " << comment << "\n";
+    text_ << "  @final struct " << name << " {\n" << members.lines.str() << "  };\n\n";
+  }
+
+  std::string text() const { return text_.str(); }
+
+ private:
+  struct Members {
+    IdlWriter& writer;
+    std::ostringstream lines;
+
+    template <class T>
+    void operator()(const Field& field, T&) {
+      std::string line = std::string("    ") + (field.is_key ? "@key " : "") + writer.declaration<T>(field) + ";";
+      if (!field.meaning.empty()) {
+        if (line.size() < 52) line.resize(52, ' ');
+        line += "  // " + std::string(field.meaning);
+      }
+      lines << line << "\n";
+    }
+  };
+
+  static std::string upper(std::string_view text) {
+    std::string out(text);
+    for (char& c : out) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return out;
+  }
+
+  template <class T>
+  std::string type_name(const Field& field) {
+    if constexpr (std::is_same_v<T, bool>) {
+      return "boolean";
+    } else if constexpr (std::is_enum_v<T>) {
+      write_enum<T>();
+      return std::string(EnumNames<T>::type);
+    } else if constexpr (std::is_same_v<T, std::uint32_t>) {
+      return "unsigned long";
+    } else if constexpr (std::is_same_v<T, std::uint64_t>) {
+      return "unsigned long long";
+    } else if constexpr (std::is_same_v<T, std::int64_t>) {
+      return "long long";
+    } else if constexpr (std::is_same_v<T, double>) {
+      return "double";
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      return "string<" + std::to_string(field.max_size) + ">";
+    } else if constexpr (is_list<T>) {
+      return "sequence<" + type_name<typename T::value_type>(field) + ", " + std::to_string(field.max_size) + ">";
+    } else {
+      static_assert(has_fields<T>, "a field of a kind that profiles do not have");
+      write_struct<T>(NestedName<T>::value, "");
+      return std::string(NestedName<T>::value);
+    }
+  }
+
+  template <class T>
+  std::string declaration(const Field& field) {
+    const std::string name(field.name);
+    if constexpr (std::is_same_v<T, Vector3>) {
+      return "double " + name + "[3]";
+    } else if constexpr (std::is_same_v<T, Vector6>) {
+      return "double " + name + "[6]";
+    } else if constexpr (std::is_same_v<T, Vector9>) {
+      return "double " + name + "[9]";
+    } else {
+      return type_name<T>(field) + " " + name;
+    }
+  }
+
+  std::set<std::string> done_;
+  std::ostringstream text_;
+};
+
+template <class Profile>
+void write_profile(IdlWriter& writer, std::string_view comment) {
+  writer.write_struct<Profile>(WireType<Profile>::name.substr(kModule.size()), comment);
+}
+
+}  // namespace
+
+std::string profile_idl() {
+  IdlWriter writer;
+  writer.is_declared_elsewhere<FixType>();
+  writer.write_enum<ProfileKind>();
+  write_profile<ImuErrorProfile>(writer, "Topic inslab/profile/imu_error: how one IMU errs.");
+  write_profile<VibrationProfile>(writer, "Topic inslab/profile/vibration: what shakes one IMU.");
+  write_profile<InstallationProfile>(writer, "Topic inslab/profile/installation: where a sensor truly sits.");
+  write_profile<GnssErrorProfile>(writer, "Topic inslab/profile/gnss_error: how one GNSS receiver errs.");
+  write_profile<FaultProfile>(writer, "Topic inslab/profile/fault: faults of one sensor.");
+
+  std::string text =
+      "// Inslab wire types, part 6 of 9: the profiles that can be swapped while a run goes on. A request and its "
+      "entry in\n"
+      "// the journal have the same type. What is not wanted stays zero; a list that is not wanted stays empty.\n"
+      "// Derived from the parameter declarations in common/data/profiles by 'inslab reference idl/profile.idl'.\n"
+      "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab { module v1 "
+      "{\n\n";
+  return text + writer.text() + "}; };\n\n#endif\n";
+}
+
+}  // namespace inslab::wire

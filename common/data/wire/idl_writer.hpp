@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace inslab::wire {
+
+/// The text of idl/profile.idl, derived from the declarations of the profile parameters in common/data/profiles. The file in
+/// idl/ is this text; a test fails when they differ.
+std::string profile_idl();
+
+}  // namespace inslab::wire

@@ -1,0 +1,243 @@
+#include "inslab/formats/mcap/mcap_reader.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "inslab/formats/mcap/mcap_chunk.hpp"
+#include "inslab/formats/mcap/mcap_merge.hpp"
+#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/input_limits.hpp"
+
+namespace inslab::io {
+namespace {
+
+constexpr std::uint64_t kEndSize = mcap::kRecordHeadSize + mcap::kFooterSize + mcap::kMagic.size();
+
+bool holds(const mcap::ChunkIndex& chunk, const std::set<std::uint16_t>& channels) {
+  if (channels.empty() || chunk.message_index_offsets.empty()) return true;
+  return std::any_of(channels.begin(), channels.end(),
+                     [&](std::uint16_t id) { return chunk.message_index_offsets.count(id) > 0; });
+}
+
+static_assert(McapReader::Options{}.max_chunk_bytes == config::kMaxLogRecordBytes, "one limit");
+static_assert(McapReader::Options{}.max_open_bytes == config::kMaxOpenLogBytes, "one limit");
+
+}  // namespace
+
+McapReader::McapReader(const std::string& path) : McapReader(path, Options()) {}
+
+McapReader::McapReader(const std::string& path, const Options& options) : options_(options), file_(path) {
+  options_.max_chunk_bytes = std::min(options_.max_chunk_bytes, std::uint64_t{0xffffffff});
+  read_header();
+  if (!open_through_summary()) scan();
+}
+
+void McapReader::read_header() {
+  std::array<std::uint8_t, 8> magic{};
+  if (file_.size() >= magic.size()) file_.read(0, magic.data(), magic.size());
+  if (magic != mcap::kMagic) throw ReadError(path(), 0, "the magic bytes of an MCAP file");
+  const Record record = record_at(magic.size(), file_.size());
+  if (record.opcode != mcap::kHeader) throw ReadError(path(), magic.size(), "a whole header record");
+  const std::vector<std::uint8_t> content = content_of(record);
+  ByteReader reader(path(), record.offset + mcap::kRecordHeadSize, content.data(), content.size());
+  profile_ = reader.text("profile");
+  library_ = reader.text("library");
+  data_begin_ = record.offset + mcap::kRecordHeadSize + record.length;
+}
+
+/// The record whose head lies at `offset`; opcode 0 when it does not end before `end`.
+McapReader::Record McapReader::record_at(std::uint64_t offset, std::uint64_t end) const {
+  if (offset > end || end - offset < mcap::kRecordHeadSize) return {};
+  std::uint8_t bytes[mcap::kRecordHeadSize];
+  file_.read(offset, bytes, sizeof(bytes));
+  ByteReader reader(path(), offset, bytes, sizeof(bytes));
+  Record record;
+  record.opcode = reader.number<std::uint8_t>("opcode");
+  record.offset = offset;
+  record.length = reader.number<std::uint64_t>("record length");
+  if (record.length > end - offset - mcap::kRecordHeadSize) return {};
+  return record;
+}
+
+std::vector<std::uint8_t> McapReader::content_of(const Record& record) const {
+  if (record.length > options_.max_chunk_bytes) {
+    throw ReadError(path(), record.offset + 1,
+                    "a record of at most " + std::to_string(options_.max_chunk_bytes) + " bytes");
+  }
+  std::vector<std::uint8_t> content(record.length);
+  file_.read(record.offset + mcap::kRecordHeadSize, content.data(), content.size());
+  return content;
+}
+
+/// False when there is no footer, or no summary behind it that would do.
+bool McapReader::open_through_summary() {
+  if (file_.size() < data_begin_ + kEndSize) return false;
+  std::array<std::uint8_t, 8> magic{};
+  file_.read(file_.size() - magic.size(), magic.data(), magic.size());
+  if (magic != mcap::kMagic) return false;
+  const std::uint64_t footer_offset = file_.size() - kEndSize;
+  const Record record = record_at(footer_offset, file_.size() - magic.size());
+  if (record.opcode != mcap::kFooter || record.length != mcap::kFooterSize) {
+    throw ReadError(path(), footer_offset, "a footer before the magic bytes at the end");
+  }
+  const std::vector<std::uint8_t> content = content_of(record);
+  const mcap::Footer footer =
+      mcap::parse_footer(ByteReader(path(), footer_offset + mcap::kRecordHeadSize, content.data(), content.size()));
+  closed_properly_ = true;
+  if (footer.summary_start == 0) return false;
+  if (footer.summary_start < data_begin_ || footer.summary_start > footer_offset) {
+    throw ReadError(path(), footer_offset + mcap::kRecordHeadSize,
+                    "the place of the summary between header and footer");
+  }
+  const std::uint64_t crc_end = file_.size() - magic.size() - 4;
+  std::vector<std::uint8_t> piece(std::size_t{1} << 16);
+  std::uint32_t crc = 0;
+  for (std::uint64_t at = footer.summary_start; at < crc_end && footer.summary_crc != 0; at += piece.size()) {
+    const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(piece.size(), crc_end - at));
+    file_.read(at, piece.data(), size);
+    crc = static_cast<std::uint32_t>(crc32_z(crc, piece.data(), size));
+  }
+  if (crc != footer.summary_crc) throw ReadError(path(), footer.summary_start, "a summary with the footer's CRC");
+  read_summary(footer.summary_start, footer_offset);
+  const bool usable = chunks_.size() == statistics_.chunk_count && statistics_.message_count > 0;
+  if (!usable) {
+    // Summaries are optional in every part; ours are whole, so this is a foreign log or an empty one.
+    schemas_.clear();
+    channels_.clear();
+    metadata_.clear();
+    chunks_.clear();
+    statistics_ = {};
+  }
+  return usable;
+}
+
+void McapReader::read_summary(std::uint64_t begin, std::uint64_t end) {
+  for (std::uint64_t at = begin; at < end;) {
+    const Record record = record_at(at, end);
+    if (record.opcode == 0) throw ReadError(path(), at, "a record of the summary that ends before the footer");
+    const std::vector<std::uint8_t> content = content_of(record);
+    const ByteReader reader(path(), at + mcap::kRecordHeadSize, content.data(), content.size());
+    if (record.opcode == mcap::kSchema) add(mcap::parse_schema(reader));
+    if (record.opcode == mcap::kChannel) add(mcap::parse_channel(reader));
+    if (record.opcode == mcap::kStatistics) statistics_ = mcap::parse_statistics(reader);
+    if (record.opcode == mcap::kChunkIndex) chunks_.push_back(mcap::parse_chunk_index(reader));
+    if (record.opcode == mcap::kMetadataIndex) read_indexed_metadata(mcap::parse_metadata_index(reader));
+    at += mcap::kRecordHeadSize + record.length;
+  }
+  std::sort(chunks_.begin(), chunks_.end(), [](const auto& a, const auto& b) { return a.offset < b.offset; });
+}
+
+void McapReader::read_indexed_metadata(const mcap::MetadataIndex& index) {
+  const Record record = record_at(index.offset, file_.size());
+  if (record.opcode != mcap::kMetadata) throw ReadError(path(), index.offset, "the metadata record " + index.name);
+  const std::vector<std::uint8_t> content = content_of(record);
+  metadata_.push_back(
+      mcap::parse_metadata(ByteReader(path(), index.offset + mcap::kRecordHeadSize, content.data(), content.size())));
+}
+
+void McapReader::scan() {
+  for (std::uint64_t at = data_begin_;;) {
+    const Record record = record_at(at, file_.size());
+    if (record.opcode == 0 && closed_properly_) throw ReadError(path(), at, "a whole record before the footer");
+    if (record.opcode == 0) {
+      ending_ = at == file_.size() ? "no footer: the writer did not close the log"
+                                   : "no footer: the file ends inside the record at byte " + std::to_string(at);
+      return;
+    }
+    if (!scan_record(record)) {
+      if (!closed_properly_) ending_ = "no footer: the file ends inside the summary";
+      return;
+    }
+    at += mcap::kRecordHeadSize + record.length;
+  }
+}
+
+/// False at the end of the data section.
+bool McapReader::scan_record(const Record& record) {
+  if (record.opcode == mcap::kDataEnd || record.opcode == mcap::kFooter) return false;
+  if (record.opcode == mcap::kMessage) throw ReadError(path(), record.offset, "messages inside chunks only");
+  if (record.opcode == mcap::kChunk) {
+    scan_chunk(record);
+    return true;
+  }
+  const bool wanted =
+      record.opcode == mcap::kSchema || record.opcode == mcap::kChannel || record.opcode == mcap::kMetadata;
+  if (!wanted) return true;
+  const std::vector<std::uint8_t> content = content_of(record);
+  const ByteReader reader(path(), record.offset + mcap::kRecordHeadSize, content.data(), content.size());
+  if (record.opcode == mcap::kSchema) add(mcap::parse_schema(reader));
+  if (record.opcode == mcap::kChannel) add(mcap::parse_channel(reader));
+  if (record.opcode == mcap::kMetadata) {
+    metadata_.push_back(mcap::parse_metadata(reader));
+    ++statistics_.metadata_count;
+  }
+  return true;
+}
+
+void McapReader::scan_chunk(const Record& record) {
+  const mcap::Chunk chunk(file_, record.offset, mcap::kRecordHeadSize + record.length, options_.max_chunk_bytes);
+  mcap::ChunkIndex index;
+  index.start_time_ns = chunk.head().start_time_ns;
+  index.end_time_ns = chunk.head().end_time_ns;
+  index.offset = record.offset;
+  index.length = mcap::kRecordHeadSize + record.length;
+  index.compressed_size = chunk.head().compressed_size;
+  index.uncompressed_size = chunk.head().uncompressed_size;
+  chunk.for_each_record([&](std::uint8_t opcode, ByteReader content) {
+    if (opcode == mcap::kSchema) add(mcap::parse_schema(content));
+    if (opcode == mcap::kChannel) add(mcap::parse_channel(content));
+    if (opcode != mcap::kMessage) return;
+    const mcap::Message message = mcap::parse_message(content);
+    mcap::Statistics& s = statistics_;
+    s.message_start_time_ns =
+        s.message_count == 0 ? message.log_time_ns : std::min(s.message_start_time_ns, message.log_time_ns);
+    s.message_end_time_ns = std::max(s.message_end_time_ns, message.log_time_ns);
+    ++s.message_count;
+    ++s.channel_message_counts[message.channel_id];
+    index.message_index_offsets[message.channel_id] = 0;  // known to be there; where does not matter to us
+  });
+  ++statistics_.chunk_count;
+  chunks_.push_back(std::move(index));
+}
+
+void McapReader::add(mcap::Schema schema) {
+  const std::uint16_t id = schema.id;
+  schemas_.emplace(id, std::move(schema));
+}
+
+void McapReader::add(mcap::Channel channel) {
+  const std::uint16_t id = channel.id;
+  channels_.emplace(id, std::move(channel));
+}
+
+const mcap::Message& McapReader::known(const mcap::Message& message) const {
+  if (channels_.count(message.channel_id) == 0) {
+    throw ReadError(path() + ": a message belongs to channel " + std::to_string(message.channel_id) +
+                    ", which the log does not declare");
+  }
+  return message;
+}
+
+void McapReader::for_each(const Visitor& visit, Order order, const std::set<std::uint16_t>& channels) const {
+  std::vector<mcap::ChunkIndex> chunks;
+  std::copy_if(chunks_.begin(), chunks_.end(), std::back_inserter(chunks),
+               [&](const mcap::ChunkIndex& chunk) { return holds(chunk, channels); });
+  if (order == Order::LogTime) {
+    mcap::LogTimeMerge merge(file_, std::move(chunks), channels, options_.max_chunk_bytes, options_.max_open_bytes);
+    for (mcap::Message message; merge.next(message);) {
+      if (!visit(known(message))) return;
+    }
+    return;
+  }
+  for (const mcap::ChunkIndex& index : chunks) {
+    const mcap::Chunk chunk(file_, index.offset, index.length, options_.max_chunk_bytes);
+    for (const mcap::Chunk::Entry& entry : chunk.messages(channels)) {
+      if (!visit(known(chunk.message_at(entry.position)))) return;
+    }
+  }
+}
+
+}  // namespace inslab::io

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "inslab/formats/mcap/mcap_format.hpp"
+
+namespace inslab::io::mcap {
+
+/// What a killed writer left of a log, as far as it is whole: enough to go on writing it.
+struct UnfinishedLog {
+  std::vector<Schema> schemas;
+  std::vector<Channel> channels;
+  std::vector<ChunkIndex> chunks;
+  std::vector<MetadataIndex> metadata;
+  Statistics statistics;
+  std::uint64_t end = 0;  ///< of what is whole; what follows is to be cut off
+};
+
+/// Reads the records' heads and the message indexes of a log without a footer; the messages of the last chunk alone are
+/// looked at, so a long log takes no longer than its number of chunks. A chunk whose indexes are not whole does not
+/// count. Throws ReadError when the file is no MCAP log of ours or has been closed properly.
+UnfinishedLog read_unfinished(const std::string& path);
+
+}  // namespace inslab::io::mcap

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "inslab/formats/trajectory/trajectory_reader.hpp"
+
+namespace inslab::io {
+
+/// read_trajectory() of a text.
+TrajectoryReading read_trajectory_text(const std::string& path, const TrajectoryReadOptions& options);
+
+}  // namespace inslab::io

@@ -1,0 +1,10 @@
+#include "inslab/foundation/files/error.hpp"
+
+#include <system_error>
+
+namespace inslab::io {
+
+WriteError::WriteError(const std::string& path, const std::string& action, int error_number)
+    : std::runtime_error(path + ": cannot " + action + ": " + std::generic_category().message(error_number)) {}
+
+}  // namespace inslab::io

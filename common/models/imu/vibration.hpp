@@ -1,0 +1,137 @@
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inslab/data/profiles/vibration_profile.hpp"
+#include "inslab/models/imu/increments.hpp"
+#include "inslab/models/imu/random_vibration.hpp"
+
+namespace inslab::imu {
+
+/// Where the mount of an IMU is against its place in the vehicle, in the axes it has at rest (b without vibration), and
+/// how it moves there. `turn` is the rotation vector of the moved axes.
+struct MountState {
+  Vector3 displacement_m = Vector3::Zero();
+  Vector3 velocity_m_per_s = Vector3::Zero();
+  Vector3 turn_rad = Vector3::Zero();
+  Vector3 turn_rate_rad_per_s = Vector3::Zero();
+};
+
+/// Stage 2: vibration, sums of amplitude * sin(2 pi f t + phase) of specific force and angular rate along b, t since
+/// the scenario's start, and random vibration with a given spectrum.
+///
+/// Domain `sensor`, thesis (3-33), (3-34): it is added to the IMU's output. Each interval is integrated in closed form,
+/// (amplitude / pi f) sin(pi f dt) sin(2 pi f t_middle + phase), so a frequency above half the sample rate comes out as
+/// its integral and not as an alias; so does random vibration (RandomVibration).
+///
+/// Domain `motion`: the mount moves against the vehicle; the sinusoids are the second derivative of its displacement
+/// and the derivative of its rotation vector, whose means are 0. What the IMU feels of it is in MountMotion.
+///
+/// A swap may fade: the new profile's weight is (1 - cos(pi tau))/2 (continuous with its slope), the old one's the
+/// rest. Products of cosines are sums of cosines, so fades of sinusoids are integrated in closed form, too; random
+/// vibration takes the weight at the interval's middle; of a moving mount the weights are those of displacement and
+/// turn. At most two fades overlap: a further swap ends the older at once.
+class Vibration {
+ public:
+  /// What random vibration is drawn for: the IMU's interval, the scenario's seed, and the sensor, such as "imu0".
+  struct Setup {
+    double dt_s;
+    std::uint64_t seed;
+    std::string sensor;
+  };
+
+  Vibration(const VibrationProfile& profile, Setup setup);
+
+  /// From `time_ns` on the vibration is `profile`, after a fade of `fade_s` (0: at once). The weights of what is fading
+  /// already go on. Times of calls must not go back. Returns whether the mount jumps: it moves, and does not fade.
+  bool swap(const VibrationProfile& profile, std::int64_t time_ns, double fade_s);
+
+  /// The integrals over (from_ns, to_ns], to_ns > from_ns; for random vibration they are one interval.
+  Increments increments(std::int64_t from_ns, std::int64_t to_ns);
+
+  /// Whether the mount moves, and its highest frequency.
+  bool mount_moves() const { return fastest_motion_hz_ > 0.0; }
+  double fastest_motion_hz() const { return fastest_motion_hz_; }
+
+  /// The mount at `time_ns` + `offset_s`.
+  MountState mount(std::int64_t time_ns, double offset_s) const;
+
+  /// What is in use and fading (recovery/state_stream.hpp).
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    std::vector<VibrationProfile> profiles;
+    for (const Layer& layer : self.layers_) profiles.push_back(layer.profile);
+    visit(profiles, self.fades_);
+    if constexpr (!std::is_const_v<Self>) self.use(profiles);
+  }
+
+ private:
+  struct Tone {
+    /// dt sinc(pi f dt), s: the part of an interval's integral that depends on its length alone, which seldom changes.
+    double gain_over(std::int64_t interval_ns);
+
+    double frequency_hz;
+    Vector3 sine;    ///< amplitude * cos(phase), SI
+    Vector3 cosine;  ///< amplitude * sin(phase), SI
+    std::int64_t cached_interval_ns = 0;
+    double cached_gain_s = 0.0;
+  };
+  struct Layer {
+    VibrationProfile profile;
+    std::vector<Tone> linear;
+    std::vector<Tone> angular;
+    std::vector<Tone> mount_linear;
+    std::vector<Tone> mount_angular;
+    std::optional<RandomVibration> linear_random;
+    std::optional<RandomVibration> angular_random;
+
+    bool is_still() const;
+    bool mount_moves() const { return !mount_linear.empty() || !mount_angular.empty(); }
+    MountState mount(std::int64_t time_ns, double offset_s) const;
+  };
+  /// Layer i + 1 rises and all layers before it fall with fade i.
+  struct Fade {
+    std::int64_t start_ns = 0;
+    std::int64_t length_ns = 0;
+
+    template <class Self, class Visitor>
+    static void state(Self& self, Visitor& visit) {
+      visit(self.start_ns, self.length_ns);
+    }
+  };
+  struct Gate {
+    Fade fade;
+    bool rising;
+  };
+  struct Span {
+    std::int64_t from_ns;
+    std::int64_t to_ns;
+  };
+  /// Product of a layer's gates at an instant, and its derivative, 1/s.
+  struct Weight {
+    double value;
+    double slope;
+  };
+
+  Layer layer_of(const VibrationProfile& profile) const;
+  static std::complex<double> gated_integral(double frequency_hz, double middle_turns, const Span& span,
+                                             const Gate* gate, const Gate* end);
+  static Vector3 integral(std::vector<Tone>& tones, const Span& span, const std::vector<Gate>& gates);
+  Increments random_increments(std::int64_t from_ns, std::int64_t to_ns);
+  Weight weight(std::size_t layer, std::int64_t time_ns, double offset_s) const;
+  void use(const std::vector<VibrationProfile>& profiles);
+  void drop_layers_until(std::size_t count);
+  void note_motion();
+
+  Setup setup_;
+  std::vector<Layer> layers_;
+  std::vector<Fade> fades_;
+  double fastest_motion_hz_ = 0.0;  ///< 0: no mount moves
+  bool has_random_ = false;
+};
+
+}  // namespace inslab::imu

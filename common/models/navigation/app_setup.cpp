@@ -1,0 +1,17 @@
+#include "inslab/models/navigation/app_setup.hpp"
+
+#include "inslab/models/navigation/matching_parameters.hpp"
+#include "inslab/models/navigation/parameters_file.hpp"
+
+namespace inslab::reference_nav {
+
+AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app) {
+  const scenario::LoadedImu& imu = scenario.imu_number(app.imu);
+  const scenario::LoadedGnss& gnss = scenario.gnss_number(app.gnss);
+  if (!app.parameters.empty()) {
+    return {read_parameters((scenario.file.parent_path() / app.parameters).string()), scenario.gravity()};
+  }
+  return {matching_parameters(imu.errors, imu.nominal_installation, gnss.nominal_installation), scenario.gravity()};
+}
+
+}  // namespace inslab::reference_nav

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "inslab/models/navigation/parameters.hpp"
+#include "inslab/scenario/load.hpp"
+
+namespace inslab::reference_nav {
+
+/// What the app is told of the unit it sits in.
+struct AppSetup {
+  NavigationParameters parameters;
+  nav::Gravity gravity;
+};
+
+/// For the sensors of a scenario: from the scenario's file of parameters, or those that match the sensors' profiles as
+/// the app is told they are mounted. Throws config::Error when the scenario lacks a sensor, or the file is not good.
+AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app);
+
+}  // namespace inslab::reference_nav

@@ -1,0 +1,329 @@
+#include "inslab/models/navigation/inertial_filter.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/nav/attitude.hpp"
+#include "inslab/nav/error_model.hpp"
+#include "inslab/nav/wgs84.hpp"
+
+namespace inslab::reference_nav {
+
+namespace {
+
+/// 1/T, or 0 where T is 0 and the state a constant.
+Vector3 decay_rates(const Vector3& correlation_times_s) {
+  return (correlation_times_s.array() > 0.0).select(correlation_times_s.cwiseInverse(), 0.0);
+}
+
+/// The variance that a constant unknown rate or force adds to its integral from `from_s` to `to_s`.
+double held_over_variance(double sigma, double dt_s, double to_s) {
+  const double from_s = std::max(0.0, to_s - dt_s);
+  return sigma * sigma * (to_s * to_s - from_s * from_s);
+}
+
+double squared_normalised(const Matrix3& covariance, const Vector3& innovation) {
+  return innovation.dot(covariance.llt().solve(innovation));
+}
+
+constexpr nav::Strapdown::Options kFullRotation{true};
+
+/// Chi-square with 3 degrees of freedom that one honest zero velocity in a thousand is beyond.
+constexpr double kRestLimit = 16.27;
+/// How long a gain of velocity is summed up: 30 s of 0.005 m/s^2, which no second shows, are 0.15 m/s.
+constexpr double kLongestGain_s = 30.0;
+/// A rest that was contradicted is believed in again when so much time has nothing against it.
+constexpr double kDoubt_s = 30.0;
+/// The mean of a receiver's velocities reaches back about so far: 5 a second of 0.05 m/s show 0.03 m/s.
+constexpr double kMemory_s = 10.0;
+
+}  // namespace
+
+InertialFilter::Noise InertialFilter::noise_of(const NavigationParameters& p) {
+  Noise noise;
+  noise.gyro_density = (units::kDegPerSqrtH * p.gyro.arw_deg_per_sqrt_h).cwiseAbs2();
+  noise.accel_density = (units::kMPerSPerSqrtH * p.accel.vrw_m_per_s_per_sqrt_h).cwiseAbs2();
+  noise.sigma << units::kDegPerH * p.gyro.bias_sigma_deg_per_h, units::kMGal * p.accel.bias_sigma_mgal,
+      units::kPpm * p.gyro.scale_factor_sigma_ppm, units::kPpm * p.accel.scale_factor_sigma_ppm;
+  noise.decay_rate << decay_rates(p.gyro.bias_correlation_time_s), decay_rates(p.accel.bias_correlation_time_s),
+      decay_rates(p.gyro.scale_factor_correlation_time_s), decay_rates(p.accel.scale_factor_correlation_time_s);
+  return noise;
+}
+
+InertialFilter::InertialFilter(const NavigationParameters& parameters, const nav::Gravity& gravity,
+                               const nav::NavState& start, const SensorErrors& errors, const Covariance& covariance,
+                               std::int64_t time_ns, const std::optional<nav::ImuIncrements>& before)
+    : noise_(noise_of(parameters)),
+      lever_arm_b_m_(parameters.lever_arm_b_m),
+      innovation_test_(parameters.innovation_test),
+      zero_velocity_(parameters.zero_velocity),
+      coasting_(parameters.coasting),
+      covariance_interval_s_(parameters.covariance_interval_s),
+      gravity_(gravity),
+      strapdown_(start, gravity, kFullRotation, before),
+      covariance_(covariance),
+      sensor_errors_(errors),
+      newest_(before.value_or(nav::ImuIncrements{})),
+      time_ns_(time_ns),
+      last_accepted_ns_(time_ns) {}
+
+nav::ImuIncrements InertialFilter::corrected(const nav::ImuIncrements& raw) const {
+  const SensorErrors& e = sensor_errors_;
+  return {(raw.dtheta_b - raw.dt_s * e.gyro_bias).cwiseQuotient(Vector3::Ones() + e.gyro_scale),
+          (raw.dv_b - raw.dt_s * e.accel_bias).cwiseQuotient(Vector3::Ones() + e.accel_scale), raw.dt_s};
+}
+
+void InertialFilter::advance(const ImuInterval& interval) {
+  newest_ = corrected(interval.increments);
+  const double dt_s = newest_.dt_s;
+  const nav::Quaternion q_start = strapdown_.q_nb();
+  const Vector3 v_n_start = strapdown_.v_n();
+  if (sums_.dt_s == 0.0) sums_.v_n_start = v_n_start;
+  strapdown_.advance(newest_);
+  if (interval.window_begins) {
+    rest_.window_gain_n.setZero();
+    rest_.window_s = 0.0;
+  }
+  rest_.window_gain_n += strapdown_.v_n() - v_n_start;
+  rest_.window_s += dt_s;
+  if (interval.moves) rest_ = Rest{};
+
+  // Half the turn between two unit quaternions of one sign is their sum, normalised.
+  const nav::Quaternion q_end = strapdown_.q_nb();
+  const double sign = q_start.dot(q_end) < 0.0 ? -1.0 : 1.0;
+  const Matrix3 C_nb = nav::Quaternion(q_start.coeffs() + sign * q_end.coeffs()).normalized().toRotationMatrix();
+  sums_.dt_s += dt_s;
+  sums_.C_nb_dt += dt_s * C_nb;
+  sums_.C_nb_dtheta += C_nb * newest_.dtheta_b.asDiagonal();
+  sums_.C_nb_dv += C_nb * newest_.dv_b.asDiagonal();
+  if (interval.rate_held_over_s > 0.0) {
+    sums_.attitude_noise.diagonal().array() +=
+        held_over_variance(units::kDegPerS * coasting_.rate_sigma_deg_per_s, dt_s, interval.rate_held_over_s);
+  }
+  if (interval.force_held_over_s > 0.0) {
+    sums_.velocity_noise.diagonal().array() +=
+        held_over_variance(coasting_.force_sigma_m_per_s2, dt_s, interval.force_held_over_s);
+  }
+  time_ns_ = interval.end_ns;
+  if (sums_.dt_s > covariance_interval_s_ - 0.5 * dt_s) settle();
+  if (interval.at_rest) rest();
+}
+
+/// Phi = I + A + A^2/2 with A the integral of F: docs/navigation.md says what that leaves out.
+Transition InertialFilter::transition() const {
+  const double dt_s = sums_.dt_s;
+  const Vector3 v_n = 0.5 * (sums_.v_n_start + strapdown_.v_n());
+  const Vector3 f_n = sums_.C_nb_dv.rowwise().sum() / dt_s;
+  const Matrix9 A = dt_s * nav::error_dynamics(strapdown_.position(), v_n, f_n, gravity_);
+  const Vector3 gyro_gain = (Vector3::Ones() + sensor_errors_.gyro_scale).cwiseInverse();
+  const Vector3 accel_gain = (Vector3::Ones() + sensor_errors_.accel_scale).cwiseInverse();
+  Matrix9x12 B = Matrix9x12::Zero();
+  B.block<3, 3>(kAttitude, kGyroBias - kNavStates) = sums_.C_nb_dt * gyro_gain.asDiagonal();
+  B.block<3, 3>(kAttitude, kGyroScale - kNavStates) = sums_.C_nb_dtheta * gyro_gain.asDiagonal();
+  B.block<3, 3>(kVelocity, kAccelBias - kNavStates) = -sums_.C_nb_dt * accel_gain.asDiagonal();
+  B.block<3, 3>(kVelocity, kAccelScale - kNavStates) = -sums_.C_nb_dv * accel_gain.asDiagonal();
+
+  Transition t;
+  t.nav_by_nav = Matrix9::Identity() + A + 0.5 * A.lazyProduct(A);
+  t.nav_by_sensor = B + 0.5 * (A.lazyProduct(B) - B * (dt_s * noise_.decay_rate).asDiagonal());
+  t.sensor_decay = (-dt_s * noise_.decay_rate).array().exp();
+  const Matrix3 C_nb = sums_.C_nb_dt / dt_s;
+  t.attitude_noise = C_nb * (dt_s * noise_.gyro_density).asDiagonal() * C_nb.transpose() + sums_.attitude_noise;
+  t.velocity_noise = C_nb * (dt_s * noise_.accel_density).asDiagonal() * C_nb.transpose() + sums_.velocity_noise;
+  // Half comes in before the decay and half after it; together they are sigma^2 (1 - decay^2).
+  const Eigen::Array<double, 12, 1> decay_squared = t.sensor_decay.array().square();
+  t.sensor_noise = 2.0 * noise_.sigma.cwiseAbs2().array() * (1.0 - decay_squared) / (1.0 + decay_squared);
+  return t;
+}
+
+void InertialFilter::settle() {
+  if (sums_.dt_s <= 0.0) return;
+  covariance_.propagate(transition());
+  sums_ = Sums{};
+}
+
+InertialFilter::Antenna InertialFilter::antenna(const GnssFix& fix) const {
+  const nav::Geodetic position = strapdown_.position();
+  const Matrix3 C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
+  const Vector3 arm_n = C_nb * lever_arm_b_m_;
+  const Vector3 omega_ib_b = newest_.dt_s > 0.0 ? Vector3(newest_.dtheta_b / newest_.dt_s) : Vector3(Vector3::Zero());
+  const Vector3 omega_ie_n = nav::omega_ie_n(position.latitude_rad);
+  const Vector3 turning_n = C_nb * omega_ib_b.cross(lever_arm_b_m_);
+  const Matrix3 rate_to_velocity = C_nb * nav::skew(lever_arm_b_m_);
+
+  Antenna a;
+  const nav::Geodetic predicted = nav::displaced(position, arm_n);
+  a.innovation.head<3>() = nav::ned_from({fix.latitude_rad, fix.longitude_rad, fix.height_m}, predicted);
+  a.innovation.tail<3>() = strapdown_.v_n() + turning_n - omega_ie_n.cross(arm_n) - fix.v_n;
+  a.H.setZero();
+  a.H.block<3, 3>(0, kPosition).setIdentity();
+  a.H.block<3, 3>(0, kAttitude) = nav::skew(arm_n);
+  a.H.block<3, 3>(3, kVelocity).setIdentity();
+  a.H.block<3, 3>(3, kAttitude) = nav::skew(turning_n) - nav::skew(omega_ie_n) * nav::skew(arm_n);
+  const Vector3 gain = (Vector3::Ones() + sensor_errors_.gyro_scale).cwiseInverse();
+  a.H.block<3, 3>(3, kGyroBias) = rate_to_velocity * gain.asDiagonal();
+  a.H.block<3, 3>(3, kGyroScale) = rate_to_velocity * omega_ib_b.cwiseProduct(gain).asDiagonal();
+  return a;
+}
+
+FixResult InertialFilter::update(const GnssFix& fix) {
+  settle();
+  FixResult result;
+  result.time_ns = time_ns_;
+  const Antenna a = antenna(fix);
+  Eigen::Matrix<double, 6, 1> variances;
+  variances << fix.position_sigma_ned_m.cwiseAbs2(), fix.velocity_sigma_ned_m_per_s.cwiseAbs2();
+  const bool has_velocity = variances.tail<3>().minCoeff() > 0.0;
+  if (zero_velocity_.use) hear_at_rest(fix, a);
+
+  const Eigen::Matrix<double, 6, 6> S = a.H * covariance_.matrix() * a.H.transpose();
+  const Matrix3 S_position = S.topLeftCorner<3, 3>() + Matrix3(variances.head<3>().asDiagonal());
+  const Matrix3 S_velocity = S.bottomRightCorner<3, 3>() + Matrix3(variances.tail<3>().asDiagonal());
+  result.position_nis = squared_normalised(S_position, a.innovation.head<3>());
+  result.position_accepted = result.position_nis <= innovation_test_.limit;
+  if (has_velocity) {
+    result.velocity_nis = squared_normalised(S_velocity, a.innovation.tail<3>());
+    result.velocity_accepted = result.velocity_nis <= innovation_test_.limit;
+  }
+  if (!result.position_accepted && ++rejections_ > innovation_test_.rejections_before_recovery) {
+    recover(a, variances);
+    result.recovered = result.position_accepted = true;
+    result.velocity_accepted = has_velocity;
+  } else {
+    Vector21 x = Vector21::Zero();
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      if (i < 3 ? result.position_accepted : result.velocity_accepted) {
+        covariance_.update(a.H.row(i).transpose(), variances[i], a.innovation[i], x);
+      }
+    }
+    correct(x);
+  }
+  if (result.position_accepted) {
+    rejections_ = 0;
+    last_accepted_ns_ = time_ns_;
+  }
+  return result;
+}
+
+/// The filter is lost: position and velocity become the fix's, attitude is doubted by how far they were off.
+void InertialFilter::recover(const Antenna& a, const Eigen::Matrix<double, 6, 1>& variances) {
+  const bool has_velocity = variances.tail<3>().minCoeff() > 0.0;
+  Vector21 x = Vector21::Zero();
+  x.segment<3>(kPosition) = a.innovation.head<3>();
+  if (has_velocity) x.segment<3>(kVelocity) = a.innovation.tail<3>();
+  const double arm_m = lever_arm_b_m_.norm();
+  const double unknown_speed = has_velocity ? 0.0 : strapdown_.v_n().norm() + 1.0;
+  covariance_.forget(kPosition, (variances.head<3>().array() + arm_m * arm_m).matrix());
+  covariance_.forget(kVelocity, (variances.tail<3>().array() + unknown_speed * unknown_speed + 0.01).matrix());
+  covariance_.add(kAttitude, Matrix3::Identity() * (1e-2 * units::kDeg * units::kDeg));
+  correct(x);
+}
+
+/// Whether the forces of a time change the velocity by more than their errors can.
+bool InertialFilter::gains_velocity(const Vector3& gain_n, double span_s) const {
+  const Matrix21& P = covariance_.matrix();
+  const Matrix3 C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
+  Eigen::Matrix<double, 3, kStates> H = Eigen::Matrix<double, 3, kStates>::Zero();
+  H.block<3, 3>(0, kAttitude) = span_s * nav::skew(-gravity_.g_n(strapdown_.position()));
+  H.block<3, 3>(0, kAccelBias) = -span_s * C_nb;
+  const double least = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
+  Matrix3 S = H * P * H.transpose() + least * Matrix3::Identity();
+  S.diagonal() += Vector3::Constant(span_s * noise_.accel_density.maxCoeff());
+  return squared_normalised(S, gain_n) > kRestLimit;
+}
+
+/// What a fix says of the IMU's velocity and of its displacement, whatever the filter believes: zero velocities that
+/// were taken make it sure of itself, and their errors are all alike.
+void InertialFilter::hear_at_rest(const GnssFix& fix, const Antenna& a) {
+  const Vector3 position_variance = fix.position_sigma_ned_m.cwiseAbs2();
+  const nav::Geodetic place = nav::displaced(strapdown_.position(), -a.innovation.head<3>());
+  if (!rest_.first_place) {
+    rest_.first_place = place;
+    rest_.first_variance = position_variance;
+  }
+  const Vector3 way_n = nav::ned_from(*rest_.first_place, place);
+  rest_.displacement = way_n.cwiseAbs2().cwiseQuotient(position_variance + rest_.first_variance).sum();
+  if (fix.velocity_sigma_ned_m_per_s.minCoeff() <= 0.0) return;
+  const Vector3 information = fix.velocity_sigma_ned_m_per_s.cwiseAbs2().cwiseInverse();
+  rest_.information += information;
+  rest_.weighted_v_n += information.cwiseProduct(strapdown_.v_n() - a.innovation.tail<3>());
+}
+
+/// A gentle pull-away feels like rest: what the filter knows of its velocity, what the forces do to it and what the
+/// receiver says must all agree with it.
+bool InertialFilter::is_contradicted() const {
+  const double variance = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
+  const Matrix3 S = covariance_.matrix().block<3, 3>(kVelocity, kVelocity) + variance * Matrix3::Identity();
+  if (squared_normalised(S, strapdown_.v_n()) > std::min(innovation_test_.limit, kRestLimit)) return true;
+  if (gains_velocity(rest_.window_gain_n, rest_.window_s) || gains_velocity(rest_.gain_n, rest_.span_s)) return true;
+  if (rest_.displacement > innovation_test_.limit) return true;
+  // (sum v/s^2)^2 / (sum 1/s^2) is the mean's square over its variance.
+  return rest_.information.minCoeff() > 0.0 &&
+         rest_.weighted_v_n.cwiseAbs2().cwiseQuotient(rest_.information).sum() > kRestLimit;
+}
+
+/// What was taken for rest was none: what the forces added meanwhile was taken away, from the velocity and from its
+/// way.
+void InertialFilter::doubt_rest() {
+  if (rest_.updates > 0.0) {
+    const Vector3 way_n = 0.5 * rest_.span_s * rest_.gain_n;
+    covariance_.add(kVelocity, rest_.gain_n * rest_.gain_n.transpose());
+    covariance_.add(kPosition, way_n * way_n.transpose());
+  }
+  rest_ = Rest{};
+  rest_.doubted_s = kDoubt_s;
+}
+
+void InertialFilter::rest() {
+  if (strapdown_.v_n().norm() > zero_velocity_.speed_m_per_s) {
+    rest_ = Rest{};
+    return;
+  }
+  settle();
+  rest_.gain_n += rest_.window_gain_n;
+  rest_.span_s += rest_.window_s;
+  const double kept = std::exp(-rest_.window_s / kMemory_s);
+  rest_.information *= kept;
+  rest_.weighted_v_n *= kept;
+  if (is_contradicted()) {
+    doubt_rest();
+    return;
+  }
+  rest_.doubted_s -= rest_.window_s;
+  if (rest_.span_s >= kLongestGain_s) {
+    rest_.gain_n.setZero();
+    rest_.span_s = 0.0;
+  }
+  if (rest_.doubted_s > 0.0) return;
+  rest_.updates = std::min(zero_velocity_.windows_alike, rest_.updates + 1.0);
+  const double variance = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
+  Vector21 x = Vector21::Zero();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    covariance_.update(Vector21::Unit(kVelocity + i), rest_.updates * variance, strapdown_.v_n()[i], x);
+  }
+  correct(x);
+}
+
+/// Takes the errors out of the estimates. The mechanization begins anew from there and keeps its two-sample terms.
+void InertialFilter::correct(const Vector21& x) {
+  nav::NavState state = strapdown_.state();
+  const double s = std::sin(state.position.latitude_rad);
+  const double m = nav::wgs84::meridian_radius_from_sine_m(s) + state.position.height_m;
+  const double n = nav::wgs84::transverse_radius_from_sine_m(s) + state.position.height_m;
+  const Vector3 r = x.segment<3>(kPosition);
+  state.position.longitude_rad =
+      nav::wrapped_to_pi(state.position.longitude_rad - r.y() / (n * std::cos(state.position.latitude_rad)));
+  state.position.latitude_rad -= r.x() / m;
+  state.position.height_m += r.z();
+  state.v_n -= x.segment<3>(kVelocity);
+  state.q_nb = nav::quaternion_from_rotation_vector(x.segment<3>(kAttitude)) * state.q_nb;
+  sensor_errors_.gyro_bias -= x.segment<3>(kGyroBias);
+  sensor_errors_.accel_bias -= x.segment<3>(kAccelBias);
+  sensor_errors_.gyro_scale -= x.segment<3>(kGyroScale);
+  sensor_errors_.accel_scale -= x.segment<3>(kAccelScale);
+  strapdown_ =
+      nav::Strapdown(state, gravity_, kFullRotation, newest_.dt_s > 0.0 ? std::optional(newest_) : std::nullopt);
+}
+
+}  // namespace inslab::reference_nav

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "inslab/data/samples/gnss_fix.hpp"
+#include "inslab/models/navigation/covariance.hpp"
+#include "inslab/models/navigation/parameters.hpp"
+#include "inslab/nav/strapdown.hpp"
+
+namespace inslab::reference_nav {
+
+/// One interval of the IMU as the filter takes it in, or a part of one.
+struct ImuInterval {
+  std::int64_t end_ns = 0;
+  nav::ImuIncrements increments;   ///< as the IMU gave them, or held over
+  double rate_held_over_s = 0.0;   ///< 0: the rate is measured; else for how long it has been held over, at the end
+  double force_held_over_s = 0.0;  ///< the same of the specific force
+  bool window_begins = false;      ///< of the detector of rest, with this interval
+  bool at_rest = false;            ///< it ends a window of rest here
+  bool moves = false;              ///< it ends one that is no rest
+};
+
+/// What became of a fix: squared innovations over their covariance, chi-square with 3 degrees of freedom when the
+/// filter is honest.
+struct FixResult {
+  std::int64_t time_ns = 0;
+  double position_nis = 0.0;
+  double velocity_nis = 0.0;
+  bool position_accepted = false;
+  bool velocity_accepted = false;
+  bool recovered = false;  ///< the filter's own position and velocity were given up for the fix's
+};
+
+/// Estimates of the sensor errors.
+struct SensorErrors {
+  Vector3 gyro_bias = Vector3::Zero();    ///< rad/s
+  Vector3 accel_bias = Vector3::Zero();   ///< m/s^2
+  Vector3 gyro_scale = Vector3::Zero();   ///< 1
+  Vector3 accel_scale = Vector3::Zero();  ///< 1
+};
+
+/// Mechanization and error-state Kalman filter at one instant. A value: a copy goes on as the original does, which is
+/// how fixes from the past are taken in (NavigationFilter).
+class InertialFilter {
+ public:
+  /// `errors` are the sensor errors that the start knows of, `before` is the last corrected interval, for the
+  /// mechanization's two-sample terms. Throws as nav::Strapdown does.
+  InertialFilter(const NavigationParameters& parameters, const nav::Gravity& gravity, const nav::NavState& start,
+                 const SensorErrors& errors, const Covariance& covariance, std::int64_t time_ns,
+                 const std::optional<nav::ImuIncrements>& before);
+  /// Without knowledge of sensor errors, each error for itself.
+  InertialFilter(const NavigationParameters& parameters, const nav::Gravity& gravity, const nav::NavState& start,
+                 const Vector21& sigmas, std::int64_t time_ns, const std::optional<nav::ImuIncrements>& before)
+      : InertialFilter(parameters, gravity, start, SensorErrors{}, Covariance(sigmas), time_ns, before) {}
+
+  /// Goes on over one interval, which begins where the last ended.
+  void advance(const ImuInterval& interval);
+
+  /// Takes in a fix that is valid at time_ns().
+  FixResult update(const GnssFix& fix);
+
+  /// Brings the covariance up to the state's time; advance() does it every covariance interval.
+  void settle();
+
+  std::int64_t time_ns() const { return time_ns_; }
+  nav::NavState state() const { return strapdown_.state(); }
+  const SensorErrors& sensor_errors() const { return sensor_errors_; }
+  /// At the last settle().
+  const Covariance& covariance() const { return covariance_; }
+  /// Of the newest fix whose position was accepted; the start's time before any.
+  std::int64_t last_accepted_ns() const { return last_accepted_ns_; }
+
+  /// The transition that the next settle() would make, for tests.
+  Transition transition() const;
+
+ private:
+  struct Noise {
+    Vector3 gyro_density;   ///< rad^2/s
+    Vector3 accel_density;  ///< (m/s)^2/s
+    Vector12 sigma;         ///< of the sensor states
+    Vector12 decay_rate;    ///< 1/T, 1/s; 0: constant
+  };
+  /// Integrals over the time since the covariance was settled.
+  struct Sums {
+    double dt_s = 0.0;
+    Vector3 v_n_start = Vector3::Zero();
+    Matrix3 C_nb_dt = Matrix3::Zero();
+    Matrix3 C_nb_dtheta = Matrix3::Zero();  ///< columns times the increments' components
+    Matrix3 C_nb_dv = Matrix3::Zero();
+    Matrix3 attitude_noise = Matrix3::Zero();
+    Matrix3 velocity_noise = Matrix3::Zero();
+  };
+
+  /// What the mechanization says of a time that feels like rest.
+  struct Rest {
+    Vector3 window_gain_n = Vector3::Zero();  ///< of velocity, since the detector's window began, m/s
+    double window_s = 0.0;
+    Vector3 gain_n = Vector3::Zero();  ///< the same since rest began, or began to be looked at anew
+    double span_s = 0.0;
+    double updates = 0.0;  ///< taken since it began
+    /// What the receiver says of the IMU's velocity meanwhile, forgotten by and by: sums of 1/sigma^2 and v/sigma^2.
+    Vector3 information = Vector3::Zero();
+    Vector3 weighted_v_n = Vector3::Zero();
+    std::optional<nav::Geodetic> first_place;  ///< of the IMU, by the first fix
+    Vector3 first_variance = Vector3::Zero();  ///< m^2, n
+    double displacement = 0.0;                 ///< of the newest fix from it, squared, over its variance
+    double doubted_s = 0.0;                    ///< for so long yet nothing may speak against it
+  };
+
+  /// Six rows of a measurement of the antenna: position, velocity.
+  struct Antenna {
+    Eigen::Matrix<double, 6, kStates> H;
+    Eigen::Matrix<double, 6, 1> innovation;
+  };
+
+  static Noise noise_of(const NavigationParameters& parameters);
+  nav::ImuIncrements corrected(const nav::ImuIncrements& increments) const;
+  Antenna antenna(const GnssFix& fix) const;
+  void rest();
+  bool is_contradicted() const;
+  void doubt_rest();
+  void hear_at_rest(const GnssFix& fix, const Antenna& antenna);
+  bool gains_velocity(const Vector3& gain_n, double span_s) const;
+  void correct(const Vector21& x);
+  void recover(const Antenna& antenna, const Eigen::Matrix<double, 6, 1>& variances);
+
+  // The parts of the parameters that every step needs.
+  Noise noise_;
+  Vector3 lever_arm_b_m_;
+  InnovationTest innovation_test_;
+  ZeroVelocity zero_velocity_;
+  Coasting coasting_;
+  double covariance_interval_s_;
+
+  nav::Gravity gravity_;
+  nav::Strapdown strapdown_;
+  Covariance covariance_;
+  SensorErrors sensor_errors_;
+  nav::ImuIncrements newest_;  ///< corrected
+  Sums sums_;
+  Rest rest_;
+  std::int64_t time_ns_;
+  std::int64_t last_accepted_ns_;
+  std::uint32_t rejections_ = 0;
+};
+
+}  // namespace inslab::reference_nav

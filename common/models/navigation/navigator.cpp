@@ -1,0 +1,15 @@
+#include "inslab/models/navigation/navigator.hpp"
+
+namespace inslab::reference_nav {
+
+std::optional<Navigator::Step> Navigator::step() {
+  if (samples_.empty() || samples_.front().available_sim_time_ns > complete_up_to_ns_) return std::nullopt;
+  const ImuSample sample = samples_.front();
+  samples_.pop_front();
+  const auto later = fixes_.upper_bound(sample.available_sim_time_ns);
+  for (auto fix = fixes_.begin(); fix != later; ++fix) filter_.add(fix->second);
+  fixes_.erase(fixes_.begin(), later);
+  return Step{sample.header.sequence_number, filter_.add(sample)};
+}
+
+}  // namespace inslab::reference_nav

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "inslab/models/navigation/parameters.hpp"
+
+namespace inslab::reference_nav {
+
+/// The parameters of a file. Throws config::Error, naming file, path in it and reason, for what a declaration or a rule
+/// refuses.
+NavigationParameters read_parameters(const std::string& file);
+
+}  // namespace inslab::reference_nav

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inslab/formats/text/imu_recording.hpp"
+#include "inslab/noise/allan/fit.hpp"
+
+/// `inslab allan`: what the output of a recorded IMU says of its random errors.
+namespace inslab::cli {
+
+inline constexpr double kIntervalConfidence = 0.99;
+
+/// A parameter with the values that the record does not speak against at 99 %.
+struct FittedParameter {
+  allan::Parameter parameter = allan::Parameter::White;
+  double value = 0.0;  ///< SI
+  allan::Interval interval;
+};
+
+/// A point of the curve with its confidence interval at 99 %, deviations in SI.
+struct CurvePoint {
+  double tau_s = 0.0;
+  double deviation = 0.0;
+  allan::Interval interval;
+  double fitted = 0.0;  ///< of the fitted model
+};
+
+struct AxisAnalysis {
+  std::size_t axis = 0;  ///< of io::kImuAxisNames
+  double mean = 0.0;     ///< rad/s | m/s^2
+  double span_s = 0.0;
+  allan::Fit fit;
+  std::vector<FittedParameter> parameters;
+  std::vector<CurvePoint> curve;
+
+  bool is_gyro() const { return axis < 3; }
+};
+
+struct AnalysisOptions {
+  io::ImuRecordingOptions recording;
+  std::vector<allan::Term> terms;  ///< none: those that the record speaks for
+  double finest_tau_s = 0.0;       ///< smaller tau are shown, but not fitted
+};
+
+struct ImuAnalysis {
+  std::string path;
+  io::ImuRecordingInfo recording;
+  bool is_error = false;  ///< the truth was taken off
+  std::vector<AxisAnalysis> axes;
+};
+
+/// Reads the recording once, in flat memory, and fits each axis it has. Throws io::ReadError.
+ImuAnalysis analyse_imu(const std::string& path, const AnalysisOptions& options);
+
+}  // namespace inslab::cli

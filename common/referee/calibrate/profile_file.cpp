@@ -1,0 +1,36 @@
+#include "inslab/referee/calibrate/profile_file.hpp"
+
+#include <algorithm>
+
+#include "inslab/data/json/json_writer.hpp"
+#include "inslab/foundation/files/output_file.hpp"
+
+namespace inslab::cli {
+namespace {
+
+/// `value` without what equals `usual`.
+config::Json shortened(const config::Json& value, const config::Json& usual) {
+  if (value.is_array() && value.size() == 3 && value[0].is_number() && value[0] == value[1] && value[1] == value[2]) {
+    return value[0];
+  }
+  if (!value.is_object()) return value;
+  config::Json object = config::Json::object();
+  for (const auto& item : value.items()) {
+    const config::Json& other = usual.at(item.key());
+    if (item.value() == other && item.key() != "name") continue;
+    object[item.key()] = shortened(item.value(), other);
+  }
+  return object;
+}
+
+}  // namespace
+
+std::string profile_text(const ImuErrorProfile& profile) {
+  return shortened(config::to_json(profile), config::to_json(ImuErrorProfile())).dump(2) + "\n";
+}
+
+void write_profile(const std::string& path, const ImuErrorProfile& profile) {
+  io::write_file(path, profile_text(profile));
+}
+
+}  // namespace inslab::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "inslab/formats/novatel/novatel_imu.hpp"
+#include "inslab/referee/calibrate/static_alignment.hpp"
+
+namespace inslab::align {
+
+struct RecordingOptions {
+  double latitude_deg = 0.0;
+  double height_m = 0.0;
+  nav::AlignmentLimits limits;
+  io::NovatelImuReader::Options novatel;
+  std::uint32_t sensor_number = 0;  ///< of a log of ours
+};
+
+struct AlignedRecording {
+  AlignmentResult alignment;
+  double dt_s = 0.0;
+  std::vector<io::BadLine> bad_lines;  ///< of a NovAtel log, the first ones
+  std::uint64_t bad_line_count = 0;
+};
+
+/// Aligns a NovAtel ASCII log (its first line begins with # or % and has a semicolon), or what
+/// io::read_imu_recording() takes. Throws io::ReadError naming file and place, also when nothing in the file is a good
+/// IMU sample; std::invalid_argument for an IMU type that is not known.
+AlignedRecording align_recording(const std::string& path, const RecordingOptions& options);
+
+}  // namespace inslab::align

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inslab/nav/alignment.hpp"
+#include "inslab/nav/attitude.hpp"
+
+/// Static coarse alignment of a whole recording: the lab report.
+namespace inslab::align {
+
+/// Spread of many solutions of one attitude.
+struct Spread {
+  std::uint64_t count = 0;
+  nav::Vector3 mean_rad = nav::Vector3::Zero();   ///< roll, pitch, yaw
+  nav::Vector3 sigma_rad = nav::Vector3::Zero();  ///< standard deviations about the mean
+};
+
+struct AlignmentResult {
+  std::uint64_t samples = 0;
+  std::optional<nav::RollPitchYaw> whole;      ///< from the means of the whole span
+  std::string refusal;                         ///< why there is none
+  Spread epochs;                               ///< one solution a sample
+  Spread seconds;                              ///< one solution a whole second
+  std::vector<nav::RollPitchYaw> each_second;  ///< those solutions
+};
+
+/// Takes the increments of an IMU at rest one after the other; memory grows with the seconds only.
+///
+/// The limits on rate and force are for the whole span: single samples are noisier than any of them.
+class StaticAlignment {
+ public:
+  /// `dt_s` of each sample; `gravity_m_per_s2` at the site. Throws std::invalid_argument when dt_s is not positive.
+  StaticAlignment(double dt_s, double latitude_rad, double gravity_m_per_s2, const nav::AlignmentLimits& limits);
+
+  void add(const nav::Vector3& dtheta_b, const nav::Vector3& dv_b);
+
+  AlignmentResult result() const;
+
+ private:
+  /// Sums of angles less a reference, so that yaw near north does not jump.
+  struct Sums {
+    std::uint64_t count = 0;
+    nav::Vector3 sum = nav::Vector3::Zero();
+    nav::Vector3 squares = nav::Vector3::Zero();
+  };
+
+  std::optional<nav::RollPitchYaw> solve(const nav::Vector3& dtheta_b, const nav::Vector3& dv_b, double span_s) const;
+  void add_to(Sums& sums, const nav::RollPitchYaw& rpy) const;
+  Spread spread_of(const Sums& sums) const;
+  void end_second();
+
+  double dt_s_;
+  double latitude_rad_;
+  double gravity_m_per_s2_;
+  nav::AlignmentLimits limits_;
+  std::uint64_t samples_per_second_;
+
+  std::uint64_t samples_ = 0;
+  nav::Vector3 dtheta_sum_ = nav::Vector3::Zero();
+  nav::Vector3 dv_sum_ = nav::Vector3::Zero();
+  nav::Vector3 f_first_ = nav::Vector3::Zero();
+  nav::Vector3 f_squares_ = nav::Vector3::Zero();  ///< of differences from the first
+  nav::Vector3 f_sum_ = nav::Vector3::Zero();      ///< the same
+  nav::Vector3 second_dtheta_ = nav::Vector3::Zero();
+  nav::Vector3 second_dv_ = nav::Vector3::Zero();
+  std::vector<nav::RollPitchYaw> waiting_;  ///< solutions of samples before there is a reference
+  std::optional<nav::Vector3> reference_rad_;
+  Sums epochs_;
+  Sums seconds_;
+  std::vector<nav::RollPitchYaw> each_second_;
+};
+
+}  // namespace inslab::align

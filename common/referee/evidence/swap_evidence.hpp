@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "inslab/referee/evidence/log_summary.hpp"
+
+namespace inslab::cli {
+
+/// A quantity measured in a stretch of the log beside what the profiles in use promise for it.
+struct Measured {
+  double value = 0.0;
+  double promised = 0.0;
+  double tolerance = 0.0;  ///< four standard errors, from the number of samples
+  bool holds = false;
+};
+
+/// One quantity before and after a swap.
+struct EvidenceLine {
+  std::string quantity;
+  std::string unit;
+  Measured before;
+  Measured after;
+};
+
+/// What the samples themselves say about one swap.
+struct SwapEvidence {
+  ProfileAck ack;
+  std::string profile_name;
+  bool first_sample_holds = false;  ///< the first sample with the new revision is the one the ack names
+  std::vector<EvidenceLine> lines;  ///< empty where nothing can be measured
+  std::string why_nothing;          ///< then the reason; "only 12 samples before it, 30 are needed"
+
+  bool holds() const;
+};
+
+/// Weighs every acknowledged swap by the samples up to 20 s before and after it, as far as no other swap of the same
+/// sensor lies between: ImuSample minus what the sensor's bandwidth lets pass of the ImuTruth,
+/// GnssFix minus the truth. What a profile promises is followed through its own bandwidth. The published error budget
+/// is not used. Reads the log once more. Throws io::ReadError.
+std::vector<SwapEvidence> weigh_swaps(const io::McapReader& log, const LogSummary& summary);
+
+}  // namespace inslab::cli

@@ -1,0 +1,282 @@
+#include "inslab/referee/evidence/swap_window.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "inslab/foundation/time/rate.hpp"
+#include "inslab/nav/geodesy.hpp"
+#include "inslab/nav/wgs84.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+constexpr std::int64_t kLongest_ns = 20'000'000'000;
+
+nav::Geodetic place_of(double latitude_rad, double longitude_rad, double height_m) {
+  return {latitude_rad, longitude_rad, height_m};
+}
+
+/// Offset of `place` from the vehicle, in ECEF, metres.
+Vector3 offset_e(const nav::Geodetic& place, const TruthState& vehicle) {
+  return nav::ecef_from_geodetic(place) -
+         nav::ecef_from_geodetic(place_of(vehicle.latitude_rad, vehicle.longitude_rad, vehicle.height_m));
+}
+
+Matrix3 C_ev(const TruthState& vehicle) {
+  return nav::C_en(vehicle.latitude_rad, vehicle.longitude_rad) * vehicle.q_nv.toRotationMatrix();
+}
+
+/// Counts epochs, so that fixes on both sides of an outage are no neighbours.
+std::uint64_t epoch_of(const GnssFix& fix, const LogSummary& summary) {
+  for (const auto& receiver : summary.scenario.gnss) {
+    if (receiver.number != fix.sensor_number) continue;
+    return time::Rate(receiver.rate_hz).index(time::Nanoseconds(fix.header.sim_time_ns));
+  }
+  return fix.header.sequence_number;
+}
+
+/// Not one of the profile's lesser solutions, whose sigmas are others.
+bool is_at_its_best(const GnssFix& fix, const LogSummary& summary) {
+  const AnyProfile* errors =
+      summary.in_use(ProfileKind::GnssError, {SensorKind::Gnss, fix.sensor_number}, fix.header.sim_time_ns);
+  return errors == nullptr || std::get<GnssErrorProfile>(*errors).fix_type == fix.fix_type;
+}
+
+using Sensor = std::pair<SensorKind, std::uint32_t>;
+
+Sensor sensor_of(const SensorAddress& address) { return {address.kind, address.number}; }
+
+/// The journal of one sensor in order of apply times, with from when on its samples were made under each entry.
+class SensorJournal {
+ public:
+  void add(std::uint32_t journal_number, std::int64_t apply_at_ns, std::int64_t in_full_effect_after_ns) {
+    entries_.push_back({apply_at_ns, in_full_effect_after_ns, journal_number});
+  }
+
+  /// To be called once, after the last add().
+  void sort() {
+    std::stable_sort(entries_.begin(), entries_.end(),
+                     [](const Entry& a, const Entry& b) { return a.apply_at_ns < b.apply_at_ns; });
+    Latest latest;
+    for (const Entry& entry : entries_) {
+      latest.add(entry);
+      latest_.push_back(latest);
+    }
+  }
+
+  /// When the last of the other entries that apply before `t` was in full effect; nothing when there is none.
+  std::optional<std::int64_t> others_in_effect_before(std::int64_t t, std::uint32_t journal_number) const {
+    const auto count = first_from(t) - entries_.begin();
+    return count == 0 ? std::nullopt : latest_[static_cast<std::size_t>(count) - 1].but(journal_number);
+  }
+  /// When the first of the other entries that apply at `t` or later does.
+  std::optional<std::int64_t> others_apply_from(std::int64_t t, std::uint32_t journal_number) const {
+    for (auto entry = first_from(t); entry != entries_.end(); ++entry) {
+      if (entry->journal_number != journal_number) return entry->apply_at_ns;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Entry {
+    std::int64_t apply_at_ns;
+    std::int64_t in_full_effect_after_ns;
+    std::uint32_t journal_number;
+  };
+  /// The two entries whose full effect came last.
+  struct Latest {
+    std::optional<Entry> first, second;
+    void add(const Entry& entry) {
+      if (!first || entry.in_full_effect_after_ns >= first->in_full_effect_after_ns) {
+        second = std::exchange(first, entry);
+      } else if (!second || entry.in_full_effect_after_ns >= second->in_full_effect_after_ns) {
+        second = entry;
+      }
+    }
+    std::optional<std::int64_t> but(std::uint32_t journal_number) const {
+      const std::optional<Entry>& entry = first && first->journal_number == journal_number ? second : first;
+      return entry ? std::optional(entry->in_full_effect_after_ns) : std::nullopt;
+    }
+  };
+
+  std::vector<Entry>::const_iterator first_from(std::int64_t t) const {
+    return std::lower_bound(entries_.begin(), entries_.end(), t,
+                            [](const Entry& entry, std::int64_t time) { return entry.apply_at_ns < time; });
+  }
+
+  std::vector<Entry> entries_;
+  std::vector<Latest> latest_;  ///< up to each entry
+};
+
+/// The journals of all sensors. An entry is in effect from the acknowledged first sample on: a sensor slower than the
+/// truth takes it up at its own next sample, so the ack says it, not the entry's apply time; its fade is included.
+std::map<Sensor, SensorJournal> journals_of(const LogSummary& summary) {
+  std::map<std::pair<Sensor, std::uint32_t>, std::int64_t> first_sample_ns;
+  for (const ProfileAck& ack : summary.acks) {
+    first_sample_ns[{sensor_of(ack.target), ack.journal_number}] = ack.first_sample_time_ns;
+  }
+  std::map<Sensor, SensorJournal> journals;
+  for (const ProfileInUse& entry : summary.profiles) {
+    if (entry.apply_at_ns < 0) continue;
+    const ProfileRequest& request = request_of(entry.profile);
+    const Sensor sensor = sensor_of(target_of(entry.profile));
+    const auto acked = first_sample_ns.find({sensor, request.journal_number});
+    const std::int64_t after_ns = acked == first_sample_ns.end() ? entry.apply_at_ns : acked->second - 1;
+    journals[sensor].add(request.journal_number, entry.apply_at_ns,
+                         after_ns + time::from_seconds(request.fade_s).count());
+  }
+  for (auto& [sensor, journal] : journals) journal.sort();
+  return journals;
+}
+
+SwapWindows windows_of(const ProfileAck& ack, const ProfileInUse& entry, const SensorJournal& journal,
+                       std::int64_t end_ns) {
+  SwapWindows windows;
+  windows.ack = ack;
+  windows.profile = &entry.profile;
+  windows.before.until_ns = ack.first_sample_time_ns - 1;
+  windows.before.after_ns = std::max<std::int64_t>(
+      {0, windows.before.until_ns - kLongest_ns,
+       journal.others_in_effect_before(ack.first_sample_time_ns, ack.journal_number).value_or(0)});
+  windows.after.after_ns = ack.first_sample_time_ns - 1 + time::from_seconds(request_of(entry.profile).fade_s).count();
+  windows.after.until_ns =
+      std::min({end_ns, windows.after.after_ns + kLongest_ns,
+                journal.others_apply_from(ack.first_sample_time_ns, ack.journal_number).value_or(end_ns)});
+  return windows;
+}
+
+/// Samples that a window takes: what was at the end of its scale is not noise.
+bool is_measured(const ImuSample& sample) {
+  return sample.gyro_valid && sample.accel_valid && !sample.gyro_saturated && !sample.accel_saturated;
+}
+
+}  // namespace
+
+void SensorFilter::use(const ImuErrorProfile& profile) {
+  gyro_.retune(imu::in_si(profile.gyro));
+  accel_.retune(imu::in_si(profile.accel));
+  if (profile.request.continuity != Continuity::Keep) restart();
+}
+
+void SensorFilter::restart() {
+  gyro_.restart();
+  accel_.restart();
+}
+
+SwapWindowsOfLog::SwapWindowsOfLog(const LogSummary& summary) : summary_(summary) {
+  const std::map<Sensor, SensorJournal> journals = journals_of(summary);
+  std::map<std::tuple<Sensor, ProfileKind, std::uint32_t>, const ProfileInUse*> entries;
+  for (const ProfileInUse& entry : summary.profiles) {
+    const Sensor sensor = sensor_of(target_of(entry.profile));
+    const std::uint32_t number = request_of(entry.profile).journal_number;
+    if (const auto* errors = std::get_if<ImuErrorProfile>(&entry.profile)) passing_[sensor].errors[number] = errors;
+    if (entry.apply_at_ns >= 0) entries[{sensor, kind_of(entry.profile), number}] = &entry;
+  }
+  const std::int64_t end_ns = time::from_seconds(summary.scenario.duration_s).count();
+  for (const ProfileAck& ack : summary.acks) {
+    const Sensor sensor = sensor_of(ack.target);
+    const auto entry = entries.find({sensor, ack.kind, ack.journal_number});
+    if (ack.outcome != AckOutcome::Applied || entry == entries.end()) continue;
+    Passing& passing = passing_[sensor];
+    passing.by_revision.emplace(std::pair(ack.kind, ack.journal_number), all_.size());
+    passing.windows.push_back(all_.size());
+    all_.push_back(windows_of(ack, *entry->second, journals.at(sensor), end_ns));
+  }
+  for (auto& [sensor, passing] : passing_) {
+    std::stable_sort(passing.windows.begin(), passing.windows.end(), [this](std::size_t a, std::size_t b) {
+      return all_[a].before.until_ns < all_[b].before.until_ns;
+    });
+  }
+}
+
+/// Neither the begins nor the ends of a sensor's windows go back from one swap to its next.
+template <class Use>
+void SwapWindowsOfLog::for_each_open(Passing& passing, std::int64_t sim_time_ns, const Use& use) {
+  const auto is_behind = [&](const SwapWindows& swap) {
+    return std::max(swap.before.until_ns, swap.after.until_ns) < sim_time_ns;
+  };
+  while (passing.first_open < passing.windows.size() && is_behind(all_[passing.windows[passing.first_open]])) {
+    ++passing.first_open;
+  }
+  for (std::size_t i = passing.first_open; i < passing.windows.size(); ++i) {
+    SwapWindows& swap = all_[passing.windows[i]];
+    if (swap.before.after_ns >= sim_time_ns) return;
+    for (SwapWindow* window : {&swap.before, &swap.after}) {
+      if (window->contains(sim_time_ns)) use(*window);
+    }
+  }
+}
+
+void SwapWindowsOfLog::note_first(const Passing& passing, std::uint64_t sequence, ProfileKind kind,
+                                  std::uint32_t revision) {
+  const auto found = passing.by_revision.find({kind, revision});
+  if (found == passing.by_revision.end()) return;
+  std::optional<std::uint64_t>& seen = all_[found->second].first_sequence_seen;
+  if (!seen) seen = sequence;
+}
+
+SensorFilter& SwapWindowsOfLog::filter_for(Passing& passing, const ImuSample& sample, const ImuTruth& imu_truth) {
+  if (!passing.filter) passing.filter.emplace(static_cast<double>(sample.interval_ns) * 1e-9);
+  if (passing.filter_revision != sample.revisions.imu_error) {
+    passing.filter_revision = sample.revisions.imu_error;
+    const auto errors = passing.errors.find(sample.revisions.imu_error);
+    if (errors != passing.errors.end()) passing.filter->use(*errors->second);
+  }
+  if (imu_truth.discontinuity) passing.filter->restart();
+  return *passing.filter;
+}
+
+void SwapWindowsOfLog::add(const ImuSample& sample, const ImuTruth& imu_truth, const TruthState& vehicle) {
+  const auto found = passing_.find({SensorKind::Imu, sample.sensor_number});
+  if (found == passing_.end()) return;
+  Passing& passing = found->second;
+  const std::uint64_t k = sample.header.sequence_number;
+  note_first(passing, k, ProfileKind::ImuError, sample.revisions.imu_error);
+  note_first(passing, k, ProfileKind::Vibration, sample.revisions.vibration);
+  note_first(passing, k, ProfileKind::Installation, sample.revisions.installation);
+  note_first(passing, k, ProfileKind::Fault, sample.revisions.fault);
+  SensorFilter& filter = filter_for(passing, sample, imu_truth);
+  const Vector3 dtheta = filter.gyro(imu_truth.dtheta_b), dv = filter.accel(imu_truth.dv_b);
+  if (!is_measured(sample)) return;
+  const double dt_s = static_cast<double>(sample.interval_ns) * 1e-9;
+  for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) {
+    const Vector3 gyro_error = (sample.dtheta_b - dtheta) / dt_s, accel_error = (sample.dv_b - dv) / dt_s;
+    window.gyro_rad_per_s.add(k, gyro_error);
+    window.accel_m_per_s2.add(k, accel_error);
+    const double time_s = static_cast<double>(sample.header.sim_time_ns) * 1e-9;
+    window.gyro_residual_rad_per_s.add(time_s, gyro_error, dtheta / dt_s, dv / dt_s);
+    window.accel_residual_m_per_s2.add(time_s, accel_error, dtheta / dt_s, dv / dt_s);
+    const auto imu_place = place_of(imu_truth.latitude_rad, imu_truth.longitude_rad, imu_truth.height_m);
+    window.imu_arm_v_m.add(k, C_ev(vehicle).transpose() * offset_e(imu_place, vehicle));
+  });
+}
+
+void SwapWindowsOfLog::add(const GnssFix& fix, const TruthState& vehicle) {
+  const SensorAddress receiver{SensorKind::Gnss, fix.sensor_number};
+  const auto found = passing_.find(sensor_of(receiver));
+  if (found == passing_.end()) return;
+  Passing& passing = found->second;
+  const std::uint64_t sequence = fix.header.sequence_number;
+  note_first(passing, sequence, ProfileKind::GnssError, fix.revisions.gnss_error);
+  note_first(passing, sequence, ProfileKind::Installation, fix.revisions.installation);
+  note_first(passing, sequence, ProfileKind::Fault, fix.revisions.fault);
+  if (!is_at_its_best(fix, summary_)) return;
+  const std::uint64_t k = epoch_of(fix, summary_);
+  for_each_open(passing, fix.header.sim_time_ns, [&](SwapWindow& window) {
+    const AnyProfile* installed = summary_.in_use(ProfileKind::Installation, receiver, fix.header.sim_time_ns);
+    const Vector3 arm_v = installed ? std::get<InstallationProfile>(*installed).lever_arm_v_m : Vector3::Zero();
+    const nav::Geodetic place = place_of(fix.latitude_rad, fix.longitude_rad, fix.height_m);
+    const Matrix3 C_en = nav::C_en(fix.latitude_rad, fix.longitude_rad);
+    const Vector3 offset = offset_e(place, vehicle);
+    const Vector3 omega_ie_v = C_ev(vehicle).transpose() * Vector3(0.0, 0.0, nav::wgs84::omega_e_rad_per_s);
+    const Vector3 v_e = C_ev(vehicle) * (vehicle.q_nv.toRotationMatrix().transpose() * vehicle.v_n +
+                                         (vehicle.omega_iv_v - omega_ie_v).cross(arm_v));
+    window.antenna_arm_v_m.add(k, C_ev(vehicle).transpose() * offset);
+    window.position_ned_m.add(k, C_en.transpose() * (offset - C_ev(vehicle) * arm_v));
+    window.velocity_ned_m_per_s.add(k, fix.v_n - C_en.transpose() * v_e);
+  });
+}
+
+}  // namespace inslab::cli

@@ -1,0 +1,129 @@
+#include "inslab/referee/navigate/offline_filter.hpp"
+
+#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/formats/log/log_topic.hpp"
+#include "inslab/formats/text/gnss_text.hpp"
+#include "inslab/formats/text/imu_text.hpp"
+#include "inslab/foundation/files/input_limits.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+/// A position of the 7-column text; it has no velocity, which a sigma of 0 says.
+GnssFix fix_of(const io::GnssTextRecord& record) {
+  GnssFix fix;
+  fix.header.sim_time_ns = record.in_week.count();
+  fix.available_sim_time_ns = fix.header.sim_time_ns;
+  fix.fix_type = FixType::Single;
+  fix.latitude_rad = record.position.latitude_rad;
+  fix.longitude_rad = record.position.longitude_rad;
+  fix.height_m = record.position.height_m;
+  fix.position_sigma_ned_m = record.sigma_ned_m;
+  return fix;
+}
+
+bool navigates(const NavSolution& solution) {
+  return solution.mode == NavMode::Navigating || solution.mode == NavMode::Coasting;
+}
+
+}  // namespace
+
+OfflineFilter::OfflineFilter(const reference_nav::AppSetup& setup, const std::vector<GnssFix>& fixes)
+    : navigator_(setup.parameters, setup.gravity) {
+  for (const GnssFix& fix : fixes) navigator_.add(fix);
+}
+
+void OfflineFilter::start_at(const ImuTruth& truth) {
+  starts_at_ns_ = truth.header.sim_time_ns;
+  navigator_.start({{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb}, *starts_at_ns_);
+}
+
+std::optional<NavSolution> OfflineFilter::take(const ImuSample& sample) {
+  if (starts_at_ns_ && sample.header.sim_time_ns <= *starts_at_ns_) return std::nullopt;
+  navigator_.add(sample);
+  const auto step = navigator_.step();
+  return step && step->solution && navigates(*step->solution) ? step->solution : std::nullopt;
+}
+
+OfflineFilter filter_with_fixes_of(const io::McapReader& log, std::uint32_t gnss_number,
+                                   const reference_nav::AppSetup& setup) {
+  std::vector<GnssFix> fixes;
+  io::for_each_sample<GnssFix>(log, wire::topic_names::gnss(gnss_number), [&](const GnssFix& fix, std::uint64_t) {
+    fixes.push_back(fix);
+    return true;
+  });
+  return {setup, fixes};
+}
+
+ImuTruth first_true_state(const io::McapReader& log, std::uint32_t imu_number) {
+  std::optional<ImuTruth> first;
+  const std::string topic = wire::topic_names::imu_truth(imu_number);
+  io::for_each_sample<ImuTruth>(log, topic, [&](const ImuTruth& truth, std::uint64_t) {
+    first = truth;
+    return false;
+  });
+  if (!first) throw io::ReadError(log.path() + ": " + topic + " is empty; expected a true state to start at");
+  return *first;
+}
+
+OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const std::string& imu_text,
+                                   const reference_nav::AppSetup& setup) {
+  std::vector<GnssFix> fixes;
+  io::GnssTextReader reader(gnss_text);
+  for (io::GnssTextRecord record; reader.next(record);) {
+    if (fixes.size() == config::kMaxRowsInMemory) {
+      throw io::ReadError(gnss_text + ": has more than " + std::to_string(fixes.size()) +
+                          " rows; expected at most that");
+    }
+    fixes.push_back(fix_of(record));
+  }
+  if (fixes.empty()) throw io::ReadError(gnss_text + ": has no fix; expected at least one line of 7 numbers");
+  std::int64_t imu_from_ns = 0, imu_to_ns = 0;
+  for_each_text_sample(imu_text, 0, [&](const ImuSample& sample) {
+    if (imu_from_ns == 0) imu_from_ns = sample.header.sim_time_ns - sample.interval_ns;
+    imu_to_ns = sample.header.sim_time_ns;
+  });
+  // Each file counts from the week of its own first line; one of them may begin just after the week's end.
+  constexpr std::int64_t kWeek_ns = std::chrono::nanoseconds(io::SecondsOfWeek::kWeek).count();
+  const std::int64_t apart_ns = imu_from_ns - fixes.front().header.sim_time_ns;
+  const std::int64_t shift_ns = std::abs(apart_ns) > kWeek_ns / 2 ? (apart_ns > 0 ? kWeek_ns : -kWeek_ns) : 0;
+  for (GnssFix& fix : fixes) {
+    fix.header.sim_time_ns += shift_ns;
+    fix.available_sim_time_ns += shift_ns;
+  }
+  const std::int64_t gnss_from_ns = fixes.front().header.sim_time_ns, gnss_to_ns = fixes.back().header.sim_time_ns;
+  if (gnss_from_ns > imu_to_ns || gnss_to_ns < imu_from_ns) {
+    const auto span = [](std::int64_t from_ns, std::int64_t to_ns) {
+      return std::to_string(static_cast<double>(from_ns) * 1e-9) + " to " +
+             std::to_string(static_cast<double>(to_ns) * 1e-9) + " s";
+    };
+    throw io::ReadError(gnss_text + ": lasts from " + span(gnss_from_ns, gnss_to_ns) + " of the GPS week, " + imu_text +
+                        " from " + span(imu_from_ns, imu_to_ns) + ": they do not meet; expected one time base in both");
+  }
+  return {setup, fixes};
+}
+
+void for_each_text_sample(const std::string& imu_text, std::uint32_t gps_week,
+                          const std::function<void(const ImuSample&)>& visit) {
+  io::ImuTextReader reader(imu_text);
+  std::optional<time::Nanoseconds> before;
+  ImuSample sample;
+  for (io::ImuTextRecord record; reader.next(record); before = record.in_week) {
+    if (!before) continue;
+    sample.interval_ns = (record.in_week - *before).count();
+    sample.header.sim_time_ns = record.in_week.count();
+    sample.header.gps_time_of_week_ns = (record.in_week % io::SecondsOfWeek::kWeek).count();
+    sample.available_sim_time_ns = sample.header.sim_time_ns;
+    sample.header.gps_week = gps_week + static_cast<std::uint32_t>(record.in_week / io::SecondsOfWeek::kWeek);
+    sample.header.sequence_number += 1;
+    sample.dtheta_b = record.dtheta_b;
+    sample.dv_b = record.dv_b;
+    visit(sample);
+  }
+  if (sample.header.sequence_number == 0) {
+    throw io::ReadError(imu_text + ": has no interval; expected at least two lines of 7 numbers");
+  }
+}
+
+}  // namespace inslab::cli

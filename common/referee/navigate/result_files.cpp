@@ -1,0 +1,31 @@
+#include "inslab/referee/navigate/result_files.hpp"
+
+#include "inslab/foundation/files/unfinished.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/nav/attitude.hpp"
+
+namespace inslab::cli {
+
+ResultFiles::ResultFiles(const std::string& stem) : solution_(stem + ".nav"), sigmas_(stem + "_sigmas.txt", " ") {}
+
+void ResultFiles::write(const NavSolution& s) {
+  io::TrajectoryRow row;
+  row.position = {s.latitude_rad, s.longitude_rad, s.height_m};
+  row.v_n = s.v_n;
+  row.rpy = nav::rpy_from_quaternion(s.q_n_body);
+  solution_.write({s.gps_week, s.gps_time_of_week_ns}, row);
+  sigmas_.integer(s.gps_week).number(static_cast<double>(s.gps_time_of_week_ns) * 1e-9, 9);
+  for (const double sigma : s.position_sigma_ned_m) sigmas_.number(sigma, 6);
+  for (const double sigma : s.velocity_sigma_ned_m_per_s) sigmas_.number(sigma, 6);
+  for (const double sigma : s.attitude_sigma_rad) sigmas_.number(sigma / units::kDeg, 9);
+  sigmas_.end_line();
+  ++rows_;
+}
+
+void ResultFiles::close() {
+  const auto together = io::hold_unfinished();
+  solution_.close();
+  sigmas_.close();
+}
+
+}  // namespace inslab::cli

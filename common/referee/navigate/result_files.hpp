@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "inslab/data/samples/nav_solution.hpp"
+#include "inslab/formats/text/nav_text.hpp"
+#include "inslab/foundation/files/text_writer.hpp"
+
+namespace inslab::cli {
+
+/// The result of an offline navigation: STEM.nav, the 11-column text of positions, velocities and attitudes, and line
+/// by line beside it STEM_sigmas.txt: week, seconds of week, standard deviations of position m, velocity m/s (north,
+/// east, down) and attitude deg (about north, east, down).
+class ResultFiles {
+ public:
+  /// Throws io::WriteError.
+  explicit ResultFiles(const std::string& stem);
+  /// Throws io::WriteError.
+  void write(const NavSolution& solution);
+  void close();
+  std::uint64_t rows() const { return rows_; }
+
+ private:
+  io::NavTextWriter solution_;
+  io::TextWriter sigmas_;
+  std::uint64_t rows_ = 0;
+};
+
+}  // namespace inslab::cli

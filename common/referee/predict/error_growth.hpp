@@ -1,0 +1,89 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "inslab/data/profiles/gnss_error_profile.hpp"
+#include "inslab/data/samples/imu_truth.hpp"
+#include "inslab/nav/gravity.hpp"
+#include "inslab/referee/predict/sensor_terms.hpp"
+
+/// What errors an IMU's data sheet lets one expect of inertial navigation along a known motion.
+namespace inslab::predict {
+
+/// Root mean squares of an estimate's errors in n; at the start what is known of them.
+struct PredictedError {
+  double time_s = 0.0;
+  Vector3 position_n_m = Vector3::Zero();
+  Vector3 velocity_n_m_per_s = Vector3::Zero();
+  Vector3 attitude_n_rad = Vector3::Zero();  ///< the phi angle
+};
+
+/// Whether the height is part of the game, or held to the truth as by a perfect barometer.
+enum class Vertical { Free, Held };
+
+/// The nine-state model (nav/error_model.hpp) along the IMU's true motion, with a state for each term of its profile
+/// (sensor_terms.hpp), six Gauss-Markov states for a receiver's slow errors, and white noise beside them: the
+/// covariance of the best linear estimate. Without fixes it is that of free inertial navigation.
+///
+/// Linear: meant for errors that are small beside the Earth's radius and a radian.
+class ErrorGrowth {
+ public:
+  /// `step_s`: the covariance goes on in steps of this length or of one sample, whichever is longer; the motion in
+  /// between counts with its means. Throws std::invalid_argument when it is not positive.
+  ErrorGrowth(const ImuErrorProfile& profile, const PredictedError& start, const nav::Gravity& gravity,
+              Vertical vertical, double step_s);
+
+  /// Another profile from the next interval on. States keep, lose or redraw their value as its `continuity` says of
+  /// theirs (imu::Bias::retune); a fixed value that changes is unknown anew.
+  void swap(const ImuErrorProfile& profile);
+
+  /// The IMU goes on by the interval that ends at `truth`, at a temperature above that of calibration; true when a step
+  /// was made and current() is new.
+  bool advance(const ImuTruth& truth, double warmer_k);
+
+  /// A fix at the end of the last interval: `lever_arm_b_m` leads from the IMU to the antenna and is known. A velocity
+  /// without errors is none.
+  void measure(const SolutionErrors& fix, const Vector3& lever_arm_b_m);
+
+  /// At the end of the last step or fix.
+  PredictedError current() const;
+
+ private:
+  using Matrix9N = Eigen::Matrix<double, 9, Eigen::Dynamic>;
+  /// The motion since the last step: integrals.
+  struct Gathered {
+    double time_s = 0.0;
+    double warmer_k = 0.0;
+    nav::Matrix3 C_nb = nav::Matrix3::Zero();
+    Vector3 dv_n = Vector3::Zero();
+    SensedMeans gyro;
+    SensedMeans accel;
+  };
+  /// How the states but the nine go on in a step, and what drives them.
+  struct Steps {
+    Eigen::VectorXd decay, integral, drive, drive_with_integral, drive_of_integral;
+  };
+
+  void step();
+  Steps steps_of(double dt_s) const;
+  Matrix9N effects(const SensedMotion& motion, const nav::Matrix3& C_nb) const;
+  void set_density(const ImuErrorProfile& profile);
+  void renew(Eigen::Index state, double variance);
+  void update(const Eigen::VectorXd& row, double variance);
+  void hold_vertical();
+
+  nav::Gravity gravity_;
+  Vertical vertical_;
+  double step_s_;
+  double time_s_ = 0.0;
+  Gathered gathered_;
+  ImuTruth last_;
+  Vector3 gyro_density_;           ///< rad^2/s
+  Vector3 accel_density_;          ///< (m/s)^2/s
+  std::vector<SensorTerm> terms_;  ///< state kTerms + i
+  Vector3 fix_times_s_[2];         ///< correlation times of a receiver's position and velocity errors
+  Eigen::MatrixXd P_;
+};
+
+}  // namespace inslab::predict

@@ -1,0 +1,119 @@
+#include "inslab/referee/predict/expected_errors.hpp"
+
+#include <algorithm>
+
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/models/imu/temperature.hpp"
+#include "inslab/nav/attitude.hpp"
+
+namespace inslab::predict {
+namespace {
+
+/// The errors of the rung that a fix comes from: its fix type's, the nearest in size where two share a type. A fix that
+/// no rung explains counts with the sigmas that it reports.
+SolutionErrors errors_of(const GnssErrorProfile& profile, const GnssFix& fix) {
+  std::vector<SolutionErrors> rungs;
+  if (profile.fix_type == fix.fix_type) rungs.push_back(profile);
+  for (const LesserSolution& lesser : profile.lesser_solutions) {
+    if (lesser.fix_type == fix.fix_type) rungs.push_back(lesser);
+  }
+  const auto off = [&fix](const SolutionErrors& rung) {
+    return (rung.position_total_sigma_ned_m() - fix.position_sigma_ned_m).norm();
+  };
+  if (!rungs.empty()) {
+    return *std::min_element(rungs.begin(), rungs.end(),
+                             [&](const SolutionErrors& a, const SolutionErrors& b) { return off(a) < off(b); });
+  }
+  SolutionErrors reported;
+  reported.position_sigma_ned_m = fix.position_sigma_ned_m;
+  reported.velocity_sigma_ned_m_per_s = fix.velocity_sigma_ned_m_per_s;
+  return reported;
+}
+
+bool shakes_the_output(const AnyProfile& profile) {
+  const auto* vibration = std::get_if<VibrationProfile>(&profile);
+  return vibration != nullptr && vibration->domain == VibrationDomain::Sensor &&
+         !(vibration->linear.empty() && vibration->angular.empty() && vibration->linear_random.empty() &&
+           vibration->angular_random.empty());
+}
+
+bool is_disturbed(const nav::Gravity& gravity) {
+  return gravity.g_n(0.0, 0.0) != Vector3(0.0, 0.0, gravity.normal_m_per_s2(0.0, 0.0));
+}
+
+}  // namespace
+
+ExpectedErrors::ExpectedErrors(const Setup& setup, std::vector<AnyProfile> profiles)
+    : setup_(setup), imu_{SensorKind::Imu, setup.imu_number}, profiles_(std::move(profiles)) {
+  if (setup.gnss_number) gnss_ = SensorAddress{SensorKind::Gnss, *setup.gnss_number};
+  std::stable_sort(profiles_.begin(), profiles_.end(), [](const AnyProfile& a, const AnyProfile& b) {
+    return request_of(a).apply_at_ns < request_of(b).apply_at_ns;
+  });
+}
+
+/// Those that samples of this time are made under and that have not been taken yet.
+void ExpectedErrors::use_profiles(std::int64_t sim_time_ns) {
+  for (; next_ < profiles_.size() && request_of(profiles_[next_]).apply_at_ns < sim_time_ns; ++next_) {
+    const AnyProfile& profile = profiles_[next_];
+    const bool of_imu = target_of(profile) == imu_, of_gnss = gnss_ && target_of(profile) == *gnss_;
+    if (const auto* errors = std::get_if<ImuErrorProfile>(&profile); errors != nullptr && of_imu) {
+      errors_ = *errors;
+      if (growth_) growth_->swap(errors_);
+    } else if (const auto* solution = std::get_if<GnssErrorProfile>(&profile); solution != nullptr && of_gnss) {
+      fix_errors_ = *solution;
+    } else if (const auto* place = std::get_if<InstallationProfile>(&profile); place != nullptr) {
+      if (of_imu) imu_place_ = *place;
+      if (of_gnss) antenna_place_ = *place;
+    }
+  }
+}
+
+void ExpectedErrors::add(const ImuTruth& truth) {
+  if (truth.sensor_number != imu_.number) return;
+  const std::int64_t time_ns = truth.header.sim_time_ns;
+  use_profiles(time_ns);
+  if (static_cast<double>(time_ns) * 1e-9 <= setup_.start.time_s) return;
+  if (!growth_) {
+    growth_.emplace(errors_, setup_.start, setup_.gravity, setup_.vertical, setup_.step_s);
+    curve_.push_back(growth_->current());
+  }
+  const double warmer_k = imu::Temperature(errors_.temperature).at(time_ns) - imu::Temperature::kCalibratedAt;
+  if (growth_->advance(truth, warmer_k)) curve_.push_back(growth_->current());
+}
+
+void ExpectedErrors::add(const GnssFix& fix) {
+  if (!gnss_ || fix.sensor_number != gnss_->number || fix.fix_type == FixType::None || !growth_) return;
+  growth_->measure(errors_of(fix_errors_, fix), lever_arm_b_m());
+  const PredictedError now = growth_->current();
+  if (!curve_.empty() && curve_.back().time_s == now.time_s) {
+    curve_.back() = now;
+  } else {
+    curve_.push_back(now);
+  }
+}
+
+Vector3 ExpectedErrors::lever_arm_b_m() const {
+  const Vector3 rpy_rad = units::kDeg * imu_place_.mounting_rpy_deg;
+  const nav::Matrix3 C_vb = nav::matrix_from_rpy({rpy_rad.x(), rpy_rad.y(), rpy_rad.z()});
+  return C_vb.transpose() * (antenna_place_.lever_arm_v_m - imu_place_.lever_arm_v_m);
+}
+
+std::vector<std::string> ExpectedErrors::left_out() const {
+  std::vector<std::string> names;
+  const auto add = [&names](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  if (is_disturbed(setup_.gravity)) add("gravity disturbance");
+  for (const AnyProfile& profile : profiles_) {
+    const bool of_imu = target_of(profile) == imu_;
+    if (!of_imu && !(gnss_ && target_of(profile) == *gnss_)) continue;
+    if (const auto* errors = std::get_if<ImuErrorProfile>(&profile)) {
+      for (const std::string& name : terms_left_out(*errors)) add(name);
+    }
+    if (std::holds_alternative<FaultProfile>(profile)) add("faults");
+    if (shakes_the_output(profile)) add("vibration of the output");
+  }
+  return names;
+}
+
+}  // namespace inslab::predict

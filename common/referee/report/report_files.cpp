@@ -1,0 +1,269 @@
+#include "inslab/referee/report/report_files.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "inslab/data/json/json_text.hpp"
+#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/output_file.hpp"
+#include "inslab/referee/calibrate/analysis.hpp"
+#include "inslab/referee/calibrate/report.hpp"
+#include "inslab/referee/report/report_limits.hpp"
+#include "inslab/referee/report/report_tables.hpp"
+#include "inslab/referee/score/score_json.hpp"
+#include "inslab/referee/score/score_words.hpp"
+#include "inslab/referee/score/swap_intervals.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The same picture for a screen of 390 pixels.
+io::Picture narrowed(io::Picture picture) {
+  constexpr int kWidth_px = 380;
+  picture.panel_height_px = std::min(picture.panel_height_px, 260);
+  picture.panel_width_px = kWidth_px;
+  picture.columns = 1;
+  return picture;
+}
+
+/// The page says the picture's title.
+void add_figure(ReportPage& page, io::Picture picture, const std::string& caption, const std::string& id = {}) {
+  const std::string title = std::exchange(picture.title, "");
+  page.figures.push_back({title, caption, io::drawn(picture, io::PictureFormat::Svg),
+                          io::drawn(narrowed(picture), io::PictureFormat::Svg), id});
+}
+
+void add_allan(ReportPage& page, const io::McapReader& log, const LogSummary& summary) {
+  if (summary.scenario.imu.empty()) return;
+  AnalysisOptions options;
+  options.recording.sensor_number = summary.scenario.imu.front().number;
+  options.recording.minus_truth = options.recording.over_gaps = true;
+  ImuAnalysis analysis;
+  try {
+    analysis = analyse_imu(log.path(), options);
+  } catch (const io::ReadError& error) {
+    page.notes.push_back(std::string("No Allan deviation: ") + error.what());
+    return;
+  }
+  const SensorAddress imu{SensorKind::Imu, options.recording.sensor_number};
+  const bool was_swapped = std::any_of(
+      summary.profiles.begin(), summary.profiles.end(),
+      [&imu](const ProfileInUse& entry) { return entry.apply_at_ns >= 0 && target_of(entry.profile) == imu; });
+  add_figure(
+      page, curve_picture(analysis),
+      fmt::format("IMU {} less its truth over the whole run{}; points, 99 % bands dotted, fitted model as a line.",
+                  imu.number, was_swapped ? ", across its swaps" : ""));
+}
+
+std::string ratios_text(const ErrorRatios& ratios, const std::string& where) {
+  if (ratios.solutions == 0) return "";
+  return fmt::format("; {}: position {:.2f}, velocity {:.2f}, attitude {:.2f}", where, ratios.position, ratios.velocity,
+                     ratios.attitude);
+}
+
+/// Empty when there is nothing to expect.
+std::string expectation_text(const ReportData& data) {
+  const Expectation& expectation = data.expectation;
+  if (expectation.curve.empty()) return "";
+  return fmt::format(
+      "Measured over expected (1 sigma of {}, told every profile), RMS{}{}.{}", expectation.of,
+      ratios_text(data.curves.ratios(expectation, false),
+                  data.score.scorer.outages().empty() ? "all" : "between outages"),
+      ratios_text(data.curves.ratios(expectation, true), "in outages"),
+      expectation.left_out.empty() ? "" : fmt::format(" Left out of it: {}.", fmt::join(expectation.left_out, ", ")));
+}
+
+Json ratios_json(const ErrorRatios& ratios) {
+  if (ratios.solutions == 0) return nullptr;
+  return {{"position", ratios.position}, {"velocity", ratios.velocity}, {"attitude", ratios.attitude}};
+}
+
+/// Enough to draw from: a row a second, of long runs fewer.
+Json curve_json(const Expectation& expectation) {
+  constexpr double kMostRows = 4000.0;
+  const double span_s = expectation.curve.back().time_s - expectation.curve.front().time_s;
+  const double every_s = std::max(1.0, span_s / kMostRows);
+  Json rows = Json::array();
+  double next_s = -std::numeric_limits<double>::infinity();
+  for (const predict::PredictedError& error : expectation.curve) {
+    if (error.time_s < next_s) continue;
+    next_s = error.time_s + every_s;
+    Json row{error.time_s};
+    for (const Vector3& sigma : {error.position_n_m, error.velocity_n_m_per_s, error.attitude_n_rad}) {
+      for (const double value : sigma) row.push_back(value);
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json expectation_json(const ReportData& data) {
+  const Expectation& expectation = data.expectation;
+  if (expectation.curve.empty()) return {{"missing", expectation.missing}};
+  Json json{{"of", expectation.of},
+            {"left_out", expectation.left_out},
+            {"measured_over_expected_between_outages", ratios_json(data.curves.ratios(expectation, false))},
+            {"measured_over_expected_in_outages", ratios_json(data.curves.ratios(expectation, true))}};
+  json["outages"] = Json::array();
+  for (const score::OutageDrift& outage : data.score.scorer.outages()) {
+    const predict::PredictedError* end = expectation.before(static_cast<double>(outage.end_ns) * 1e-9);
+    if (end == nullptr) continue;
+    json["outages"].push_back({{"end_s", static_cast<double>(outage.end_ns) * 1e-9},
+                               {"horizontal_sigma_m", end->position_n_m.head<2>().norm()},
+                               {"vertical_sigma_m", end->position_n_m.z()}});
+  }
+  json["columns"] = {"time_s",
+                     "position_north_m",
+                     "position_east_m",
+                     "position_down_m",
+                     "velocity_north_m_per_s",
+                     "velocity_east_m_per_s",
+                     "velocity_down_m_per_s",
+                     "phi_north_rad",
+                     "phi_east_rad",
+                     "phi_down_rad"};
+  json["sigma"] = curve_json(expectation);
+  return json;
+}
+
+Json worst_json(const LogScore& score, const LogSummary& summary) {
+  if (!score.worst.found()) return nullptr;
+  const Moment& moment = *score.worst.found();
+  return {{"time_s", moment.time_s},
+          {"horizontal_m", moment.horizontal_m},
+          {"vertical_m", moment.vertical_m},
+          {"horizontal_sigma_m", moment.horizontal_sigma_m},
+          {"speed_m_per_s", moment.speed_m_per_s},
+          {"turn_rate_deg_per_s", moment.turn_rate_deg_per_s},
+          {"swap_interval", SwapIntervals(summary).at(moment.time_s)},
+          {"words", worst_words(score, summary)}};
+}
+
+Json intervals_json(const LogSummary& summary) {
+  const SwapIntervals intervals(summary);
+  Json names = Json::array();
+  for (std::size_t i = 0; i <= intervals.count(); ++i) names.push_back(intervals.name(i));
+  return names;
+}
+
+Json run_json(const LogSummary& summary) {
+  const RunIdentity& run = summary.identity;
+  return {{"run_id", run.run_id},      {"began", run.began_utc}, {"scenario", summary.scenario.name},
+          {"file", run.scenario_file}, {"unit", run.unit},       {"seed", summary.scenario.seed},
+          {"version", run.version}};
+}
+
+/// "run 2026-11-29 04:20:11 UTC, id 0a1b..., scenario demo (demo.json), seed 7, inslab 0.1.0, log demo.mcap"
+std::string identity_words(const io::McapReader& log, const LogSummary& summary) {
+  const RunIdentity& run = summary.identity;
+  std::string words = run.began_utc.empty() ? "Simulated in one process" : "Run of " + run.began_utc;
+  if (!run.run_id.empty()) words += ", id " + run.run_id;
+  words += "; scenario " + summary.scenario.name;
+  if (!run.scenario_file.empty()) words += " (" + run.scenario_file + ")";
+  words += fmt::format(", seed {}", summary.scenario.seed);
+  if (!run.unit.empty()) words += ", unit " + run.unit;
+  return words + fmt::format("; inslab {}; log {}", run.version, std::filesystem::path(log.path()).filename().string());
+}
+
+}  // namespace
+
+std::string write_report(const io::McapReader& log, const ReportData& data, const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  const std::vector<std::string> paths = report_paths(log.path(), folder);
+  for (const std::string& path : paths) io::check_output(path);  // before the first is written
+  io::write_file(paths[0], report_text(data));
+  io::write_file(paths[1], config::json_text(report_json(data)));
+  io::write_file(paths[2], html(report_page(log, data)));
+  return std::filesystem::path(paths[2]).replace_extension().string();
+}
+
+std::vector<std::string> report_paths(const std::string& log, const std::string& folder) {
+  const std::string stem = (std::filesystem::path(folder) / std::filesystem::path(log).stem()).string();
+  return {stem + ".txt", stem + ".json", stem + ".html"};
+}
+
+ReportData report_data(const io::McapReader& log) {
+  ReportData data{summarize(log), {score::Scorer(scenario::Scenario()), {}, {}}, {}, {}, {}};
+  std::optional<predict::PredictedError> start;
+  data.score = score_log(log, data.summary, [&](const score::ScoredSolution& scored) {
+    if (!start) start = beginning_of(scored);
+    data.curves.add(scored);
+  });
+  if (start) {
+    data.expectation = expectation_of(log, data.summary, *start);
+  } else {
+    data.expectation.missing = "no solution was scored";
+  }
+  data.swaps = weigh_swaps(log, data.summary);
+  return data;
+}
+
+std::string report_text(const ReportData& data) {
+  const std::string text = score_words(data.score, data.summary);
+  const std::string expected = expectation_text(data);
+  return expected.empty() ? text : text + "\n" + expected + "\n";
+}
+
+Json report_json(const ReportData& data) {
+  Json report = score::score_json(data.score.scorer, data.score.verdicts);
+  report["run"] = run_json(data.summary);
+  report["verdict"] = verdict_words(data.score, data.summary);
+  report["worst"] = worst_json(data.score, data.summary);
+  report["swap_intervals"] = intervals_json(data.summary);
+  report["expected"] = expectation_json(data);
+  return report;
+}
+
+ReportPage report_page(const io::McapReader& log, const ReportData& data) {
+  const LogSummary& summary = data.summary;
+  const LogScore& score = data.score;
+  const ErrorCurves& curves = data.curves;
+  const Expectation& expectation = data.expectation;
+  ReportPage page;
+  page.title = "Inslab report: " + summary.scenario.name;
+  page.description = summary.scenario.description;
+  page.verdict = verdict_words(score, summary);
+  page.accepted = score.accepted();
+  page.worst = worst_words(score, summary);
+  page.identity = identity_words(log, summary);
+  page.tables = report_tables(data);
+  if (curves.empty()) {
+    page.notes.push_back("No solution was scored: there are no errors to draw.");
+  } else {
+    const std::string how =
+        "Estimate less truth; 3 sigma as the app reports and to expect; outages shaded, swaps dashed.";
+    const std::string sizes = "By logarithms, with 1 sigma and the limits of the acceptance; ";
+    add_figure(page, curves.sizes(score, summary, expectation),
+               sizes + "horizontal: north and east together; less than 1 mm is drawn as 1 mm.", page_id::kSizes);
+    add_figure(page, curves.track(), "Horizontal track of the reference point, true and as the app has it.");
+    add_figure(page, curves.position(score, summary, expectation), how);
+    add_figure(page, curves.motion_sizes(score, summary, expectation),
+               sizes + "tilt: about north and east together; less than 0.0001 is drawn as 0.0001.",
+               page_id::kMotionSizes);
+    add_figure(page, curves.velocity(score, summary, expectation), how);
+    add_figure(page, curves.attitude(score, summary, expectation), how);
+    const io::Picture honesty = curves.honesty(score, summary);
+    if (!honesty.panels.empty()) {
+      add_figure(page, honesty, "Squared error over the reported variance, summed over the axes, of each solution.",
+                 page_id::kHonesty);
+    }
+  }
+  if (expectation.curve.empty()) page.notes.push_back("No errors to expect: " + expectation.missing + ".");
+  if (score.scorer.latency().seconds().count() > 0 && score.scorer.latency().why_none().empty()) {
+    add_figure(page, latency_picture(score), "20 bins a decade; both times by CLOCK_REALTIME of their hosts.",
+               page_id::kLatency);
+  }
+  add_allan(page, log, summary);
+  return page;
+}
+
+}  // namespace inslab::cli

@@ -1,0 +1,100 @@
+#include "inslab/referee/score/score_log.hpp"
+
+#include <algorithm>
+
+#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/wire_type.hpp"
+#include "inslab/data/wire/cdr.hpp"
+#include "inslab/formats/log/log_topic.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+/// Gives a message to `take` when it is of the type T; true when it was.
+template <class T, class Take>
+bool taken(const std::string& type, const io::mcap::Message& message, const Take& take) {
+  if (type != wire::WireType<T>::name) return false;
+  T sample;
+  if (wire::decode(message.data, message.size, sample)) take(sample);
+  return true;
+}
+
+/// Truth and fixes, which are what solutions are measured by.
+bool took_what_is_true(const std::string& type, const io::mcap::Message& message, score::Scorer& scorer) {
+  const auto add = [&scorer](const auto& sample) { scorer.add(sample); };
+  return taken<TruthState>(type, message, add) || taken<GnssFix>(type, message, add);
+}
+
+/// With the installations that the log says were in use.
+score::Scorer scorer_of(const LogSummary& summary, const score::Scorer::Options& options) {
+  score::Scorer scorer(summary.scenario, options);
+  for (const ProfileInUse& entry : summary.profiles) {
+    const auto* installation = std::get_if<InstallationProfile>(&entry.profile);
+    if (installation != nullptr) scorer.add(*installation, entry.apply_at_ns);
+  }
+  return scorer;
+}
+
+}  // namespace
+
+bool LogScore::accepted() const {
+  return std::all_of(verdicts.begin(), verdicts.end(), [](const score::Verdict& verdict) { return verdict.passed; });
+}
+
+LogScore score_log(const io::McapReader& log, const LogSummary& summary,
+                   const std::function<void(const score::ScoredSolution&)>& on_scored) {
+  score::Scorer::Options options;
+  WorstMoment worst;
+  options.on_scored = [&](const score::ScoredSolution& scored) {
+    worst.add(scored);
+    if (on_scored) on_scored(scored);
+  };
+  score::Scorer scorer = scorer_of(summary, options);
+  if (summary.last_status && summary.last_status->clock == ClockMode::Lockstep) {
+    scorer.without_latency(score::kLockstepHasNoLatency);
+  }
+  const auto types = io::channel_types(log);
+  log.for_each([&](const io::mcap::Message& message) {
+    const std::string& type = types.at(message.channel_id);
+    if (took_what_is_true(type, message, scorer)) return true;
+    const auto add = [&scorer](const auto& sample) { scorer.add(sample); };
+    if (taken<ImuSample>(type, message, add)) return true;
+    taken<NavSolution>(type, message, [&](const NavSolution& solution) {
+      scorer.add(solution, static_cast<std::int64_t>(message.log_time_ns));
+    });
+    return true;
+  });
+  scorer.finish();
+  std::vector<score::Verdict> verdicts = score::judge(scorer, summary.scenario.acceptance);
+  return {std::move(scorer), std::move(verdicts), worst};
+}
+
+LogScore score_app(const io::McapReader& log, const LogSummary& summary, const OfflineApp& app) {
+  const auto imu = io::needed_channels_of(log, wire::topic_names::imu(app.imu_number), wire::WireType<ImuSample>::name);
+  score::Scorer::Options options;
+  options.imu_number = app.imu_number;
+  options.gnss_number = app.gnss_number;
+  LogScore result{scorer_of(summary, options), {}, {}};
+  score::Scorer& scorer = result.scorer;
+  scorer.without_latency("the app ran on a log");
+  const auto types = io::channel_types(log);
+  log.for_each(
+      [&](const io::mcap::Message& message) {
+        const std::string& type = types.at(message.channel_id);
+        if (imu.count(message.channel_id) == 0) {
+          took_what_is_true(type, message, scorer);
+          return true;
+        }
+        taken<ImuSample>(type, message, [&](const ImuSample& sample) {
+          scorer.add(sample);
+          if (const auto solution = app.answer(sample)) scorer.add(*solution, 0);
+        });
+        return true;
+      },
+      io::McapReader::Order::LogTime);
+  scorer.finish();
+  return result;
+}
+
+}  // namespace inslab::cli

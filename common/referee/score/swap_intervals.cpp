@@ -1,0 +1,36 @@
+#include "inslab/referee/score/swap_intervals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace inslab::cli {
+
+SwapIntervals::SwapIntervals(const LogSummary& summary) {
+  for (const ProfileInUse& entry : summary.profiles) {
+    if (entry.apply_at_ns < 0) continue;
+    const double time_s = static_cast<double>(entry.apply_at_ns) * 1e-9;
+    swaps_.push_back({time_s, fmt::format("{} '{}' for {} at {:.3f} s", enum_name(kind_of(entry.profile)),
+                                          name_of(entry.profile), sensor_name(target_of(entry.profile)), time_s)});
+  }
+  std::stable_sort(swaps_.begin(), swaps_.end(), [](const Swap& a, const Swap& b) { return a.time_s < b.time_s; });
+}
+
+std::size_t SwapIntervals::at(double time_s) const {
+  return static_cast<std::size_t>(
+      std::count_if(swaps_.begin(), swaps_.end(), [time_s](const Swap& swap) { return swap.time_s < time_s; }));
+}
+
+std::string SwapIntervals::name(std::size_t interval) const {
+  if (interval == 0) return "before the first swap";
+  if (interval > swaps_.size()) return fmt::format("swap {}, which never came", interval);
+  return swaps_[interval - 1].name;
+}
+
+double SwapIntervals::begin_s(std::size_t interval) const {
+  if (interval == 0) return 0.0;
+  return interval > swaps_.size() ? std::numeric_limits<double>::infinity() : swaps_[interval - 1].time_s;
+}
+
+}  // namespace inslab::cli

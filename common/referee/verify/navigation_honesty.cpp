@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "inslab/referee/verify/estimates.hpp"
+#include "inslab/referee/verify/navigation.hpp"
+#include "inslab/referee/verify/outage_figures.hpp"
+#include "inslab/referee/verify/town_drive.hpp"
+
+namespace inslab::verify {
+
+namespace {
+
+constexpr double kRun_s = 100.0;
+constexpr double kOutageBegins_s = 40.0;
+
+/// A hundred seconds of a town's traffic with fixes of position and velocity at 5 Hz, and an outage at their end.
+NavigationSetup short_drive(std::uint64_t seed) {
+  NavigationSetup setup = thesis_setup(seed, MotionFrom::Parameters);
+  setup.motion = town_drive(seed, 0.0, kRun_s);
+  setup.duration_s = kRun_s;
+  setup.gnss_rate_hz = 5.0;
+  setup.gnss_velocity = true;
+  setup.outages.first_s = kOutageBegins_s;
+  setup.shifts_s = {0.0};
+  setup.nees_at_s = {10.0, 20.0, 30.0, kOutageBegins_s, kRun_s - 1.0};
+  return setup;
+}
+
+struct Consistency {
+  std::vector<Estimates> nees;  ///< at each instant
+  double innovations = 0.0;     ///< sum of squares
+  double innovation_count = 0.0;
+
+  void add(const NavigationRun& run) {
+    nees.resize(run.nees.size());
+    for (std::size_t i = 0; i < run.nees.size(); ++i) nees[i].add(run.nees[i]);
+    for (const double nis : run.innovations) innovations += nis, innovation_count += 1.0;
+  }
+};
+
+Row row_of(const char* imu, const std::string& what, double mean, double degrees, double count) {
+  const double half = 1.96 * std::sqrt(2.0 * degrees / count);
+  return {{imu, what, fmt::format("{:.3f}", mean), fmt::format("{:.0f}", degrees),
+           fmt::format("{:.3f} .. {:.3f}", degrees - half, degrees + half)},
+          std::abs(mean - degrees) <= half};
+}
+
+}  // namespace
+
+Table honesty_table(std::uint64_t runs) {
+  std::vector<Consistency> found(published_drifts().size());
+  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+    const std::vector<NavigationRun> of_imu = navigate(short_drive(seed));
+    for (std::size_t i = 0; i < of_imu.size(); ++i) found[i].add(of_imu[i]);
+  }
+  Table table;
+  table.title = fmt::format("The filter against its own covariance: {} drives", runs);
+  table.columns = {"IMU", "", "mean", "expected", "95 % band"};
+  const std::vector<double> at_s = short_drive(1).nees_at_s;
+  for (std::size_t imu = 0; imu < found.size(); ++imu) {
+    const char* name = published_drifts()[imu].imu;
+    for (std::size_t i = 0; i < at_s.size(); ++i) {
+      const std::string what = at_s[i] <= kOutageBegins_s
+                                   ? fmt::format("NEES after {:.0f} s", at_s[i])
+                                   : fmt::format("NEES after {:.0f} s of outage", at_s[i] - kOutageBegins_s);
+      table.rows.push_back(row_of(name, what, found[imu].nees[i].mean(), 9.0, static_cast<double>(runs)));
+    }
+    table.rows.push_back(row_of(name, "squared innovations", found[imu].innovations / found[imu].innovation_count, 3.0,
+                                found[imu].innovation_count));
+  }
+  table.notes = {
+      "The IMUs as the thesis simulates them, each with the filter that matches it, begun at the truth plus errors "
+      "drawn from the initial covariance. The mean of n independent chi-square numbers of d degrees is "
+      "d +- 1.96 sqrt(2 d / n) in 95 of 100 cases."};
+  return table;
+}
+
+}  // namespace inslab::verify

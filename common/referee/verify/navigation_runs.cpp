@@ -1,0 +1,193 @@
+#include "inslab/referee/verify/navigation_runs.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "inslab/data/samples/nav_state.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/models/navigation/matching_parameters.hpp"
+#include "inslab/nav/attitude.hpp"
+#include "inslab/noise/random/stream.hpp"
+#include "inslab/referee/verify/catalogue.hpp"
+#include "inslab/referee/verify/loop.hpp"
+#include "inslab/sim/drawn_start.hpp"
+#include "inslab/sim/offline_run.hpp"
+
+namespace inslab::verify {
+
+namespace {
+
+namespace ref = reference_nav;
+
+constexpr const char* kImuPlace = "installation/imu_trunk";
+constexpr const char* kAntennaPlace = "installation/antenna_roof";
+
+/// delta r, delta v, phi of an estimate.
+Eigen::Matrix<double, 9, 1> errors_of(const nav::NavState& estimate, const nav::NavState& truth) {
+  Eigen::Matrix<double, 9, 1> errors;
+  errors << nav::ned_from(truth.position, estimate.position), estimate.v_n - truth.v_n,
+      nav::rotation_vector_from_quaternion(truth.q_nb * estimate.q_nb.conjugate());
+  return errors;
+}
+
+OutageTimes shifted(OutageTimes times, double shift_s) {
+  times.first_s += shift_s;
+  return times;
+}
+
+/// A filter beside one IMU of the run, and its score.
+class Scored {
+ public:
+  Scored(const NavigationSetup& setup, std::size_t imu, std::size_t shift, const ref::NavigationParameters& parameters,
+         const nav::Gravity& gravity)
+      : imu_index(imu),
+        shift_index(shift),
+        setup_(setup),
+        score_(shifted(setup.outages, setup.shifts_s[shift]), setup.duration_s),
+        parameters_(parameters),
+        filter_(parameters, gravity),
+        draws_(setup.seed, "verify/navigation/" + std::to_string(imu)) {}
+
+  const std::size_t imu_index;
+  const std::size_t shift_index;
+
+  void imu(const ImuSample& sample, const ImuTruth& truth) {
+    if (!begun_) {
+      begin(truth);
+      return;
+    }
+    filter_.add(sample);
+    score_.add(sample.header.sim_time_ns, filter_.filter()->state(), nav_state(truth));
+    consistency(sample.header.sim_time_ns, nav_state(truth));
+  }
+  void gnss(GnssFix fix) {
+    if (!begun_) return;
+    if (!setup_.gnss_velocity) fix.velocity_sigma_ned_m_per_s.setZero();
+    filter_.add(fix);
+    for (const ref::FixResult& result : filter_.take_fix_results()) {
+      run_.innovations.push_back(result.position_nis);
+      if (setup_.gnss_velocity) run_.innovations.push_back(result.velocity_nis);
+      if (!result.position_accepted || (setup_.gnss_velocity && !result.velocity_accepted)) ++run_.rejected;
+    }
+  }
+  NavigationRun result() const {
+    NavigationRun run = run_;
+    run.outages = score_.outages();
+    return run;
+  }
+
+ private:
+  /// Truth plus errors drawn from the filter's own initial covariance.
+  void begin(const ImuTruth& truth) {
+    const Vector9 sigmas = ref::initial_sigmas(parameters_).head<ref::kNavStates>();
+    filter_.start(cli::drawn_start(truth, sigmas, draws_), truth.header.sim_time_ns);
+    begun_ = true;
+  }
+
+  void consistency(std::int64_t time_ns, const nav::NavState& truth) {
+    const auto here = [time_ns](double at_s) { return time::from_seconds(at_s).count() == time_ns; };
+    if (std::none_of(setup_.nees_at_s.begin(), setup_.nees_at_s.end(), here)) return;
+    ref::InertialFilter now = *filter_.filter();
+    now.settle();
+    const Eigen::Matrix<double, 9, 1> e = errors_of(now.state(), truth);
+    const Eigen::Matrix<double, 9, 9> P = now.covariance().matrix().topLeftCorner<9, 9>();
+    run_.nees.push_back(e.dot(P.llt().solve(e)));
+  }
+
+  NavigationSetup setup_;
+  OutageScore score_;
+  ref::NavigationParameters parameters_;
+  ref::NavigationFilter filter_;
+  random::Stream draws_;
+  bool begun_ = false;
+  NavigationRun run_;
+};
+
+class ScoringSink : public cli::RunSink {
+ public:
+  std::vector<Scored> filters;
+
+  void journal(const AnyProfile&) override {}
+  void truth(const TruthState&) override {}
+  void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override {
+    for (Scored& filter : filters) {
+      if (filter.imu_index == index) filter.imu(sample, truth);
+    }
+  }
+  void gnss(std::size_t index, const GnssFix& fix) override {
+    for (Scored& filter : filters) {
+      if (filter.shift_index == index) filter.gnss(fix);
+    }
+  }
+  void ack(const ProfileAck&) override {}
+};
+
+}  // namespace
+
+scenario::LoadedScenario navigation_scenario(const NavigationSetup& setup) {
+  scenario::LoadedScenario loaded;
+  loaded.scenario.name = "navigation";
+  loaded.scenario.start = {scenario::StartAt::GpsTime, 2446, 36000.0};
+  loaded.scenario.seed = setup.seed;
+  loaded.scenario.duration_s = setup.duration_s;
+  loaded.scenario.truth_rate_hz = kImuRate_hz;
+  loaded.scenario.trajectory = setup.motion;
+  loaded.trajectory_file = setup.file;
+  loaded.truth_rate = time::Rate(kImuRate_hz);
+  loaded.truth_samples = 1 + static_cast<std::uint64_t>(setup.duration_s * kImuRate_hz);
+  for (const TestedImu& tested : setup.imus) {
+    scenario::LoadedImu imu;
+    imu.number = static_cast<std::uint32_t>(loaded.imus.size());
+    imu.rate = loaded.truth_rate;
+    imu.errors = tested.errors;
+    imu.vibration = tested.vibration;
+    imu.installation = catalogue_profile<InstallationProfile>(kImuPlace);
+    imu.errors.target = imu.vibration.target = imu.installation.target = {SensorKind::Imu, imu.number};
+    loaded.imus.push_back(imu);
+  }
+  for (const double shift_s : setup.shifts_s) {
+    scenario::LoadedGnss gnss;
+    gnss.number = static_cast<std::uint32_t>(loaded.gnss.size());
+    gnss.rate = time::Rate(setup.gnss_rate_hz);
+    gnss.errors = setup.gnss;
+    gnss.installation = catalogue_profile<InstallationProfile>(kAntennaPlace);
+    gnss.errors.target = gnss.installation.target = {SensorKind::Gnss, gnss.number};
+    if (setup.outages.first_s < setup.duration_s) {
+      const OutageTimes times = shifted(setup.outages, shift_s);
+      gnss.outages.push_back({times.first_s, times.length_s, times.spacing_s});
+    }
+    loaded.gnss.push_back(gnss);
+  }
+  return loaded;
+}
+
+ref::NavigationParameters filter_parameters(const NavigationSetup& setup, std::size_t imu) {
+  ref::NavigationParameters parameters =
+      ref::matching_parameters(setup.imus[imu].believed, catalogue_profile<InstallationProfile>(kImuPlace),
+                               catalogue_profile<InstallationProfile>(kAntennaPlace));
+  parameters.zero_velocity.use = setup.zero_velocity_updates;
+  parameters.max_latency_s = 0.0;
+  parameters.initial.position_sigma_ned_m = Vector3::Constant(0.05);
+  parameters.initial.velocity_sigma_ned_m_per_s = Vector3::Constant(0.05);
+  parameters.initial.attitude_sigma_ned_deg = Vector3(0.05, 0.05, 0.5);
+  return parameters;
+}
+
+std::vector<NavigationRun> navigate(const NavigationSetup& setup) {
+  const scenario::LoadedScenario loaded = navigation_scenario(setup);
+  ScoringSink sink;
+  for (std::size_t i = 0; i < setup.imus.size(); ++i) {
+    for (std::size_t shift = 0; shift < setup.shifts_s.size(); ++shift) {
+      sink.filters.emplace_back(setup, i, shift, filter_parameters(setup, i), loaded.gravity());
+    }
+  }
+  cli::OfflineRun run(loaded, kNavigationStart, RunId{}, sink);
+  while (run.step()) {
+  }
+  std::vector<NavigationRun> runs;
+  for (const Scored& filter : sink.filters) runs.push_back(filter.result());
+  return runs;
+}
+
+}  // namespace inslab::verify

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "inslab/data/samples/trajectory_file.hpp"
+#include "inslab/models/navigation/navigation_filter.hpp"
+#include "inslab/referee/verify/outage_score.hpp"
+#include "inslab/scenario/load.hpp"
+
+namespace inslab::verify {
+
+/// One filter in one run against the IMU's truth.
+struct NavigationRun {
+  std::vector<OutageDrift> outages;
+  std::vector<double> nees;         ///< of position, velocity, attitude: 9 degrees, at `nees_at_s`
+  std::vector<double> innovations;  ///< of position and of velocity: 3 degrees each
+  std::uint64_t rejected = 0;
+};
+
+/// An IMU in the trunk and its filter.
+struct TestedImu {
+  ImuErrorProfile errors;
+  ImuErrorProfile believed;  ///< what the filter is told: reference_nav::matching_parameters() of this
+  VibrationProfile vibration;
+};
+
+/// What a run is made of.
+struct NavigationSetup {
+  std::uint64_t seed = 1;
+  std::vector<TestedImu> imus;
+  scenario::Trajectory motion;
+  std::shared_ptr<const io::TrajectoryFile> file;  ///< the rows of a motion from a file
+  GnssErrorProfile gnss;
+  double gnss_rate_hz = 1.0;
+  bool gnss_velocity = false;  ///< false: positions alone, as 7-column texts have them
+  double duration_s = 1200.0;
+  OutageTimes outages;
+  std::vector<double> shifts_s = {0.0, 60.0, 120.0};  ///< of all outages: the same run anew for each, but for the fixes
+  std::vector<double> nees_at_s;                      ///< instants of IMU samples
+  bool zero_velocity_updates = false;
+};
+
+inline constexpr double kImuRate_hz = 200.0;
+inline constexpr time::GpsTime kNavigationStart{2446, 36000000000000};
+
+/// Every filter begins at the truth plus errors drawn from its initial covariance; the sensors' streams follow from
+/// the seed. Receiver n has the outages of shift n.
+scenario::LoadedScenario navigation_scenario(const NavigationSetup& setup);
+
+/// What the filter beside an IMU of the setup is told.
+reference_nav::NavigationParameters filter_parameters(const NavigationSetup& setup, std::size_t imu);
+
+/// A run for each IMU of the setup and each shift: those of the first IMU first.
+std::vector<NavigationRun> navigate(const NavigationSetup& setup);
+
+}  // namespace inslab::verify

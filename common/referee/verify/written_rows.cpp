@@ -1,0 +1,28 @@
+#include "inslab/referee/verify/written_rows.hpp"
+
+#include <unistd.h>
+
+#include "inslab/data/json/error.hpp"
+#include "inslab/formats/trajectory/trajectory_reader.hpp"
+
+namespace inslab::verify {
+
+WrittenRows::WrittenRows(const std::string& name)
+    : name_(name),
+      path_(std::filesystem::temp_directory_path() / ("inslab_" + std::to_string(getpid()) + "_" + name + ".nav")),
+      text_(path_.string()) {}
+
+WrittenRows::~WrittenRows() {
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+std::shared_ptr<const io::TrajectoryFile> WrittenRows::read() {
+  text_.close();
+  io::TrajectoryReading reading = io::read_trajectory(path_.string());
+  if (!reading.problems.empty()) throw config::Error(path_.string(), reading.problems.kept().front());
+  reading.file.name = name_;
+  return std::make_shared<const io::TrajectoryFile>(std::move(reading.file));
+}
+
+}  // namespace inslab::verify

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "inslab/data/samples/trajectory_file.hpp"
+#include "inslab/formats/text/nav_text.hpp"
+
+namespace inslab::verify {
+
+/// Rows that go through a text of 11 columns in the temporary folder, which is gone with this object: what a user's
+/// file keeps of them.
+class WrittenRows {
+ public:
+  /// Throws io::WriteError.
+  explicit WrittenRows(const std::string& name);
+  WrittenRows(const WrittenRows&) = delete;
+  WrittenRows& operator=(const WrittenRows&) = delete;
+  ~WrittenRows();
+
+  /// Throws io::WriteError.
+  void add(const time::GpsTime& time, const io::TrajectoryRow& row) { text_.write(time, row); }
+
+  /// After the last row. Throws config::Error when a row breaks a rule of trajectory files.
+  std::shared_ptr<const io::TrajectoryFile> read();
+
+ private:
+  std::string name_;
+  std::filesystem::path path_;
+  io::NavTextWriter text_;
+};
+
+}  // namespace inslab::verify

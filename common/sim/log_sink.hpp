@@ -1,0 +1,52 @@
+#pragma once
+
+#include <deque>
+#include <tuple>
+
+#include "inslab/sim/offline_run.hpp"
+#include "inslab/sim/run_log.hpp"
+
+namespace inslab::cli {
+
+/// Writes an offline run to the same log as the truth logger does; log times are the GPS time of validity, as UTC.
+class LogSink : public RunSink {
+ public:
+  /// Throws io::WriteError, as all its functions do.
+  LogSink(const std::string& path, const scenario::LoadedScenario& scenario, const time::GpsTime& start);
+
+  void journal(const AnyProfile& entry) override;
+  void vehicle_state(const UsedVehicleState& used) override;
+  void truth(const TruthState& truth) override;
+  void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override;
+  void gnss(std::size_t index, const GnssFix& fix) override;
+  void nav(const NavSolution& solution) override;
+  void ack(const ProfileAck& ack) override;
+
+  void close() { log_.file().close(); }
+  std::uint64_t file_size() { return log_.file().file_size(); }
+
+ private:
+  template <class T>
+  void write(io::LogChannel<T>& channel, const T& sample, const StreamHeader& header);
+  template <class Profile>
+  io::LogChannel<Profile> journal_channel();
+
+  logger::RunLog log_;
+  std::uint64_t utc_of_sim_time_zero_ns_;
+  std::uint64_t latest_utc_ns_;
+  io::LogChannel<TruthState> truth_;
+  std::optional<io::LogChannel<UsedVehicleState>> vehicle_states_;
+  std::deque<io::LogChannel<ImuSample>> imu_;
+  std::deque<io::LogChannel<ImuTruth>> imu_truth_;
+  std::deque<io::LogChannel<GnssFix>> gnss_;
+  io::LogChannel<ProfileAck> acks_;
+  std::tuple<io::LogChannel<ImuErrorProfile>, io::LogChannel<VibrationProfile>, io::LogChannel<InstallationProfile>,
+             io::LogChannel<GnssErrorProfile>, io::LogChannel<FaultProfile>>
+      journals_;
+  std::optional<io::LogChannel<NavSolution>> nav_;
+  std::uint32_t ack_count_ = 0;
+  std::uint32_t nav_count_ = 0;
+  std::uint32_t journal_count_ = 0;
+};
+
+}  // namespace inslab::cli

@@ -1,0 +1,35 @@
+#include "inslab/sim/logged_vehicle.hpp"
+
+#include <algorithm>
+
+#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/wire_type.hpp"
+#include "inslab/data/wire/cdr.hpp"
+#include "inslab/formats/mcap/mcap_reader.hpp"
+#include "inslab/foundation/files/error.hpp"
+
+namespace inslab::cli {
+
+std::vector<UsedVehicleState> logged_vehicle_states(const std::string& log_path) {
+  const io::McapReader log(log_path);
+  std::vector<UsedVehicleState> states;
+  log.for_each([&](const io::mcap::Message& message) {
+    if (log.channels().at(message.channel_id).topic != wire::topic_names::kVehicleStateUsed) return true;
+    UsedVehicleState state;
+    if (wire::decode(message.data, message.size, state)) states.push_back(state);
+    return true;
+  });
+  std::sort(states.begin(), states.end(), [](const UsedVehicleState& a, const UsedVehicleState& b) {
+    return a.header.sequence_number < b.header.sequence_number;
+  });
+  const std::string topic = wire::topic_names::kVehicleStateUsed;
+  if (states.empty()) throw io::ReadError(log_path + ": has no " + topic + ": no run of a live vehicle");
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i].header.sequence_number == i) continue;
+    throw io::ReadError(log_path + ": " + topic + ": number " + std::to_string(i) +
+                        " is missing, so the run cannot be repeated");
+  }
+  return states;
+}
+
+}  // namespace inslab::cli

@@ -1,0 +1,169 @@
+#include "inslab/services/inslab/commands/outages_over_dds.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/wire/cdr.hpp"
+#include "inslab/formats/log/log_topic.hpp"
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/referee/verify/navigation.hpp"
+#include "inslab/referee/verify/outage_figures.hpp"
+#include "inslab/services/inslab/live/live_run.hpp"
+#include "inslab/sim/offline_run.hpp"
+#include "inslab/sim/scenario_folder.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+/// A folder that goes with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_(std::filesystem::temp_directory_path() / ("inslab_outages_" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// One IMU of the protocol and its receiver with the first outages, the app told what its filter is told offline. It
+/// begins at rest with the attitude that is given to it and the first fix.
+std::string write_scenario(const verify::NavigationSetup& setup, std::size_t imu, const std::string& folder) {
+  scenario::LoadedScenario loaded = verify::navigation_scenario(setup);
+  loaded.imus = {loaded.imus[imu]};
+  loaded.gnss.resize(1);
+  loaded.gnss.front().errors.velocity_sigma_ned_m_per_s.setZero();  // positions alone
+  loaded.scenario.reference_nav = scenario::ReferenceNav{loaded.imus.front().number, loaded.gnss.front().number, ""};
+  reference_nav::NavigationParameters parameters = verify::filter_parameters(setup, imu);
+  parameters.name = "outages";
+  parameters.initial.attitude = reference_nav::InitialAttitude::Given;
+  const scenario::InitialState& initial = setup.motion.initial;
+  parameters.initial.rpy_deg = {initial.roll_deg, initial.pitch_deg, initial.yaw_deg};
+  if (setup.file) {
+    const nav::RollPitchYaw& rpy = *setup.file->rows.front().rpy;
+    parameters.initial.rpy_deg = Vector3(rpy.roll_rad, rpy.pitch_rad, rpy.yaw_rad) / units::kDeg;
+  }
+  return write_scenario_folder(loaded, parameters, folder);
+}
+
+/// The solutions and what they are measured by.
+struct Solutions {
+  std::vector<NavSolution> solutions;
+  std::vector<ImuTruth> truths;  ///< by the sequence number of their IMU sample
+};
+
+class SolutionSink : public RunSink {
+ public:
+  Solutions found;
+
+  void journal(const AnyProfile&) override {}
+  void truth(const TruthState&) override {}
+  void imu(std::size_t, const ImuSample&, const ImuTruth& truth) override { found.truths.push_back(truth); }
+  void gnss(std::size_t, const GnssFix&) override {}
+  void nav(const NavSolution& solution) override { found.solutions.push_back(solution); }
+  void ack(const ProfileAck&) override {}
+};
+
+Solutions in_one_process(const std::string& scenario_file) {
+  const scenario::LoadedScenario loaded = scenario::load(scenario_file);
+  SolutionSink sink;
+  OfflineRun run(loaded, loaded.start({}), RunId{}, sink);
+  while (run.step()) continue;
+  return std::move(sink.found);
+}
+
+std::vector<NavSolution> over_dds(const std::string& scenario_file, const app::NetworkOptions& network,
+                                  const std::string& folder) {
+  RunOptions options;
+  options.scenario = scenario_file;
+  options.network = network;
+  options.clock.mode = "lockstep";
+  options.log_file = folder + "/log.mcap";
+  options.state_folder = folder;
+  const scenario::LoadedScenario loaded = scenario::load(scenario_file);
+  LiveRun run(options, loaded);
+  run.start_services();
+  run.follow();
+  if (const auto failure = run.failure()) throw std::runtime_error("the run over DDS failed: " + *failure);
+  std::vector<NavSolution> solutions;
+  io::for_each_sample<NavSolution>(io::McapReader(options.log_file), wire::topic_names::kNav,
+                                   [&](const NavSolution& solution, std::uint64_t) {
+                                     solutions.push_back(solution);
+                                     return true;
+                                   });
+  return solutions;
+}
+
+std::size_t same_bits(const std::vector<NavSolution>& a, const std::vector<NavSolution>& b) {
+  std::size_t same = 0;
+  std::vector<std::uint8_t> of_a, of_b;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    wire::encode(a[i], of_a);
+    wire::encode(b[i], of_b);
+    same += of_a == of_b ? 1 : 0;
+  }
+  return same;
+}
+
+verify::DriftFigures drift_of(const std::vector<NavSolution>& solutions, const std::vector<ImuTruth>& truths,
+                              const verify::NavigationSetup& setup) {
+  verify::OutageScore score(setup.outages, setup.duration_s);
+  for (const NavSolution& s : solutions) {
+    const ImuTruth& truth = truths.at(s.imu_sequence);
+    score.add(truth.header.sim_time_ns, {{s.latitude_rad, s.longitude_rad, s.height_m}, s.v_n, s.q_n_body},
+              {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb});
+  }
+  verify::NavigationRun run;
+  run.outages = score.outages();
+  return verify::drift_of({run});
+}
+
+}  // namespace
+
+verify::Table outages_over_dds(const app::NetworkOptions& network, const verify::OutageTimes& outages) {
+  verify::Table table;
+  table.judged = outages == verify::OutageTimes{};
+  table.title = "The same over DDS in lockstep: horizontal / vertical m; roll pitch yaw deg";
+  table.columns = {"IMU", "motion", "over DDS", "same bits as in one process", "thesis simulated", ""};
+  for (const verify::MotionFrom motion : {verify::MotionFrom::Parameters, verify::MotionFrom::File}) {
+    verify::NavigationSetup setup = verify::thesis_setup(kSeed, motion, outages);
+    setup.shifts_s = {0.0};
+    for (std::size_t i = 0; i < setup.imus.size(); ++i) {
+      const TemporaryFolder folder;
+      const std::string scenario_file = write_scenario(setup, i, folder.path());
+      const std::vector<NavSolution> live = over_dds(scenario_file, network, folder.path());
+      const Solutions offline = in_one_process(scenario_file);
+      const std::size_t same = same_bits(live, offline.solutions);
+      const verify::DriftFigures found = drift_of(live, offline.truths, setup);
+      const verify::PublishedDrift& published = verify::published_drifts()[i];
+      const verify::DriftFigures& simulated = verify::simulated(published, motion);
+      const bool all_same = same == offline.truths.size() && live.size() == same;
+      table.rows.push_back({{published.imu, verify::name_of(motion), verify::text_of(found),
+                             fmt::format("{} of {}", same, offline.truths.size()), verify::text_of(simulated),
+                             verify::verdict(verify::ratios(found, simulated))},
+                            all_same && verify::none_is_worse(verify::ratios(found, simulated))});
+    }
+  }
+  table.notes = {
+      "Five processes a row: trajectory server, injector, emulator, inslab-reference-nav, logger; outages of the first "
+      "of the three shifts above. The app begins at the first fix with the attitude that it is given."};
+  return table;
+}
+
+}  // namespace inslab::cli

@@ -1,0 +1,30 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "inslab/foundation/host/exit_code.hpp"
+#include "inslab/foundation/host/one_of.hpp"
+#include "inslab/services/inslab/commands/commands.hpp"
+#include "inslab/services/inslab/derived/derived_files.hpp"
+
+namespace inslab::cli {
+
+void add_reference(CLI::App& app, std::function<int()>& action) {
+  auto wanted = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "reference",
+      "Print a file derived from the parameter declarations: a schema, the profile IDL, the reference page");
+  std::vector<std::string> names;
+  for (const DerivedFile& file : derived_files()) names.push_back(file.path);
+  command->add_option("file", *wanted, "which")->required()->check(app::one_of(names));
+  command->callback([wanted, &action] {
+    action = [wanted] {
+      for (const DerivedFile& file : derived_files()) {
+        if (file.path == *wanted) std::cout << file.text();
+      }
+      return app::kOk;
+    };
+  });
+}
+
+}  // namespace inslab::cli

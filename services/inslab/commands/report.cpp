@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "inslab/data/json/json_text.hpp"
+#include "inslab/foundation/files/output_file.hpp"
+#include "inslab/foundation/host/exit_code.hpp"
+#include "inslab/referee/evidence/tell.hpp"
+#include "inslab/referee/report/report_files.hpp"
+#include "inslab/referee/score/score_text.hpp"
+#include "inslab/services/inslab/commands/commands.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+struct ReportOptions {
+  std::string log;
+  std::string directory;
+  std::string junit;
+  bool json = false;
+};
+
+int report(const ReportOptions& options) {
+  if (!options.junit.empty()) io::check_output(options.junit);
+  const io::McapReader log(options.log);
+  const ReportData data = report_data(log);
+  tell("{}", options.json ? config::json_text(report_json(data)) : report_text(data));
+  if (!options.junit.empty()) {
+    io::write_file(options.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
+  }
+  if (!options.directory.empty()) {
+    const std::string stem = write_report(log, data, options.directory);
+    if (!options.json) tell("\n{0}.txt, {0}.json and {0}.html written\n", stem);
+  }
+  return data.score.accepted() ? app::kOk : app::kNotAccepted;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, std::function<int()>& action) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand(
+      "report", "Score the navigation app of a log; exit code 4 when the scenario's acceptance fails");
+  command->add_option("log", options->log, "log (MCAP)")->required();
+  command->add_option("-o,--output", options->directory,
+                      "folder for the figures as text and JSON and for one HTML page with pictures");
+  command->add_flag("--json", options->json, "print JSON");
+  command->add_option("--junit", options->junit, "write the acceptance as JUnit XML to this file");
+  add_overwrite(*command);
+  command->callback([options, &action] { action = [options] { return report(*options); }; });
+}
+
+}  // namespace inslab::cli

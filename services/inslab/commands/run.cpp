@@ -1,0 +1,92 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "inslab/bus/dds/participant.hpp"
+#include "inslab/bus/service/clock_override.hpp"
+#include "inslab/foundation/files/output_file.hpp"
+#include "inslab/foundation/host/command_ending.hpp"
+#include "inslab/foundation/host/exit_code.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/models/navigation/app_setup.hpp"
+#include "inslab/referee/evidence/run_summary.hpp"
+#include "inslab/scenario/service_names.hpp"
+#include "inslab/services/inslab/commands/commands.hpp"
+#include "inslab/services/inslab/commands/judge.hpp"
+#include "inslab/services/inslab/live/live_run.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+/// What runs short of shared memory later is ended by the kernel, without a word.
+std::string shared_memory_shortage(const app::NetworkOptions& network, const scenario::LoadedScenario& loaded) {
+  if (network.transport != "shm") return "";
+  constexpr int kThisOneAndTheTrajectoryServer = 2;
+  const auto services = static_cast<int>(app::required_services(loaded).size());
+  return dds::shared_memory_shortage(services + kThisOneAndTheTrajectoryServer);
+}
+
+int run(RunOptions options, const JudgeOutputs& outputs) {
+  scenario::LoadedScenario loaded = scenario::load(options.scenario);
+  app::override_clock(options.clock, loaded);
+  if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
+  if (const std::string shortage = shared_memory_shortage(options.network, loaded); !shortage.empty()) {
+    std::fprintf(stderr, "inslab run: --transport shm: %s\n", shortage.c_str());
+    return app::kBadInput;
+  }
+  // Before anything is written: it throws when the unit has a set.
+  auto live = std::make_unique<LiveRun>(options, loaded);
+  if (options.log_file.empty()) {
+    const std::string unit = options.network.unit.empty() ? "" : "-" + options.network.unit;
+    options.log_file =
+        io::fresh_file("runs/" + loaded.scenario.name + unit + "-" + app::utc_text(app::realtime_now()), ".mcap");
+  }
+  io::check_output(options.log_file);  // nothing may stand in the way at the end
+  outputs.check(options.log_file);
+  live->start_services();
+  live->follow();
+  const std::optional<std::string> failure = live->failure();
+  for (const std::string& line : live->restarts()) std::printf("%s\n", line.c_str());
+  live.reset();
+  if (!std::filesystem::exists(options.log_file) || std::filesystem::is_empty(options.log_file)) {
+    std::fprintf(stderr, "inslab run: %s; there is no log\n", failure ? failure->c_str() : "the logger wrote nothing");
+    return app::kFailed;
+  }
+  app::note_for_ending("the log " + options.log_file + " is there: inslab summary and report judge it");
+  return judge_log(options.log_file, failure, outputs);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, std::function<int()>& action) {
+  auto options = std::make_shared<RunOptions>();
+  auto outputs = std::make_shared<JudgeOutputs>();
+  CLI::App* command =
+      app.add_subcommand("run", "Run a scenario live: one process for each service, real DDS, real time");
+  command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
+  command->add_option("--log", options->log_file, "file to write; default runs/NAME-TIME.mcap");
+  command->add_flag("-v,--verbose", options->verbose, "show what the services say");
+  outputs->add_to(*command);
+  options->network.add_to(*command);
+  options->clock.add_to(*command);
+  add_overwrite(*command);
+  command->callback([options, outputs, &action] { action = [options, outputs] { return run(*options, *outputs); }; });
+}
+
+void add_summary(CLI::App& app, std::function<int()>& action) {
+  auto log = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "summary", "What a log says about its live run: streams, services, swaps with their evidence, checks");
+  command->add_option("log", *log, "log (MCAP)")->required();
+  command->callback([log, &action] {
+    action = [log] {
+      const app::Outcome outcome = print_run_summary(*log, {});
+      std::printf("%s\n", outcome.words().c_str());
+      return outcome.code;
+    };
+  });
+}
+
+}  // namespace inslab::cli

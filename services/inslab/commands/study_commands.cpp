@@ -1,0 +1,14 @@
+#include "inslab/services/inslab/commands/commands.hpp"
+
+namespace inslab::cli {
+
+void add_commands(CLI::App& app, std::function<int()>& action) {
+  add_navigate(app, action);
+  add_montecarlo(app, action);
+  add_align(app, action);
+  add_allan(app, action);
+  add_profile(app, action);
+  add_verify(app, action);
+}
+
+}  // namespace inslab::cli

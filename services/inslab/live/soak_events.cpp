@@ -1,0 +1,71 @@
+#include "inslab/services/inslab/live/soak_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace inslab::cli {
+
+SoakEvents::SoakEvents(const scenario::LoadedScenario& scenario, const std::filesystem::path& profiles,
+                       std::uint64_t seed, double often)
+    : random_(seed) {
+  for (const auto& imu : scenario.imus) {
+    const SensorAddress sensor{SensorKind::Imu, imu.number};
+    add_profiles(profiles / "imu", ProfileKind::ImuError, sensor);
+    add_profiles(profiles / "vibration", ProfileKind::Vibration, sensor);
+    add_profiles(profiles / "installation", ProfileKind::Installation, sensor, "imu_");
+  }
+  for (const auto& gnss : scenario.gnss) {
+    const SensorAddress sensor{SensorKind::Gnss, gnss.number};
+    add_profiles(profiles / "gnss", ProfileKind::GnssError, sensor);
+    add_profiles(profiles / "installation", ProfileKind::Installation, sensor, "antenna_");
+  }
+  for (Source& source : sources_) {
+    if (source.kind != Kind::Swap) source.mean_s /= often;
+    source.next_s = wait_s(source.mean_s);
+  }
+}
+
+void SoakEvents::add_profiles(const std::filesystem::path& folder, ProfileKind kind, const SensorAddress& sensor,
+                              const std::string& prefix) {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      if (entry.path().extension() == ".json" && name.rfind(prefix, 0) == 0) files.push_back(entry.path());
+    }
+  }
+  if (files.empty()) throw std::runtime_error(folder.string() + ": has no profiles " + prefix + "*.json");
+  std::sort(files.begin(), files.end());  // the order of a folder is nobody's promise
+  for (const auto& file : files) profiles_.push_back(scenario::load_profile(file, kind, sensor));
+}
+
+std::size_t SoakEvents::pick(std::size_t end) { return static_cast<std::size_t>(random_() % end); }
+
+/// Waits of a Poisson process: -mean ln(1 - u).
+double SoakEvents::wait_s(double mean_s) {
+  const double u = static_cast<double>(random_() >> 11) * 0x1p-53;
+  return -mean_s * std::log1p(-u);
+}
+
+std::vector<SoakEvents::Event> SoakEvents::due(double sim_time_s) {
+  std::vector<Event> events;
+  for (Source& source : sources_) {
+    // Lockstep leaps: of what was due since the last look one happens now.
+    if (source.next_s > sim_time_s) continue;
+    events.push_back({source.kind, sim_time_s});
+    source.next_s = sim_time_s + wait_s(source.mean_s);
+  }
+  return events;
+}
+
+AnyProfile SoakEvents::next_swap() {
+  AnyProfile swap = profiles_[pick(profiles_.size())];
+  ProfileRequest& request = request_of(swap);
+  request.request_id = next_request_++;
+  request.continuity = static_cast<Continuity>(pick(3));
+  if (kind_of(swap) == ProfileKind::Vibration) request.fade_s = 0.5 * static_cast<double>(pick(4));
+  return swap;
+}
+
+}  // namespace inslab::cli

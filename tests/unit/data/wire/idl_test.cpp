@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/wire_type.hpp"
+#include "inslab/data/profiles/any_profile.hpp"
+
+namespace inslab::wire {
+namespace idl_test {
+
+TEST(SelfContainedIdl, HasNoPreprocessorLineAndTheTypesItNeeds) {
+  const std::string text = self_contained_idl(WireType<ImuSample>::idl_file);
+  EXPECT_EQ(text.find("#include"), std::string::npos);
+  EXPECT_EQ(text.find("\n#"), std::string::npos);
+  const std::size_t header = text.find("struct StreamHeader");
+  const std::size_t sample = text.find("struct ImuSample");
+  ASSERT_NE(header, std::string::npos);
+  ASSERT_NE(sample, std::string::npos);
+  EXPECT_LT(header, sample);
+}
+
+TEST(SelfContainedIdl, RefusesAFileThatIsNotThere) { EXPECT_THROW(self_contained_idl("no.idl"), std::out_of_range); }
+
+/// FNV-1a, 64 bits.
+std::uint64_t hash_of(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : text) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3u;
+  return hash;
+}
+
+/// A file's declarations alone: no comments, no preprocessor lines, no spaces, no names of modules.
+std::string declarations_of(const std::string& idl_file) {
+  std::istringstream lines(self_contained_idl(idl_file));
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("module ", 0) == 0) continue;
+    line.erase(line.find("//") == std::string::npos ? line.size() : line.find("//"));
+    for (const char c : line) {
+      if (c != ' ') text += c;
+    }
+  }
+  return text;
+}
+
+TEST(WireVersion, GoesUpWhenAStructOrAnEnumerationChanges) {
+  // Of each version, in order: the declarations as they are on the wire.
+  const std::map<std::string, std::uint64_t> versions{{"inslab::v1::", 0xfbec7fd78ba1b314}};
+  std::string all;
+  for (const char* file : {"block.idl", "control.idl", "vehicle.idl"}) all += declarations_of(file);
+  ASSERT_EQ(versions.count(std::string(kModule)), 1u);
+  EXPECT_EQ(hash_of(all), versions.at(std::string(kModule)))
+      << "the types are not those of " << kModule << ". Give idl/ and wire_type.hpp the next version, add it here with "
+      << "this hash, and keep logs of the versions before readable (present_name())";
+}
+
+TEST(WireVersion, StandsInEveryFile) {
+  for (const char* file : {"header", "truth", "imu", "gnss", "nav", "profile", "control", "vehicle", "block"}) {
+    std::istringstream lines(self_contained_idl(std::string(file) + ".idl"));
+    int modules = 0;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.rfind("module ", 0) != 0) continue;
+      ++modules;
+      EXPECT_EQ(line, "module inslab { module v1 {") << file;
+    }
+    EXPECT_GT(modules, 0) << file;
+  }
+  EXPECT_EQ(kModule, "inslab::v1::");
+}
+
+TEST(PresentName, IsThatOfTheSameTypeInAnEarlierLog) {
+  EXPECT_EQ(present_name("inslab::TruthState"), WireType<TruthState>::name);
+  EXPECT_EQ(present_name("inslab::v1::TruthState"), WireType<TruthState>::name);
+  EXPECT_EQ(present_name("inslab::v7::TruthState"), "inslab::v7::TruthState");  // read as one it would be read wrong
+  EXPECT_EQ(present_name("sensor_msgs::msg::Imu"), "sensor_msgs::msg::Imu");
+}
+
+TEST(TopicNames, AreOneForEachStreamAndKind) {
+  EXPECT_EQ(topic_names::imu(3), "inslab/imu/3");
+  EXPECT_EQ(topic_names::imu_truth(0), "inslab/imu_truth/0");
+  EXPECT_EQ(topic_names::gnss(1), "inslab/gnss/1");
+  EXPECT_EQ(topic_names::request(ProfileKind::GnssError), "inslab/profile/gnss_error");
+  EXPECT_EQ(topic_names::journal(ProfileKind::ImuError), "inslab/journal/imu_error");
+}
+
+}  // namespace idl_test
+}  // namespace inslab::wire

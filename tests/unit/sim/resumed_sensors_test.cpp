@@ -1,0 +1,127 @@
+// A sensor that is stopped anywhere and goes on in another process from its state puts out the same bits. The scenario
+// has every stage of both models on, and swaps of every kind.
+
+#include <gtest/gtest.h>
+
+#include "inslab/data/state/state_stream.hpp"
+#include "inslab/scenario/load.hpp"
+#include "inslab/sim/emulator.hpp"
+#include "inslab/sim/injector.hpp"
+#include "inslab/sim/truth_source.hpp"
+
+namespace inslab {
+namespace resumed_sensors_test {
+
+using Bytes = std::vector<std::uint8_t>;
+
+template <class T>
+void append(const T& sample, Bytes& out) {
+  Bytes encoded;
+  wire::encode(sample, encoded);
+  out.insert(out.end(), encoded.begin(), encoded.end());
+}
+
+Bytes bytes_of(const imu::Injector::Result& result) {
+  Bytes bytes;
+  if (result.output) {
+    append(result.output->sample, bytes);
+    append(result.output->truth, bytes);
+  }
+  for (const ProfileAck& ack : result.acks) append(ack, bytes);
+  return bytes;
+}
+
+Bytes bytes_of(const gnss::Emulator::Result& result) {
+  Bytes bytes;
+  if (result.fix) append(*result.fix, bytes);
+  for (const ProfileAck& ack : result.acks) append(ack, bytes);
+  return bytes;
+}
+
+/// A scenario's truth and journal, once for all tests.
+struct Run {
+  scenario::LoadedScenario scenario;
+  std::vector<TruthState> truth;
+  std::vector<AnyProfile> journal;
+
+  explicit Run(const std::string& name) : scenario(scenario::load(INSLAB_SOURCE_DIR "/tests/data/" + name + ".json")) {
+    trajectory::TruthSource source(scenario, scenario.start(time::Nanoseconds(0)), RunId());
+    for (const AnyProfile& swap : scenario.swaps) journal.push_back(std::get<AnyProfile>(source.submit(swap)));
+    while (source.has_next()) truth.push_back(source.take());
+  }
+  static const Run& recovery() {
+    static const Run run("recovery");
+    return run;
+  }
+  static const Run& odd_rates() {
+    static const Run run("odd_rates");
+    return run;
+  }
+};
+
+/// Before and after each swap, in fades, in the outage, between the intervals of the slow IMU.
+std::vector<std::size_t> stops_of(const Run& run) {
+  std::vector<std::size_t> stops{0, 1, 2, 239, 260, 321};
+  for (const AnyProfile& entry : run.journal) {
+    const auto at = run.scenario.truth_grid().index(time::Nanoseconds(request_of(entry).apply_at_ns));
+    stops.insert(stops.end(), {at - 1, at, at + 1, at + 7, at + 90});
+  }
+  return stops;
+}
+
+/// Runs a sensor through the whole scenario; from each truth sample in `stops` on a second one, that begins afresh with
+/// the first one's state, goes with it for two seconds.
+template <class Sensor, class Make>
+void expect_resumes(const Run& run, const Make& make) {
+  constexpr std::size_t kGoesAlong = 400;
+  const std::vector<std::size_t> stops = stops_of(run);
+  const auto with_journal = [&](Sensor sensor) {
+    for (const AnyProfile& entry : run.journal) sensor.add(entry);
+    return sensor;
+  };
+  Sensor first = with_journal(make(run.scenario));
+  std::vector<std::pair<std::size_t, Sensor>> resumed;  // and the truth sample at which it began
+  for (std::size_t i = 0; i < run.truth.size(); ++i) {
+    const Bytes expected = bytes_of(first.process(run.truth[i]));
+    for (auto& [stop, sensor] : resumed) {
+      if (i > stop + kGoesAlong) continue;
+      ASSERT_EQ(bytes_of(sensor.process(run.truth[i])), expected) << "resumed after " << stop << ", at " << i;
+    }
+    if (std::find(stops.begin(), stops.end(), i) == stops.end()) continue;
+    Bytes state;
+    recovery::StateWriter writer(state);
+    writer(first);
+    Sensor again = with_journal(make(run.scenario));
+    recovery::StateReader reader(state.data(), state.size());
+    reader(again);
+    reader.expect_end();
+    resumed.emplace_back(i, std::move(again));
+  }
+}
+
+TEST(ResumedSensors, AnImuGoesOnWithTheSameBits) {
+  expect_resumes<imu::Injector>(Run::recovery(),
+                                [](const auto& scenario) { return imu::Injector(scenario, scenario.imus[0]); });
+}
+
+TEST(ResumedSensors, AnImuSlowerThanTheTruthGoesOnWithTheSameBits) {
+  expect_resumes<imu::Injector>(Run::recovery(),
+                                [](const auto& scenario) { return imu::Injector(scenario, scenario.imus[1]); });
+}
+
+TEST(ResumedSensors, AReceiverGoesOnWithTheSameBits) {
+  expect_resumes<gnss::Emulator>(Run::recovery(),
+                                 [](const auto& scenario) { return gnss::Emulator(scenario, scenario.gnss[0]); });
+}
+
+TEST(ResumedSensors, AtRatesThatDivideNoneOfTheOthersAllGoOnWithTheSameBits) {
+  for (const std::size_t i : {0, 1}) {
+    expect_resumes<imu::Injector>(Run::odd_rates(),
+                                  [i](const auto& scenario) { return imu::Injector(scenario, scenario.imus[i]); });
+  }
+  expect_resumes<gnss::Emulator>(Run::odd_rates(),
+                                 [](const auto& scenario) { return gnss::Emulator(scenario, scenario.gnss[0]); });
+}
+
+}  // namespace resumed_sensors_test
+}  // namespace inslab
