@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Holds the sources to the floors of docs/architecture.md: floors.py TREE
+
+Prints each include that breaks a rule, as file:line, and exits with 1 when there is one. The floors and the order of the
+folders in them are those of TREE/common/CMakeLists.txt.
+"""
+
+import pathlib
+import re
+import sys
+
+INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
+FAST_DDS = re.compile(r"(fastdds|fastcdr|fastrtps)/|\w+PubSubTypes\.h")
+
+
+def folders_in_order(tree):
+    """The folders below common/, from the ground up, as its CMakeLists.txt lists them."""
+    text = re.sub(r"#.*", "", (tree / "common/CMakeLists.txt").read_text())
+    return [folder for names in re.findall(r"foreach\(folder\s+([^)]*)\)", text) for folder in names.split()]
+
+
+def sources(tree):
+    for top in ("common", "services"):
+        for path in sorted((tree / top).rglob("*")):
+            if path.suffix in (".hpp", ".cpp", ".in") and not path.name.endswith(".txt"):
+                yield path
+
+
+def includes(path):
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        found = INCLUDE.match(line)
+        if found:
+            yield number, found.group(1) == '"', found.group(2)
+
+
+def floor(folder):
+    return folder.split("/")[0]
+
+
+def breach(folder, target, order):
+    """Why a file of `folder` must not include one of `target` (folders as in the order; services/... in full), or None."""
+    if target.startswith("services/"):
+        if not folder.startswith("services/"):
+            return "a library includes a service"
+        if target.split("/")[1] != folder.split("/")[1]:
+            return "a service includes another service"
+        return None
+    if folder.startswith("services/"):
+        return None
+    if floor(folder) in ("noise", "nav") and floor(target) not in ("foundation", floor(folder)):
+        return "nav and noise include Eigen and foundation alone"
+    if floor(folder) == "models" and (floor(target) in ("formats", "bus") or target == "foundation/host"):
+        return "a model includes neither formats, bus nor host"
+    if floor(folder) in ("sim", "referee") and floor(target) == "bus":
+        return "sim and referee never include bus"
+    if target != folder and order.index(target) > order.index(folder):
+        return f"{folder} stands below {target}, and an include upward is none"
+    return None
+
+
+def check(tree):
+    order = folders_in_order(tree)
+    findings = []
+    for path in sources(tree):
+        place = path.relative_to(tree)
+        folder = str(place.parent) if place.parts[0] == "services" else str(pathlib.Path(*place.parts[1:-1]))
+        if place.parts[0] == "common" and folder not in order:
+            findings.append(f"{place}:1: its folder stands on no floor: common/CMakeLists.txt does not list it")
+            continue
+        for number, is_ours, name in includes(path):
+            where = f"{place}:{number}: "
+            if FAST_DDS.match(name):
+                if floor(folder) != "bus":
+                    findings.append(f"{where}Fast DDS ({name}) is named in common/bus alone")
+            elif is_ours:
+                target = str(pathlib.Path(name).parent)
+                if not name.startswith("inslab/"):
+                    findings.append(f'{where}"{name}": ours are included as "inslab/<path>"')
+                    continue
+                target = target[len("inslab/"):]
+                if not target.startswith("services/") and target not in order:
+                    findings.append(f"{where}there is no folder {target}")
+                    continue
+                why = breach(folder, target, order)
+                if why:
+                    findings.append(f"{where}{name}: {why}")
+            elif floor(folder) in ("noise", "nav") and "/" in name and not name.startswith(("Eigen/", "unsupported/Eigen/")):
+                findings.append(f"{where}{name}: nav and noise include Eigen and foundation alone")
+    return findings
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    found = check(pathlib.Path(sys.argv[1]))
+    print("\n".join(found) or "every include keeps to the floors")
+    sys.exit(1 if found else 0)

@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""floors.py finds a planted breach of each rule, at its line, and nothing in the same tree without it."""
+
+import pathlib
+import shutil
+import tempfile
+import unittest
+
+import floors
+
+TREE = pathlib.Path(__file__).resolve().parent.parent.parent
+
+BREACHES = {  # what is planted where: (file, include) and what must be said of it
+    "upward": ("common/scenario/load.cpp", '"inslab/sim/offline_run.hpp"', "an include upward"),
+    "upward within a floor": ("common/data/samples/imu_sample.hpp", '"inslab/data/wire/cdr.hpp"', "an include upward"),
+    "nav sees samples": ("common/nav/strapdown.cpp", '"inslab/data/samples/imu_sample.hpp"', "nav and noise include"),
+    "nav sees another library": ("common/nav/strapdown.cpp", "<nlohmann/json.hpp>", "nav and noise include"),
+    "noise sees nav": ("common/noise/random/stream.cpp", '"inslab/nav/geodesy.hpp"', "nav and noise include"),
+    "a model sees formats": ("common/models/imu/model.cpp", '"inslab/formats/mcap/mcap_reader.hpp"', "a model includes"),
+    "a model sees the host": ("common/models/imu/model.cpp", '"inslab/foundation/host/host.hpp"', "a model includes"),
+    "sim sees the bus": ("common/sim/offline_run.cpp", '"inslab/bus/dds/reader.hpp"', "never include bus"),
+    "the referee sees the bus": ("common/referee/score/scorer.cpp", '"inslab/bus/dds/reader.hpp"', "never include bus"),
+    "Fast DDS outside the bus": ("common/sim/offline_run.cpp", "<fastdds/dds/topic/Topic.hpp>", "common/bus alone"),
+    "its types outside the bus": ("services/inslab/main.cpp", '"imuPubSubTypes.hpp"', "common/bus alone"),
+    "a service in another": ("services/truth_logger/main.cpp", '"inslab/services/inslab/live/progress.hpp"',
+                             "a service includes another service"),
+    "a library sees a service": ("common/sim/offline_run.cpp", '"inslab/services/inslab/live/progress.hpp"',
+                                 "a library includes a service"),
+    "not by its path": ("common/nav/strapdown.cpp", '"geodesy.hpp"', 'ours are included as "inslab/<path>"'),
+    "no such folder": ("common/nav/strapdown.cpp", '"inslab/geodesy/wgs84.hpp"', "there is no folder geodesy"),
+}
+
+
+class Floors(unittest.TestCase):
+    def tree(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        tree = pathlib.Path(folder.name)
+        (tree / "common").mkdir()
+        (tree / "services").mkdir()
+        shutil.copy(TREE / "common/CMakeLists.txt", tree / "common")
+        return tree
+
+    def plant(self, path, include):
+        tree = self.tree()
+        (tree / path).parent.mkdir(parents=True, exist_ok=True)
+        (tree / path).write_text(f"#include <cmath>\n#include {include}\n")
+        return floors.check(tree)
+
+    def test_finds_a_breach_of_each_rule(self):
+        for name, (path, include, said) in BREACHES.items():
+            with self.subTest(name):
+                found = self.plant(path, include)
+                self.assertEqual(len(found), 1, found)
+                self.assertTrue(found[0].startswith(f"{path}:2: "), found)
+                self.assertIn(said, found[0])
+
+    def test_finds_a_folder_on_no_floor(self):
+        found = self.plant("common/sensors/magnetometer.hpp", '"inslab/nav/geodesy.hpp"')
+        self.assertEqual(len(found), 1, found)
+        self.assertIn("stands on no floor", found[0])
+
+    def test_takes_what_keeps_to_the_floors(self):
+        for path, include in {
+            "common/nav/strapdown.cpp": "<Eigen/Core>",
+            "common/sim/offline_run.cpp": '"inslab/models/imu/model.hpp"',
+            "common/bus/dds/type_adapter.cpp": "<fastdds/dds/topic/Topic.hpp>",
+            "services/inslab/commands/run.cpp": '"inslab/services/inslab/live/live_run.hpp"',
+        }.items():
+            with self.subTest(path):
+                self.assertEqual(self.plant(path, include), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
