@@ -16,6 +16,7 @@
 #include "inslab/nav/wgs84.hpp"
 #include "inslab/referee/calibrate/recording.hpp"
 #include "inslab/referee/verify/catalogue.hpp"
+#include "inslab/referee/verify/run_start.hpp"
 
 namespace inslab::verify {
 namespace {
@@ -24,7 +25,6 @@ constexpr double kLatitudeDeg = 30.53;
 constexpr double kRateHz = 200.0;
 constexpr int kDuration_s = 1800;
 constexpr std::uint32_t kIsa100c = 26;
-const time::GpsTime kStart{2300, 0};
 const nav::RollPitchYaw kAttitude{1.0 / units::kDegPerRad, -2.0 / units::kDegPerRad, 45.0 / units::kDegPerRad};
 constexpr std::array<const char*, 3> kNames{"roll", "pitch", "yaw"};
 

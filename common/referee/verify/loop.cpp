@@ -6,13 +6,12 @@
 #include "inslab/models/imu/model.hpp"
 #include "inslab/models/trajectory/inverse_mechanization_model.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
+#include "inslab/referee/verify/run_start.hpp"
 #include "inslab/referee/verify/written_rows.hpp"
 
 namespace inslab::verify {
 
 namespace {
-
-const time::GpsTime kStart{2300, 0};
 
 void write(WrittenRows& rows, const TruthState& truth) {
   io::TrajectoryRow row;

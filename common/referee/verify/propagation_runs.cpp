@@ -9,13 +9,13 @@
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/error_model.hpp"
 #include "inslab/nav/wgs84.hpp"
+#include "inslab/referee/verify/run_start.hpp"
 
 namespace inslab::verify {
 namespace {
 
 constexpr double kLatitudeDeg = 30.0, kLongitudeDeg = 114.0;
 constexpr double kPredictionStep_s = 1.0;
-const time::GpsTime kStart{2300, 0};
 
 scenario::Trajectory at_rest(int duration_s) {
   scenario::Trajectory trajectory;

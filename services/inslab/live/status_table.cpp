@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "inslab/foundation/time/gps_time.hpp"
+
 namespace inslab::cli {
 
 namespace {
 
 constexpr std::size_t kColumns = 80;
-
-double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
 
 /// The words in lines that fit, each begun with `indent`; a longer word is broken.
 std::string wrapped(const std::string& words, const std::string& indent) {
@@ -28,7 +28,7 @@ std::string wrapped(const std::string& words, const std::string& indent) {
 }
 
 std::string rate_of(const Heartbeats& service, const StreamStatus& stream) {
-  const double passed_s = seconds(service.last.realtime_ns - service.before.realtime_ns);
+  const double passed_s = time::to_seconds(service.last.realtime_ns - service.before.realtime_ns);
   for (const StreamStatus& before : service.before.streams) {
     if (before.topic != stream.topic || before.direction != stream.direction || passed_s <= 0.0) continue;
     if (stream.samples < before.samples) break;  // another run has begun
@@ -45,8 +45,8 @@ std::string run_table(const std::optional<SimStatus>& run, const std::optional<V
   if (run) {
     text = wrapped(fmt::format("run: {} {} at {:.3f} s, {} truth samples, {} journal entries, {} overruns, largest "
                                "lag {:.3f} ms",
-                               run->scenario, enum_name(run->state), seconds(run->sim_time_ns), run->truth_samples,
-                               run->journal_entries, run->overruns, run->lag_max_s * 1e3),
+                               run->scenario, enum_name(run->state), time::to_seconds(run->sim_time_ns),
+                               run->truth_samples, run->journal_entries, run->overruns, run->lag_max_s * 1e3),
                    "");
     text += wrapped(run->message, "     ");
   } else {
@@ -69,7 +69,7 @@ std::string service_table(const std::vector<Heartbeats>& services,
   for (const Heartbeats& service : services) {
     const ServiceStatus& status = service.last;
     text += fmt::format("{:<26.26}{:>7}  {:<9}{:>12.3f}{:>9}{:>9.1f}\n", status.service, status.sensor_number,
-                        enum_name(status.state), seconds(status.sim_time_ns), status.pid,
+                        enum_name(status.state), time::to_seconds(status.sim_time_ns), status.pid,
                         static_cast<double>(status.rss_bytes) * 1e-6);
     text += wrapped(status.message, "    ");
     if (status.refused_messages > 0) {
