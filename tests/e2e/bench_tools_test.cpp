@@ -116,7 +116,7 @@ TEST_F(BenchTools, ShowTheServicesOnce) {
 TEST_F(BenchTools, ShowALiveTableOnATerminal) {
   // script(1) lends a terminal.
   Process terminal("script", {"-qfec",
-                              "timeout -s INT 6 " + source("build/bin/inslab") + " status --domain " + own_domain() +
+                              "timeout -s INT 15 " + source("build/bin/inslab") + " status --domain " + own_domain() +
                                   " " + source("tests/data/storm.json"),
                               "/dev/null"});
   EXPECT_TRUE(terminal.prints("inslab/imu_truth/0", seconds(30))) << terminal.output();

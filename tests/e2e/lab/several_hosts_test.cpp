@@ -179,7 +179,9 @@ TEST(LabInventory, IsRefusedByThePlaceThatIsWrong) {
     EXPECT_EQ(lab.wait(seconds(20)), 2);
     return lab.output();
   };
-  EXPECT_THAT(refusal("{\n  \"scenario\": 1,\n}"), HasSubstr("line 3, column 1"));
+  EXPECT_THAT(
+      refusal("{\n  \"scenario\": 1,\n}"),
+      testing::ContainsRegex("line (3, column 1|2, column 16)"));  // the brace, or as Python 3.13 the comma before it
   EXPECT_THAT(refusal(R"({"scenario": "x", "hosts": [], "speed": 1})"), HasSubstr("speed: is not known"));
   EXPECT_THAT(refusal(R"({"hosts": []})"), HasSubstr("scenario: is missing"));
   EXPECT_THAT(refusal(R"({"scenario": "x", "hosts": [{"name": "a", "address": "10.0.0.256", "folder": "/x",
