@@ -103,4 +103,8 @@ class TypeAdapter : public fast_dds::TopicDataType {
   std::shared_ptr<std::atomic<std::uint32_t>> refused_;
 };
 
+/// A new TypeAdapter. Defined in type_adapter.cpp for every WireType, so that its codec is compiled there alone.
+template <class T>
+std::unique_ptr<fast_dds::TopicDataType> type_adapter(const std::shared_ptr<std::atomic<std::uint32_t>>& refused);
+
 }  // namespace inslab::dds
