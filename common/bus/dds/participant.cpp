@@ -256,7 +256,13 @@ bool Participant::ignores(const std::array<std::uint8_t, 16>& writer) const {
   return listener_->ignored.count(writer) > 0;
 }
 
-efd::Topic& Participant::topic_of_type(const std::string& name, const std::string& type_name) {
+efd::Topic& Participant::topic_of_type(const std::string& name, const std::string& type_name, AdapterMaker adapter) {
+  if (participant_->find_type(type_name).empty()) {
+    efd::TypeSupport type(adapter(refused_).release());
+    if (type.register_type(participant_) != efd::RETCODE_OK) {
+      throw std::runtime_error("Fast DDS does not register the type " + type_name);
+    }
+  }
   if (auto* known = dynamic_cast<efd::Topic*>(participant_->lookup_topicdescription(name))) return *known;
   efd::Topic* topic = participant_->create_topic(name, type_name, efd::TOPIC_QOS_DEFAULT);
   if (topic == nullptr) throw std::runtime_error("no DDS topic " + name);

@@ -79,15 +79,7 @@ class Participant {
   /// std::runtime_error when Fast DDS refuses.
   template <class T>
   eprosima::fastdds::dds::Topic& topic(const std::string& name) {
-    const std::string type_name(wire::WireType<T>::name);
-    eprosima::fastdds::dds::TypeSupport type = participant_->find_type(type_name);
-    if (type.empty()) {
-      type = eprosima::fastdds::dds::TypeSupport(new TypeAdapter<T>(refused_));
-      if (type.register_type(participant_) != eprosima::fastdds::dds::RETCODE_OK) {
-        throw std::runtime_error("Fast DDS does not register the type " + type_name);
-      }
-    }
-    return topic_of_type(name, type_name);
+    return topic_of_type(name, std::string(wire::WireType<T>::name), type_adapter<T>);
   }
 
   /// Its own key among the participants of the network.
@@ -105,7 +97,9 @@ class Participant {
  private:
   struct Listener;
 
-  eprosima::fastdds::dds::Topic& topic_of_type(const std::string& name, const std::string& type_name);
+  using AdapterMaker = std::unique_ptr<fast_dds::TopicDataType> (*)(const std::shared_ptr<std::atomic<std::uint32_t>>&);
+  eprosima::fastdds::dds::Topic& topic_of_type(const std::string& name, const std::string& type_name,
+                                               AdapterMaker adapter);
 
   ParticipantOptions options_;
   std::unique_ptr<Listener> listener_;

@@ -93,9 +93,10 @@ efd::DataWriterQos writer_qos(Delivery delivery, double nominal_rate_hz) {
   return qos;
 }
 
-efd::DataReaderQos reader_qos(Delivery delivery, double nominal_rate_hz) {
+efd::DataReaderQos reader_qos(Delivery delivery, double nominal_rate_hz, Reliability reliability) {
   efd::DataReaderQos qos = efd::DATAREADER_QOS_DEFAULT;
-  qos.reliability().kind = efd::RELIABLE_RELIABILITY_QOS;
+  qos.reliability().kind =
+      reliability == Reliability::Reliable ? efd::RELIABLE_RELIABILITY_QOS : efd::BEST_EFFORT_RELIABILITY_QOS;
   qos.durability().kind = is_latched(delivery) ? efd::TRANSIENT_LOCAL_DURABILITY_QOS : efd::VOLATILE_DURABILITY_QOS;
   qos.data_sharing().off();
   set_history(qos, delivery, std::max(kReaderSamples, one_second(nominal_rate_hz)));

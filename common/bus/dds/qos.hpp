@@ -11,7 +11,10 @@ namespace inslab::dds {
 /// rate, and no losses.
 eprosima::fastdds::dds::DataWriterQos writer_qos(Delivery delivery, double nominal_rate_hz);
 
+enum class Reliability { Reliable, BestEffort };
+
 /// Fast DDS settings of a reader of such a topic.
-eprosima::fastdds::dds::DataReaderQos reader_qos(Delivery delivery, double nominal_rate_hz);
+eprosima::fastdds::dds::DataReaderQos reader_qos(Delivery delivery, double nominal_rate_hz,
+                                                 Reliability reliability = Reliability::Reliable);
 
 }  // namespace inslab::dds

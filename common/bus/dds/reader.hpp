@@ -1,18 +1,13 @@
 #pragma once
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <fastdds/dds/subscriber/DataReader.hpp>
-#include <fastdds/dds/subscriber/DataReaderListener.hpp>
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <functional>
+#include <memory>
 #include <mutex>
 
-#include "inslab/bus/dds/endpoint.hpp"
 #include "inslab/bus/dds/participant.hpp"
 #include "inslab/bus/dds/qos.hpp"
 #include "inslab/bus/dds/seen_numbers.hpp"
@@ -32,7 +27,27 @@ inline ParticipantKey participant_of(const SampleOrigin& origin) {
   return key;
 }
 
-enum class Reliability { Reliable, BestEffort };
+/// What a Reader does whatever its type: takes every sample into `sample` and calls `taken`.
+class UntypedReader {
+ public:
+  using Taken = std::function<void(const SampleOrigin&)>;
+
+  UntypedReader(Participant& participant, eprosima::fastdds::dds::Topic& topic,
+                const eprosima::fastdds::dds::DataReaderQos& qos, void* sample, Taken taken);
+  ~UntypedReader();
+  UntypedReader(const UntypedReader&) = delete;
+  UntypedReader& operator=(const UntypedReader&) = delete;
+
+  int matched_writers() const;
+  std::uint64_t lost() const;
+
+ private:
+  struct Listener;
+
+  eprosima::fastdds::dds::Subscriber& subscriber_;
+  std::unique_ptr<Listener> listener_;
+  eprosima::fastdds::dds::DataReader* reader_ = nullptr;
+};
 
 /// Typed reader of one topic. The callback runs in a thread of Fast DDS and must only enqueue. The participant outlives
 /// the reader.
@@ -44,69 +59,19 @@ class Reader {
   /// Throws std::runtime_error when Fast DDS refuses the topic or its settings.
   Reader(Participant& participant, const Topic<T>& topic, Callback callback,
          Reliability reliability = Reliability::Reliable)
-      : subscriber_(participant.subscriber()), listener_(participant, topic.name, std::move(callback)) {
-    auto& dds_topic = participant.topic<T>(topic.name);
-    auto qos = reader_qos(topic.delivery, topic.nominal_rate_hz);
-    if (reliability == Reliability::BestEffort) {
-      qos.reliability().kind = eprosima::fastdds::dds::BEST_EFFORT_RELIABILITY_QOS;
-    }
-    reader_ = subscriber_.create_datareader(&dds_topic, qos, &listener_);
-    if (reader_ == nullptr) throw std::runtime_error("Fast DDS makes no reader of " + topic.name);
-  }
-  ~Reader() {
-    // First no more callbacks, then no more reader: the callback's target may go right after this.
-    reader_->set_listener(nullptr);
-    subscriber_.delete_datareader(reader_);
-  }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+      : callback_(std::move(callback)),
+        untyped_(participant, participant.topic<T>(topic.name),
+                 reader_qos(topic.delivery, topic.nominal_rate_hz, reliability), static_cast<T*>(&sample_),
+                 [this](const SampleOrigin& origin) { callback_(sample_, origin); }) {}
 
-  int matched_writers() const { return listener_.matched.load(); }
+  int matched_writers() const { return untyped_.matched_writers(); }
   /// Samples that Fast DDS reports as gone before they could be taken.
-  std::uint64_t lost() const { return listener_.lost.load(); }
+  std::uint64_t lost() const { return untyped_.lost(); }
 
  private:
-  struct Listener : eprosima::fastdds::dds::DataReaderListener {
-    Listener(Participant& of, std::string topic_name, Callback on_sample)
-        : participant(of), topic(std::move(topic_name)), callback(std::move(on_sample)) {}
-
-    void on_data_available(eprosima::fastdds::dds::DataReader* reader) override {
-      eprosima::fastdds::dds::SampleInfo info;
-      while (reader->take_next_sample(static_cast<T*>(&sample), &info) == eprosima::fastdds::dds::RETCODE_OK) {
-        if (!info.valid_data) continue;
-        SampleOrigin origin;
-        const auto& writer = info.sample_identity.writer_guid();
-        std::copy(writer.guidPrefix.value, writer.guidPrefix.value + 12, origin.writer.begin());
-        std::copy(writer.entityId.value, writer.entityId.value + 4, origin.writer.begin() + 12);
-        origin.number = info.sample_identity.sequence_number().to64long();
-        if (!participant.ignores(origin.writer)) callback(sample, origin);
-      }
-    }
-    void on_subscription_matched(eprosima::fastdds::dds::DataReader*,
-                                 const eprosima::fastdds::dds::SubscriptionMatchedStatus& status) override {
-      matched.store(status.current_count);
-    }
-    void on_requested_incompatible_qos(eprosima::fastdds::dds::DataReader*,
-                                       const eprosima::fastdds::dds::RequestedIncompatibleQosStatus& status) override {
-      spdlog::warn("a writer of {} cannot match our reader: {} at fault; 'inslab doctor' says more", topic,
-                   policy_name(static_cast<int>(status.last_policy_id)));
-    }
-    void on_sample_lost(eprosima::fastdds::dds::DataReader*,
-                        const eprosima::fastdds::dds::SampleLostStatus& status) override {
-      lost.store(static_cast<std::uint64_t>(status.total_count));
-    }
-
-    Participant& participant;
-    std::string topic;
-    Callback callback;
-    Received<T> sample;
-    std::atomic<int> matched{0};
-    std::atomic<std::uint64_t> lost{0};
-  };
-
-  eprosima::fastdds::dds::Subscriber& subscriber_;
-  Listener listener_;
-  eprosima::fastdds::dds::DataReader* reader_ = nullptr;
+  Callback callback_;
+  Received<T> sample_;
+  UntypedReader untyped_;  // the first to go: no callback comes after it
 };
 
 /// Reader of what foreigners write: one reliable and one best-effort reader, so that writers of both kinds match and a

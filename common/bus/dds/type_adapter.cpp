@@ -31,11 +31,17 @@ bool GeneratedType::key_of(std::vector<std::uint8_t>& cdr, fast_dds::Handle& han
   return ok;
 }
 
-#define INSLAB_GENERATED_TYPE(Struct)                                    \
-  template <>                                                            \
-  GeneratedType generated_type<samples::Struct>() {                      \
-    return GeneratedType(std::make_unique<types::Struct##PubSubType>()); \
+#define INSLAB_TYPE(Struct, IdlName)                                      \
+  template <>                                                             \
+  GeneratedType generated_type<Struct>() {                                \
+    return GeneratedType(std::make_unique<types::IdlName##PubSubType>()); \
+  }                                                                       \
+  template <>                                                             \
+  std::unique_ptr<fast_dds::TopicDataType> type_adapter<Struct>(          \
+      const std::shared_ptr<std::atomic<std::uint32_t>>& refused) {       \
+    return std::make_unique<TypeAdapter<Struct>>(refused);                \
   }
+#define INSLAB_GENERATED_TYPE(Struct) INSLAB_TYPE(samples::Struct, Struct)
 
 INSLAB_GENERATED_TYPE(TruthState)
 INSLAB_GENERATED_TYPE(ImuSample)
@@ -60,11 +66,7 @@ INSLAB_GENERATED_TYPE(Credit)
 
 #undef INSLAB_GENERATED_TYPE
 
-#define INSLAB_GENERATED_BLOCK(Struct, IdlName)                           \
-  template <>                                                             \
-  GeneratedType generated_type<samples::Block<samples::Struct>>() {       \
-    return GeneratedType(std::make_unique<types::IdlName##PubSubType>()); \
-  }
+#define INSLAB_GENERATED_BLOCK(Struct, IdlName) INSLAB_TYPE(samples::Block<samples::Struct>, IdlName)
 
 INSLAB_GENERATED_BLOCK(TruthState, TruthBlock)
 INSLAB_GENERATED_BLOCK(ImuSample, ImuBlock)
@@ -73,5 +75,6 @@ INSLAB_GENERATED_BLOCK(GnssFix, GnssBlock)
 INSLAB_GENERATED_BLOCK(NavSolution, NavBlock)
 
 #undef INSLAB_GENERATED_BLOCK
+#undef INSLAB_TYPE
 
 }  // namespace inslab::dds

@@ -37,8 +37,8 @@ class GeneratedType {
 template <class T>
 GeneratedType generated_type();
 
-/// Lets Fast DDS carry the plain struct T under its IDL type's name, with the codec of common/data/wire, which, unlike the
-/// generated one, does not throw on what a hostile writer sends. For Fast DDS a sample is a `void*` made of a `T*`:
+/// Lets Fast DDS carry the plain struct T under its IDL type's name, with the codec of common/data/wire, which, unlike
+/// the generated one, does not throw on what a hostile writer sends. For Fast DDS a sample is a `void*` made of a `T*`:
 /// what is written is any T, what is read into is always a Received<T>.
 template <class T>
 class TypeAdapter : public fast_dds::TopicDataType {
@@ -102,5 +102,9 @@ class TypeAdapter : public fast_dds::TopicDataType {
   GeneratedType generated_;
   std::shared_ptr<std::atomic<std::uint32_t>> refused_;
 };
+
+/// A new TypeAdapter. Defined in type_adapter.cpp for every WireType, so that its codec is compiled there alone.
+template <class T>
+std::unique_ptr<fast_dds::TopicDataType> type_adapter(const std::shared_ptr<std::atomic<std::uint32_t>>& refused);
 
 }  // namespace inslab::dds

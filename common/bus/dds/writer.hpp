@@ -1,75 +1,56 @@
 #pragma once
 
-#include <spdlog/spdlog.h>
-
-#include <atomic>
 #include <chrono>
 #include <fastdds/dds/publisher/DataWriter.hpp>
-#include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
+#include <memory>
 
-#include "inslab/bus/dds/endpoint.hpp"
 #include "inslab/bus/dds/participant.hpp"
 #include "inslab/bus/dds/qos.hpp"
 #include "inslab/bus/dds/type_adapter.hpp"
 
 namespace inslab::dds {
 
+/// What a Writer does whatever its type.
+class UntypedWriter {
+ public:
+  UntypedWriter(Participant& participant, eprosima::fastdds::dds::Topic& topic,
+                const eprosima::fastdds::dds::DataWriterQos& qos);
+  ~UntypedWriter();
+  UntypedWriter(const UntypedWriter&) = delete;
+  UntypedWriter& operator=(const UntypedWriter&) = delete;
+
+  bool write(const void* sample);
+  int matched_readers() const;
+  bool wait_for_acknowledgments(std::chrono::nanoseconds timeout);
+
+ private:
+  struct Listener;
+
+  eprosima::fastdds::dds::Publisher& publisher_;
+  std::unique_ptr<Listener> listener_;
+  eprosima::fastdds::dds::DataWriter* writer_ = nullptr;
+};
+
 /// Typed writer of one topic. The participant outlives it.
 template <class T>
 class Writer {
  public:
   /// Throws std::runtime_error when Fast DDS refuses the topic or its settings.
-  Writer(Participant& participant, const Topic<T>& topic) : publisher_(participant.publisher()), listener_(topic.name) {
-    auto& dds_topic = participant.topic<T>(topic.name);
-    writer_ = publisher_.create_datawriter(&dds_topic, writer_qos(topic.delivery, topic.nominal_rate_hz), &listener_);
-    if (writer_ == nullptr) throw std::runtime_error("Fast DDS makes no writer of " + topic.name);
-  }
-  ~Writer() { publisher_.delete_datawriter(writer_); }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
+  Writer(Participant& participant, const Topic<T>& topic)
+      : untyped_(participant, participant.topic<T>(topic.name), writer_qos(topic.delivery, topic.nominal_rate_hz)) {}
 
   /// Sends one sample. 2.9 refuses one now and then while its history empties; asked again it takes it, so three tries
   /// are made. False when all fail: the sample was not sent.
-  bool write(const T& sample) {
-    constexpr int kTries = 3;
-    for (int i = 0; i < kTries; ++i) {
-      if (writer_->write(const_cast<T*>(&sample), fast_dds::Handle()) == eprosima::fastdds::dds::RETCODE_OK) {
-        return true;
-      }
-    }
-    return false;
-  }
+  bool write(const T& sample) { return untyped_.write(&sample); }
 
-  int matched_readers() const { return listener_.matched.load(); }
+  int matched_readers() const { return untyped_.matched_readers(); }
 
   /// Waits until all matched reliable readers have acknowledged everything; false after `timeout`.
-  bool wait_for_acknowledgments(std::chrono::nanoseconds timeout) {
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(timeout);
-    return writer_->wait_for_acknowledgments(eprosima::fastdds::dds::Duration_t(
-               static_cast<std::int32_t>(seconds.count()), static_cast<std::uint32_t>((timeout - seconds).count()))) ==
-           eprosima::fastdds::dds::RETCODE_OK;
-  }
+  bool wait_for_acknowledgments(std::chrono::nanoseconds timeout) { return untyped_.wait_for_acknowledgments(timeout); }
 
  private:
-  struct Listener : eprosima::fastdds::dds::DataWriterListener {
-    explicit Listener(std::string topic_name) : topic(std::move(topic_name)) {}
-    void on_publication_matched(eprosima::fastdds::dds::DataWriter*,
-                                const eprosima::fastdds::dds::PublicationMatchedStatus& status) override {
-      matched.store(status.current_count);
-    }
-    void on_offered_incompatible_qos(eprosima::fastdds::dds::DataWriter*,
-                                     const eprosima::fastdds::dds::OfferedIncompatibleQosStatus& status) override {
-      spdlog::warn("a reader of {} cannot match our writer: {} at fault; 'inslab doctor' says more", topic,
-                   policy_name(static_cast<int>(status.last_policy_id)));
-    }
-    std::string topic;
-    std::atomic<int> matched{0};
-  };
-
-  eprosima::fastdds::dds::Publisher& publisher_;
-  Listener listener_;
-  eprosima::fastdds::dds::DataWriter* writer_ = nullptr;
+  UntypedWriter untyped_;
 };
 
 }  // namespace inslab::dds

@@ -70,9 +70,9 @@ class Judge {
     const double dt = seconds_between(file_, 0, last) / static_cast<double>(last);
     const nav::Vector3 by_rounding = 2.0 * reading_.step_ned_m / (dt * dt);
     const nav::Vector3 of_motion = motion_over_a_second(std::max<std::size_t>(1, std::llround(1.0 / dt)));
-    constexpr double kCounts = 0.1;  // m/s^2: 10 mg, which the least of IMUs feels
+    constexpr double kFelt = 0.1;  // m/s^2: 10 mg, which the least of IMUs feels
     for (int i = 0; i < 3; ++i) {
-      const double least = std::max(kCounts, of_motion[i]);
+      const double least = std::max(kFelt, of_motion[i]);
       const bool is_more = by_rounding[i] > least && largest_of_curve_[i] > least;  // and the curve does have it
       figures_.rounding_m_per_s2[i] = is_more ? by_rounding[i] : 0.0;
     }

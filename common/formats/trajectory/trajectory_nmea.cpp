@@ -50,9 +50,9 @@ double step_of(std::string_view text) {
   return point == std::string_view::npos ? 1.0 : std::pow(10.0, -static_cast<double>(text.size() - point - 1));
 }
 
-class Reader {
+class NmeaReader {
  public:
-  Reader(const std::string& path, const TrajectoryReadOptions& options)
+  NmeaReader(const std::string& path, const TrajectoryReadOptions& options)
       : options_(options), lines_(path), rows_(reading_) {
     std::vector<TextColumn> columns;
     for (const char* name : {"t_s", "lat_deg", "lon_deg", "h_m"}) columns.push_back(column_named(name).value());
@@ -169,7 +169,7 @@ bool is_nmea_sentence(std::string_view line) {
 }
 
 TrajectoryReading read_trajectory_nmea(const std::string& path, const TrajectoryReadOptions& options) {
-  return Reader(path, options).read();
+  return NmeaReader(path, options).read();
 }
 
 }  // namespace inslab::io

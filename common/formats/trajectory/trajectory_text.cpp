@@ -63,9 +63,9 @@ Range range_of(Quantity quantity) {
 /// How long a unit of a column of time is.
 std::int64_t unit_ns_of(const TextColumn& column) { return std::llround(column.scale * 1e9); }
 
-class Reader {
+class TextReader {
  public:
-  Reader(const std::string& path, const TrajectoryReadOptions& options)
+  TextReader(const std::string& path, const TrajectoryReadOptions& options)
       : options_(options), lines_(path), rows_(reading_) {}
 
   TrajectoryReading read() {
@@ -333,7 +333,7 @@ class Reader {
 }  // namespace
 
 TrajectoryReading read_trajectory_text(const std::string& path, const TrajectoryReadOptions& options) {
-  return Reader(path, options).read();
+  return TextReader(path, options).read();
 }
 
 }  // namespace inslab::io

@@ -1,11 +1,11 @@
 #include "inslab/models/navigation/inertial_filter.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/error_model.hpp"
+#include "inslab/nav/symmetric.hpp"
 #include "inslab/nav/wgs84.hpp"
 
 namespace inslab::reference_nav {
@@ -21,10 +21,6 @@ Vector3 decay_rates(const Vector3& correlation_times_s) {
 double held_over_variance(double sigma, double dt_s, double to_s) {
   const double from_s = std::max(0.0, to_s - dt_s);
   return sigma * sigma * (to_s * to_s - from_s * from_s);
-}
-
-double squared_normalised(const Matrix3& covariance, const Vector3& innovation) {
-  return innovation.dot(covariance.llt().solve(innovation));
 }
 
 constexpr nav::Strapdown::Options kFullRotation{true};
@@ -177,13 +173,13 @@ FixResult InertialFilter::update(const GnssFix& fix) {
   const bool has_velocity = variances.tail<3>().minCoeff() > 0.0;
   if (zero_velocity_.use) hear_at_rest(fix, a);
 
-  const Eigen::Matrix<double, 6, 6> S = a.H * covariance_.matrix() * a.H.transpose();
+  const Eigen::Matrix<double, 6, 6> S = nav::carried(a.H, covariance_.matrix());
   const Matrix3 S_position = S.topLeftCorner<3, 3>() + Matrix3(variances.head<3>().asDiagonal());
   const Matrix3 S_velocity = S.bottomRightCorner<3, 3>() + Matrix3(variances.tail<3>().asDiagonal());
-  result.position_nis = squared_normalised(S_position, a.innovation.head<3>());
+  result.position_nis = nav::squared_normalised(S_position, a.innovation.head<3>());
   result.position_accepted = result.position_nis <= innovation_test_.limit;
   if (has_velocity) {
-    result.velocity_nis = squared_normalised(S_velocity, a.innovation.tail<3>());
+    result.velocity_nis = nav::squared_normalised(S_velocity, a.innovation.tail<3>());
     result.velocity_accepted = result.velocity_nis <= innovation_test_.limit;
   }
   if (!result.position_accepted && ++rejections_ > innovation_test_.rejections_before_recovery) {
@@ -222,15 +218,14 @@ void InertialFilter::recover(const Antenna& a, const Eigen::Matrix<double, 6, 1>
 
 /// Whether the forces of a time change the velocity by more than their errors can.
 bool InertialFilter::gains_velocity(const Vector3& gain_n, double span_s) const {
-  const Matrix21& P = covariance_.matrix();
   const Matrix3 C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
   Eigen::Matrix<double, 3, kStates> H = Eigen::Matrix<double, 3, kStates>::Zero();
   H.block<3, 3>(0, kAttitude) = span_s * nav::skew(-gravity_.g_n(strapdown_.position()));
   H.block<3, 3>(0, kAccelBias) = -span_s * C_nb;
   const double least = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
-  Matrix3 S = H * P * H.transpose() + least * Matrix3::Identity();
-  S.diagonal() += Vector3::Constant(span_s * noise_.accel_density.maxCoeff());
-  return squared_normalised(S, gain_n) > kRestLimit;
+  Matrix3 S = nav::carried(H, covariance_.matrix());
+  S.diagonal().array() += least + span_s * noise_.accel_density.maxCoeff();
+  return nav::squared_normalised(S, gain_n) > kRestLimit;
 }
 
 /// What a fix says of the IMU's velocity and of its displacement, whatever the filter believes: zero velocities that
@@ -255,7 +250,7 @@ void InertialFilter::hear_at_rest(const GnssFix& fix, const Antenna& a) {
 bool InertialFilter::is_contradicted() const {
   const double variance = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
   const Matrix3 S = covariance_.matrix().block<3, 3>(kVelocity, kVelocity) + variance * Matrix3::Identity();
-  if (squared_normalised(S, strapdown_.v_n()) > std::min(innovation_test_.limit, kRestLimit)) return true;
+  if (nav::squared_normalised(S, strapdown_.v_n()) > std::min(innovation_test_.limit, kRestLimit)) return true;
   if (gains_velocity(rest_.window_gain_n, rest_.window_s) || gains_velocity(rest_.gain_n, rest_.span_s)) return true;
   if (rest_.displacement > innovation_test_.limit) return true;
   // (sum v/s^2)^2 / (sum 1/s^2) is the mean's square over its variance.

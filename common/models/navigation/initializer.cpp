@@ -150,12 +150,13 @@ void Initializer::doubt_attitude(const Matrix3& C_nb, Matrix21& P) const {
   const Vector3 f_b = -C_nb.transpose() * g_n, omega_b = C_nb.transpose() * omega_n;
   Eigen::Matrix<double, 3, kSensorStates> J;
   J << by_rate * C_nb, by_force * C_nb, by_rate * C_nb * omega_b.asDiagonal(), by_force * C_nb * f_b.asDiagonal();
-  const Eigen::Matrix<double, 3, kSensorStates> cross = J * P.bottomRightCorner<kSensorStates, kSensorStates>();
+  const Eigen::Matrix<double, 3, kSensorStates> cross =
+      J.lazyProduct(P.bottomRightCorner<kSensorStates, kSensorStates>());
   P.block<3, kSensorStates>(kAttitude, kGyroBias) = cross;
   P.block<kSensorStates, 3>(kGyroBias, kAttitude) = cross.transpose();
   Vector3 least = static_sigmas();
   if (!finds_heading) least.z() = 0.0;
-  const Matrix3 known = cross * J.transpose();
+  const Matrix3 known = cross.lazyProduct(J.transpose());
   const Vector3 variances = P.diagonal().segment<3>(kAttitude).cwiseMax(least.cwiseAbs2());
   P.block<3, 3>(kAttitude, kAttitude) = known;
   P.diagonal().segment<3>(kAttitude) = known.diagonal().cwiseMax(variances);

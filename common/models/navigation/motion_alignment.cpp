@@ -1,6 +1,5 @@
 #include "inslab/models/navigation/motion_alignment.hpp"
 
-#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/geodesy.hpp"
+#include "inslab/nav/symmetric.hpp"
 
 namespace inslab::reference_nav {
 
@@ -212,14 +212,14 @@ void MotionAlignment::solve() {
       const Vector3 residual = match.y_n0 - v0 - C * a;
       const Matrix3x12 J = jacobian(a, match.at);
       const Eigen::Matrix<double, 12, 3> weighted = J.transpose() * match.variance.cwiseInverse().asDiagonal();
-      information += weighted * J;
+      information += weighted.lazyProduct(J);
       right += weighted * residual;
       squares += residual.cwiseAbs2().cwiseQuotient(match.variance).sum();
     }
     // The scales of the unknowns differ by many powers of ten.
     const Vector12 scale = information.diagonal().cwiseSqrt().cwiseInverse();
     const Matrix12 scaled = scale.asDiagonal() * information * scale.asDiagonal();
-    covariance = scale.asDiagonal() * scaled.inverse() * scale.asDiagonal();
+    covariance = nav::inverse_of_symmetric(scaled).cwiseProduct(scale * scale.transpose());
     const Vector12 x = covariance * right;
     C = nav::matrix_from_quaternion(nav::quaternion_from_rotation_vector(x.head<3>())) * C;
     v0 += x.segment<3>(3);
@@ -251,7 +251,7 @@ void MotionAlignment::solve() {
   result.v_n = C_nn0 * (v0 + C * alpha + now.fall_n0);
   result.gyro_bias = gyro_bias;
   result.accel_bias = accel_bias;
-  result.covariance = errors * covariance * errors.transpose();
+  result.covariance = nav::carried(errors, covariance);
   result.covariance.diagonal().segment<3>(3).array() += arw * arw * elapsed_s(now.time_ns) + scale_rad * scale_rad;
   const Vector3 sigma_rad = result.covariance.diagonal().segment<3>(3).cwiseSqrt();
   if (fit > kWorstFit) {

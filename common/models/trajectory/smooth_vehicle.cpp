@@ -17,7 +17,7 @@ constexpr double kLongestTurn_rad = 0.05;
 
 /// Nodes and weights of Gauss's rule on [0, 1], exact for polynomials of the fifth degree.
 constexpr double kFirstNode = 0.11270166537925831;  // (1 - sqrt(3/5))/2
-constexpr std::array<double, 3> kNodes{kFirstNode, 0.5, 1.0 - kFirstNode};
+constexpr std::array<double, 3> kGaussNodes{kFirstNode, 0.5, 1.0 - kFirstNode};
 constexpr std::array<double, 3> kWeights{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
 
 }  // namespace
@@ -90,8 +90,8 @@ void SmoothVehicle::step(time::Nanoseconds end) {
   // rounding.
   const Vector3 g_middle_k = g_k_between(here_, there, dt_s);
   Vector3 omega_mean = Vector3::Zero(), f_mean = Vector3::Zero();
-  for (std::size_t i = 0; i < kNodes.size(); ++i) {
-    const double x = kNodes[i];
+  for (std::size_t i = 0; i < kGaussNodes.size(); ++i) {
+    const double x = kGaussNodes[i];
     const Vector3 g_k =
         (1.0 - x) * (1.0 - 2.0 * x) * here_.g_k + 4.0 * x * (1.0 - x) * g_middle_k + x * (2.0 * x - 1.0) * there.g_k;
     const Forces at_node = forces(path_s + x * dt_s, rotation_s + x * dt_s, g_k);

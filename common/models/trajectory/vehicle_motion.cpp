@@ -14,7 +14,7 @@ namespace inslab::trajectory {
 
 namespace {
 
-constexpr double kLongestStep_s = 5e-3;
+constexpr double kLongestMotionStep_s = 5e-3;
 // The middle of a step is placed with the radii of curvature of its start: over 2 m that errs by 1e-7 m in the place
 // and 2e-14 m in the step.
 constexpr double kLongestStep_m = 2.0;
@@ -86,7 +86,7 @@ bool VehicleMotion::begin(MotionSegment segment) {
 
 double VehicleMotion::longest_step_s() const {
   const double speed = now_.v_n.norm();
-  double step_s = std::min(kLongestStep_s, segment_.longest_step_s());
+  double step_s = std::min(kLongestMotionStep_s, segment_.longest_step_s());
   if (segment_.is_ballistic()) {
     const double rate = std::max(now_.motion.omega_nv_v.norm(), *segment_.drag_per_m() * speed);
     step_s = std::min(step_s, kLargestChangePerFallStep / rate);

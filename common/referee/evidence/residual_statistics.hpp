@@ -1,7 +1,6 @@
 #pragma once
 
-#include <Eigen/Dense>
-#include <cmath>
+#include <Eigen/Core>
 #include <cstdint>
 
 #include "inslab/foundation/fields/field.hpp"
@@ -32,21 +31,7 @@ class ResidualStatistics {
   std::uint64_t count() const { return count_; }
 
   /// Standard deviation of the residuals, pooled over the axes; needs more samples than there are regressors.
-  double pooled_sigma() const {
-    // Regressors differ by ten decades (seconds, rad/s): each to length 1 first. One that never changed explains
-    // nothing.
-    Regressors scale = xx_.diagonal().cwiseSqrt();
-    for (double& s : scale) s = s > 0.0 ? 1.0 / s : 0.0;
-    const Square scaled = scale.asDiagonal() * xx_ * scale.asDiagonal();
-    const Cross right = scale.asDiagonal() * xy_;
-    Eigen::CompleteOrthogonalDecomposition<Square> solver;
-    solver.setThreshold(1e-10);
-    solver.compute(scaled);
-    const Cross fit = solver.solve(right);
-    const Vector3 left = (yy_ - (right.cwiseProduct(fit)).colwise().sum().transpose()).cwiseMax(0.0);
-    const double freedom = static_cast<double>(count_) - static_cast<double>(solver.rank());
-    return std::sqrt(left.mean() / freedom);
-  }
+  double pooled_sigma() const;
 
   static constexpr int kRegressors = 8;
 

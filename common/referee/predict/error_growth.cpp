@@ -47,6 +47,11 @@ double variance_of_integral(double dt_s, double correlation_time_s) {
   return correlation_time_s * correlation_time_s * (2.0 * r - 3.0 + 4.0 * std::exp(-r) - std::exp(-2.0 * r));
 }
 
+/// A B of any sizes: each fixed one would have Eigen's whole product compiled anew.
+Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& A, const Eigen::Ref<const Eigen::MatrixXd>& B) {
+  return A * B;
+}
+
 }  // namespace
 
 ErrorGrowth::ErrorGrowth(const ImuErrorProfile& profile, const PredictedError& start, const nav::Gravity& gravity,
@@ -157,8 +162,8 @@ ErrorGrowth::Steps ErrorGrowth::steps_of(double dt_s) const {
 }
 
 /// What a state of 1 does to the nine, per second.
-ErrorGrowth::Matrix9N ErrorGrowth::effects(const SensedMotion& motion, const nav::Matrix3& C_nb) const {
-  Matrix9N G = Matrix9N::Zero(9, P_.rows() - kFix);
+Eigen::MatrixXd ErrorGrowth::effects(const SensedMotion& motion, const nav::Matrix3& C_nb) const {
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(9, P_.rows() - kFix);
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const SensorTerm& term = terms_[k];
     const Vector3 error_n = C_nb * effect(term, motion);
@@ -180,8 +185,8 @@ void ErrorGrowth::step() {
   const nav::Matrix9 F = nav::error_dynamics({last_.latitude_rad, last_.longitude_rad, last_.height_m}, last_.v_n,
                                              gathered_.dv_n / dt_s, gravity_);
   const nav::Matrix9 to_middle = nav::Matrix9::Identity() + 0.5 * dt_s * F;
-  const nav::Matrix9 Phi = nav::Matrix9::Identity() + dt_s * F * to_middle;
-  const Matrix9N B = to_middle * effects(motion, C_nb);
+  const nav::Matrix9 Phi = nav::Matrix9::Identity() + dt_s * F.lazyProduct(to_middle);
+  const Eigen::MatrixXd B = product(to_middle, effects(motion, C_nb));
   const Steps steps = steps_of(dt_s);
   nav::Matrix9 Q = nav::Matrix9::Zero();
   Q.block<3, 3>(kAttitude, kAttitude) = dt_s * C_nb * gyro_density_.asDiagonal() * C_nb.transpose();
@@ -189,12 +194,11 @@ void ErrorGrowth::step() {
 
   const Eigen::Index sensors = P_.rows() - kFix;
   P_.topLeftCorner<9, 9>() += 0.5 * Q;
-  const Matrix9N Phi_s = B * steps.integral.asDiagonal();
-  Matrix9N half(9, P_.rows());
-  half.noalias() = Phi * P_.topRows<9>();
-  half.noalias() += Phi_s * P_.bottomRows(sensors);
-  const nav::Matrix9 nine = half.leftCols<9>() * Phi.transpose() + half.rightCols(sensors) * Phi_s.transpose() +
-                            B * steps.drive_of_integral.asDiagonal() * B.transpose() + 0.5 * Q;
+  const Eigen::MatrixXd Phi_s = B * steps.integral.asDiagonal(), driven = B * steps.drive_of_integral.asDiagonal();
+  const Eigen::MatrixXd half = product(Phi, P_.topRows(9)) + product(Phi_s, P_.bottomRows(sensors));
+  const nav::Matrix9 nine = product(half.leftCols(9), Phi.transpose()) +
+                            product(half.rightCols(sensors), Phi_s.transpose()) + product(driven, B.transpose()) +
+                            0.5 * Q;
   P_.topLeftCorner<9, 9>() = 0.5 * (nine + nine.transpose());
   P_.topRightCorner(9, sensors) =
       half.rightCols(sensors) * steps.decay.asDiagonal() + B * steps.drive_with_integral.asDiagonal();

@@ -50,7 +50,6 @@ class ErrorGrowth {
   PredictedError current() const;
 
  private:
-  using Matrix9N = Eigen::Matrix<double, 9, Eigen::Dynamic>;
   /// The motion since the last step: integrals.
   struct Gathered {
     double time_s = 0.0;
@@ -67,7 +66,7 @@ class ErrorGrowth {
 
   void step();
   Steps steps_of(double dt_s) const;
-  Matrix9N effects(const SensedMotion& motion, const nav::Matrix3& C_nb) const;
+  Eigen::MatrixXd effects(const SensedMotion& motion, const nav::Matrix3& C_nb) const;
   void set_density(const ImuErrorProfile& profile);
   void renew(Eigen::Index state, double variance);
   void update(const Eigen::VectorXd& row, double variance);

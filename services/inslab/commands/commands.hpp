@@ -16,8 +16,6 @@ void add_summary(CLI::App& app, std::function<int()>& action);
 void add_judge(CLI::App& app, std::function<int()>& action);
 void add_follow(CLI::App& app, std::function<int()>& action);
 void add_report(CLI::App& app, std::function<int()>& action);
-void add_soak(CLI::App& app, std::function<int()>& action);
-void add_simulate(CLI::App& app, std::function<int()>& action);
 void add_status(CLI::App& app, std::function<int()>& action);
 void add_control(CLI::App& app, std::function<int()>& action);
 void add_swap(CLI::App& app, std::function<int()>& action);
@@ -28,9 +26,6 @@ void add_check(CLI::App& app, std::function<int()>& action);
 void add_info(CLI::App& app, std::function<int()>& action);
 void add_export(CLI::App& app, std::function<int()>& action);
 void add_trajectory(CLI::App& app, std::function<int()>& action);
-void add_plot(CLI::App& app, std::function<int()>& action);
-void add_reference(CLI::App& app, std::function<int()>& action);
-void add_predict(CLI::App& app, std::function<int()>& action);
 
 // Commands of the second program.
 void add_navigate(CLI::App& app, std::function<int()>& action);
@@ -39,6 +34,11 @@ void add_align(CLI::App& app, std::function<int()>& action);
 void add_allan(CLI::App& app, std::function<int()>& action);
 void add_profile(CLI::App& app, std::function<int()>& action);
 void add_verify(CLI::App& app, std::function<int()>& action);
+void add_simulate(CLI::App& app, std::function<int()>& action);
+void add_plot(CLI::App& app, std::function<int()>& action);
+void add_predict(CLI::App& app, std::function<int()>& action);
+void add_reference(CLI::App& app, std::function<int()>& action);
+void add_soak(CLI::App& app, std::function<int()>& action);
 
 /// All commands of the program that this is linked into: live_commands.cpp or study_commands.cpp.
 void add_commands(CLI::App& app, std::function<int()>& action);
@@ -57,7 +57,18 @@ inline constexpr StudyCommand kAlign{"align", "Attitude of an IMU at rest from g
 inline constexpr StudyCommand kAllan{"allan", "Allan deviation of a recorded IMU at rest, and the noise model in it"};
 inline constexpr StudyCommand kProfile{"profile", "Make error profiles"};
 inline constexpr StudyCommand kVerify{"verify", "Show the product's figures beside the published ones"};
-inline constexpr std::array kStudyCommands{kNavigate, kMontecarlo, kAlign, kAllan, kProfile, kVerify};
+inline constexpr StudyCommand kSimulate{"simulate",
+                                        "Run a scenario in one process, without DDS, as fast as it goes; same samples"};
+inline constexpr StudyCommand kPlot{"plot", "A picture of a scenario's or a log's track, height, speed and attitude"};
+inline constexpr StudyCommand kPredict{
+    "predict", "Errors to expect along a scenario from its sensors' profiles, its outages and its swaps"};
+inline constexpr StudyCommand kReference{
+    "reference", "Print a file derived from the parameter declarations: a schema, the profile IDL, the reference page"};
+inline constexpr StudyCommand kSoak{
+    "soak",
+    "Run a scenario in lockstep for hours of sim time with random swaps, kills and pauses; 7 MB of log a minute"};
+inline constexpr std::array kStudyCommands{kSimulate, kPlot,    kNavigate, kMontecarlo, kAlign,    kAllan,
+                                           kPredict,  kProfile, kVerify,   kSoak,       kReference};
 
 /// The option --overwrite of a command that writes files: without it no file that is there already is replaced.
 void add_overwrite(CLI::App& command);

@@ -26,7 +26,7 @@ std::string format(const char* pattern, Values... values) {
   return text;
 }
 
-std::string seconds(const std::optional<std::int64_t>& time_ns) {
+std::string seconds_text(const std::optional<std::int64_t>& time_ns) {
   return time_ns ? format("%.3f", static_cast<double>(*time_ns) * 1e-9) : "-";
 }
 
@@ -73,7 +73,7 @@ void print_topics(const io::LogInfo& info) {
     const std::string rate = topic.rate_hz ? format("%.3f", *topic.rate_hz) : "-";
     std::cout << format("%-*s  %-27s %10" PRIu64 " %10s %12s %12s %8s %6s %6s\n", topic_width,
                         shortened(topic.topic).c_str(), shortened(topic.type).c_str(), topic.count, rate.c_str(),
-                        seconds(topic.first_sim_time_ns).c_str(), seconds(topic.last_sim_time_ns).c_str(),
+                        seconds_text(topic.first_sim_time_ns).c_str(), seconds_text(topic.last_sim_time_ns).c_str(),
                         number(topic.missing).c_str(), number(topic.duplicates).c_str(),
                         number(topic.out_of_order).c_str());
   }

@@ -23,7 +23,8 @@ int become_study(const char* command, const std::vector<std::string>& arguments)
   argv.push_back(nullptr);
   execv(program.c_str(), const_cast<char* const*>(argv.data()));
   throw std::runtime_error(program + ": " + std::strerror(errno) + "; `inslab " + command +
-                           "` needs it: cmake --build --preset release --target inslab-study");
+                           "` needs it: deploy/install_packages build build-tests && cmake --build --preset release "
+                           "--target inslab-study");
 }
 
 }  // namespace
@@ -34,8 +35,6 @@ void add_commands(CLI::App& app, std::function<int()>& action) {
   add_follow(app, action);
   add_judge(app, action);
   add_report(app, action);
-  add_soak(app, action);
-  add_simulate(app, action);
   add_status(app, action);
   add_swap(app, action);
   add_schedule(app, action);
@@ -46,9 +45,6 @@ void add_commands(CLI::App& app, std::function<int()>& action) {
   add_info(app, action);
   add_export(app, action);
   add_trajectory(app, action);
-  add_plot(app, action);
-  add_reference(app, action);
-  add_predict(app, action);
   for (const StudyCommand& study : kStudyCommands) {
     CLI::App* command = app.add_subcommand(study.name, study.purpose);
     command->prefix_command();

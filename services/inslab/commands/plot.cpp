@@ -36,8 +36,7 @@ int plot(const PlotOptions& options) {
 }  // namespace
 
 void add_plot(CLI::App& app, std::function<int()>& action) {
-  CLI::App* command =
-      app.add_subcommand("plot", "A picture of a scenario's or a log's track, height, speed and attitude");
+  CLI::App* command = app.add_subcommand(kPlot.name, kPlot.purpose);
   const auto options = std::make_shared<PlotOptions>();
   command->add_option("input", options->input, "scenario file (JSON) or log (MCAP)")->required();
   command->add_option("-o,--output", options->directory, "directory for the picture NAME.svg")->capture_default_str();

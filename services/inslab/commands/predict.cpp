@@ -206,8 +206,7 @@ int run_predict(const PredictOptions& options) {
 
 void add_predict(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<PredictOptions>();
-  CLI::App* command = app.add_subcommand(
-      "predict", "Errors to expect along a scenario from its sensors' profiles, its outages and its swaps");
+  CLI::App* command = app.add_subcommand(kPredict.name, kPredict.purpose);
   command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
   command->add_option("-o,--output", options->directory, "folder for NAME_predicted.csv and .svg")
       ->capture_default_str();

@@ -11,9 +11,7 @@ namespace inslab::cli {
 
 void add_reference(CLI::App& app, std::function<int()>& action) {
   auto wanted = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand(
-      "reference",
-      "Print a file derived from the parameter declarations: a schema, the profile IDL, the reference page");
+  CLI::App* command = app.add_subcommand(kReference.name, kReference.purpose);
   std::vector<std::string> names;
   for (const DerivedFile& file : derived_files()) names.push_back(file.path);
   command->add_option("file", *wanted, "which")->required()->check(app::one_of(names));

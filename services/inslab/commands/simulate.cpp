@@ -96,8 +96,7 @@ int simulate(const SimulateOptions& options) {
 
 void add_simulate(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command =
-      app.add_subcommand("simulate", "Run a scenario in one process, without DDS, as fast as it goes; same samples");
+  CLI::App* command = app.add_subcommand(kSimulate.name, kSimulate.purpose);
   command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
   app::add_unit_option(*command, options->unit, "the vehicle's name: it chooses the random streams, as in a live run");
   command->add_option("-o,--output", options->directory, "directory for the log NAME.mcap")->capture_default_str();

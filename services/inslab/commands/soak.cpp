@@ -263,9 +263,7 @@ int soak(SoakOptions options) {
 
 void add_soak(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<SoakOptions>();
-  CLI::App* command = app.add_subcommand(
-      "soak",
-      "Run a scenario in lockstep for hours of sim time with random swaps, kills and pauses; 7 MB of log a minute");
+  CLI::App* command = app.add_subcommand(kSoak.name, kSoak.purpose);
   command->add_option("scenario", options->run.scenario, "scenario file (JSON)")
       ->default_val("config/scenarios/soak.json");
   command->add_option("--hours", options->hours, "of sim time")

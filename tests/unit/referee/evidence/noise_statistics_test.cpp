@@ -51,6 +51,17 @@ TEST(ResidualStatistics, LeaveWhatMotionAndDriftDoNotExplain) {
   EXPECT_NEAR(series.pooled_sigma(), 1e-4 * std::sqrt(kCount / (kCount - 7.0)), 1e-8);
 }
 
+TEST(ResidualStatistics, ARateThatFollowsAnotherExplainsNothingMore) {
+  ResidualStatistics one, both;
+  for (int i = 0; i < 12; ++i) {
+    const double rate = 0.1 * std::sin(0.9 * i);
+    const Vector3 error = (1e-4 * ((i * 7) % 5) + 0.02 * rate) * kAll;
+    one.add(i, error, rate * kX, kX);
+    both.add(i, error, Vector3(rate, rate / 3.0, 0.7 * rate), kX);
+  }
+  EXPECT_NEAR(both.pooled_sigma(), one.pooled_sigma(), 1e-9 * one.pooled_sigma());
+}
+
 TEST(ResidualStatistics, OfASensorAtRestAreTheSpreadAboutALine) {
   ResidualStatistics series;
   for (int i = 0; i < 1000; ++i) series.add(i, Vector3::Constant(3.0 + 2.0 * i + (i % 2)), Vector3::Zero(), kX);
