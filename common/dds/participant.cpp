@@ -186,7 +186,7 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options,
   }
   guard_transports(qos, options.security.empty() ? Protection::Open : Protection::Secured, refused);
   qos.name(options.name);
-  qos.user_data().data_vec(options.user_data);
+  qos.user_data().data_vec(options.looks_on ? onlooker_announcement() : options.user_data);
   if (!options.security.empty()) set_security(qos, options.security, options.role);
   return qos;
 }
