@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/checkpoint.hpp"
+#include "app/log_word.hpp"
 #include "app/mailbox.hpp"
 #include "app/service.hpp"
 #include "app/set_reader.hpp"
@@ -83,6 +84,7 @@ class LoggerOnBus {
            const std::vector<std::uint8_t>& cdr);
   void add_score();
   void give_credit(const std::string& topic, std::uint64_t next_sequence, bool resend);
+  void say_of_the_log(bool is_closed);
   void repeat_credits();
   template <class Profile>
   void add_profile_channels(app::Context& context);
