@@ -415,7 +415,11 @@ int LoggerOnBus::end() {
     failure_ = std::string(app::kEndedBySignal) + ": the rest is missing";
   board_.enter(failure_.empty() ? ServiceState::Finished : ServiceState::Fault,
                failure_.empty() && by_signal ? "ended by a signal before a run" : failure_);
-  while (const auto message = mailbox_.take(milliseconds(200))) handle(*message);
+  // The others stay for the log and go on saying so, once a second each: there is no end of messages to wait for.
+  const time::Nanoseconds closes_at = app::monotonic_now() + milliseconds(200);
+  while (app::monotonic_now() < closes_at) {
+    if (const auto message = mailbox_.take(milliseconds(20))) handle(*message);
+  }
   try {
     add_score();
     log_.file().close();
