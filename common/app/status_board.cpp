@@ -1,5 +1,7 @@
 #include "app/status_board.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include "app/host.hpp"
 #include "text/shown.hpp"
 

@@ -1,5 +1,7 @@
 #include "app/truth_follower.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include "app/exit_code.hpp"
 #include "app/host.hpp"
 #include "app/last_word.hpp"

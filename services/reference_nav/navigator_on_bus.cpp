@@ -1,5 +1,7 @@
 #include "services/reference_nav/navigator_on_bus.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include "app/exit_code.hpp"
 #include "app/last_word.hpp"
 #include "app/service_names.hpp"

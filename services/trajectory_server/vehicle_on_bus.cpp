@@ -1,5 +1,7 @@
 #include "services/trajectory_server/vehicle_on_bus.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include "app/host.hpp"
 #include "app/stamp.hpp"
 

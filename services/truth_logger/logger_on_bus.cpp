@@ -1,5 +1,7 @@
 #include "services/truth_logger/logger_on_bus.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <filesystem>
 
 #include "app/exit_code.hpp"
