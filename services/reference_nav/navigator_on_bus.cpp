@@ -1,5 +1,7 @@
 #include "inslab/services/reference_nav/navigator_on_bus.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/last_word.hpp"
 #include "inslab/foundation/host/shutdown.hpp"

@@ -1,5 +1,7 @@
 // What ServerOnBus does before the first sample: it waits for everybody, and finds out whether it may run at all.
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cstring>
 #include <set>

@@ -1,6 +1,7 @@
 #include "inslab/services/trajectory_server/server_on_bus.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 

@@ -1,5 +1,7 @@
 #include "inslab/services/trajectory_server/vehicle_on_bus.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include "inslab/data/streams/stamp.hpp"
 #include "inslab/foundation/host/host.hpp"
 

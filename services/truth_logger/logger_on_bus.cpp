@@ -1,5 +1,7 @@
 #include "inslab/services/truth_logger/logger_on_bus.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <filesystem>
 
 #include "inslab/foundation/files/error.hpp"

@@ -1,6 +1,7 @@
 // What LoggerOnBus does so that a log goes on after its process was killed, and to note that others were.
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 

@@ -1,5 +1,7 @@
 #include "inslab/bus/service/status_board.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/text/shown.hpp"
 

@@ -1,5 +1,7 @@
 #include "inslab/bus/service/truth_follower.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include "inslab/data/profiles/profile_rules.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/host.hpp"
