@@ -29,7 +29,7 @@ class Writers {
 
   /// A callback for a reader of a topic that hands on what its rightful writers send.
   template <class T, class Callback>
-  auto only(const dds::Topic<T>& topic, Callback callback) {
+  auto only(const dds::Topic<T>& topic, const Callback& callback) {
     if constexpr (names_its_writer<T>) {
       return [this, topic = topic.name, callback](const dds::Received<T>& sample, const dds::SampleOrigin& origin) {
         const ServiceKey role = writer_of(sample);
@@ -46,7 +46,7 @@ class Writers {
   /// The same for what an app writes, the navigation app or the vehicle: `topic` is that of the single samples where
   /// they come in blocks too. The navigation app is inslab-reference-nav where that takes part.
   template <class Callback>
-  auto only_the_app(const std::string& topic, bool is_reference_nav, Callback callback) {
+  auto only_the_app(const std::string& topic, bool is_reference_nav, const Callback& callback) {
     return [this, topic, is_reference_nav, callback](const auto& sample, const dds::SampleOrigin& origin) {
       const dds::ParticipantKey sender = dds::participant_of(origin);
       if (is_reference_nav ? admit(topic, {kReferenceNav, 0u}, sender) : admit_app(topic, sender)) {

@@ -174,7 +174,7 @@ Fit select(const Likelihood& record) {
   };
   for (bool better = true; better;) {
     better = false;
-    const Fit basis = best;
+    const Fit basis = best;  // NOLINT(performance-unnecessary-copy-initialization): try_terms changes best
     for (const Term term : kAll) {
       if (std::find(basis.terms.begin(), basis.terms.end(), term) != basis.terms.end()) continue;
       std::vector<Term> terms = basis.terms;
@@ -183,7 +183,7 @@ Fit select(const Likelihood& record) {
     }
     for (bool leaner = better; leaner;) {
       leaner = false;
-      const Fit whole = best;
+      const Fit whole = best;  // NOLINT(performance-unnecessary-copy-initialization): as above
       for (std::size_t i = 0; i + 1 < whole.terms.size(); ++i) {  // not the one that was just added
         std::vector<Term> terms = whole.terms;
         terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(i));
