@@ -141,17 +141,17 @@ TEST_F(Recovery, OfAServiceThatIsKilledAtTheVeryEndNothingIsMissing) {
 /// An injector that is held keeps the run from its end, so that the logger is killed between the others' last word and
 /// its own.
 TEST_F(Recovery, AServiceThatHasEndedItsStreamStaysForALoggerThatHasNotHeardItsLastWord) {
-  const std::string reference = offline("recovery");
+  const std::string reference = offline("recovery_by_hand");
   app::Mailbox<ServiceStatus> statuses;
   const dds::Reader<ServiceStatus> reader(
       participant_, dds::topics::service_status(),
       [&](const ServiceStatus& status, const dds::SampleOrigin&) { statuses.put(status); });
-  const auto logger = [this] { return service("inslab-truth-logger", "recovery", {"--log", log_}); };
+  const auto logger = [this] { return service("inslab-truth-logger", "recovery_by_hand", {"--log", log_}); };
   auto log = logger();
-  const auto imu0 = service("inslab-imu-injector", "recovery");
-  const auto imu1 = service("inslab-imu-injector", "recovery", {"--sensor", "1"});
-  const auto gnss = service("inslab-gnss-emulator", "recovery");
-  const auto truth = service("inslab-trajectory-server", "recovery");
+  const auto imu0 = service("inslab-imu-injector", "recovery_by_hand");
+  const auto imu1 = service("inslab-imu-injector", "recovery_by_hand", {"--sensor", "1"});
+  const auto gnss = service("inslab-gnss-emulator", "recovery_by_hand");
+  const auto truth = service("inslab-trajectory-server", "recovery_by_hand");
   ASSERT_TRUE(reaches(9.5)) << truth->output();
   imu1->send(SIGSTOP);
   const auto says_it_has_ended = [&] {
