@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "inslab/bus/dds/fast_dds_network.hpp"
+#include "inslab/bus/dds/lease_check.hpp"
 #include "inslab/bus/dds/packet_guard.hpp"
 #include "inslab/bus/dds/participant_listener.hpp"
 #include "inslab/bus/dds/security.hpp"
@@ -170,6 +171,7 @@ std::string profiles_file() {
 
 efd::DomainParticipantQos participant_qos(const ParticipantOptions& options,
                                           const std::shared_ptr<std::atomic<std::uint32_t>>& refused) {
+  mend_the_lease_check();
   auto& factory = *efd::DomainParticipantFactory::get_instance();
   efd::DomainParticipantQos qos = efd::PARTICIPANT_QOS_DEFAULT;
   if (const std::string xml = profiles_file(); !xml.empty()) {
