@@ -4,8 +4,8 @@
 
 namespace inslab::wire {
 
-/// The text of idl/profile.idl, derived from the declarations of the profile parameters in common/data/profiles. The file in
-/// idl/ is this text; a test fails when they differ.
+/// The text of idl/profile.idl, derived from the declarations of the profile parameters in common/data/profiles.
+/// The file in idl/ is this text; a test fails when they differ.
 std::string profile_idl();
 
 }  // namespace inslab::wire

@@ -19,7 +19,8 @@ std::string parameters_page() {
   std::string page =
       "# Every key of the JSON files\n\n"
       "Derived from the declarations in `common/scenario`, `common/data/profiles` and `common/models/navigation` by "
-      "`inslab reference docs/parameters.md`; a key carries its unit. Where a list of 3 is expected, one number stands for all axes.\n";
+      "`inslab reference docs/parameters.md`; a key carries its unit. Where a list of 3 is expected, one number stands "
+      "for all axes.\n";
   const auto add = [&page](const std::string& title, const std::string& table) {
     page += "\n## " + title + "\n\n" + table;
   };
