@@ -31,6 +31,12 @@ bool GeneratedType::key_of(std::vector<std::uint8_t>& cdr, fast_dds::Handle& han
   return ok;
 }
 
+template <class T>
+static std::unique_ptr<fast_dds::TopicDataType> new_adapter(
+    const std::shared_ptr<std::atomic<std::uint32_t>>& refused) {
+  return std::make_unique<TypeAdapter<T>>(refused);
+}
+
 #define INSLAB_TYPE(Struct, IdlName)                                      \
   template <>                                                             \
   GeneratedType generated_type<Struct>() {                                \
@@ -39,7 +45,7 @@ bool GeneratedType::key_of(std::vector<std::uint8_t>& cdr, fast_dds::Handle& han
   template <>                                                             \
   std::unique_ptr<fast_dds::TopicDataType> type_adapter<Struct>(          \
       const std::shared_ptr<std::atomic<std::uint32_t>>& refused) {       \
-    return std::make_unique<TypeAdapter<Struct>>(refused);                \
+    return new_adapter<Struct>(refused);                                  \
   }
 #define INSLAB_GENERATED_TYPE(Struct) INSLAB_TYPE(samples::Struct, Struct)
 
