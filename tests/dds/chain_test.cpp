@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <thread>
 
 #include "inslab/bus/dds/reader.hpp"
 #include "inslab/bus/dds/writer.hpp"

@@ -4,6 +4,7 @@
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <random>
+#include <thread>
 
 #include "inslab/bus/dds/reader.hpp"
 #include "inslab/bus/dds/writer.hpp"
