@@ -1,10 +1,9 @@
 #include "inslab/scenario/document_kind.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/scenario/scenario.hpp"
 
 namespace inslab::scenario {
@@ -37,22 +36,32 @@ struct Known {
   std::vector<std::string> keys;
 };
 
+/// "an IMU error profile (imu_error)", with the name where the word for it is another.
+template <class Profile>
+Known known_profile() {
+  const catalog::ProfileWords& words = catalog::kWords<Profile>;
+  const std::string name(enum_name(Profile::kind));
+  std::string text = std::string(words.article) + " " + std::string(words.document);
+  if (words.word != name) text += " (" + name + ")";
+  return {name, text, keys_of<Profile>()};
+}
+
 /// In the order of DocumentKind. The filter's parameters and the inventories of labs belong to parts above this one:
 /// of them the keys that nothing else has.
-const std::array<Known, 9>& known_documents() {
-  static const std::array<Known, 9> all{
-      {{"imu_error", "an IMU error profile (imu_error)", keys_of<ImuErrorProfile>()},
-       {"vibration", "a vibration profile", keys_of<VibrationProfile>()},
-       {"installation", "an installation profile", keys_of<InstallationProfile>()},
-       {"gnss_error", "a GNSS error profile (gnss_error)", keys_of<GnssErrorProfile>()},
-       {"fault", "a fault profile", keys_of<FaultProfile>()},
-       {"scenario", "a scenario", keys_of<Scenario>()},
-       {"", "a schedule of swaps", keys_of<Schedule>()},
-       {"navigation",
-        "a navigation filter's parameters",
-        {"gyro", "accel", "lever_arm_b_m", "initial", "innovation_test", "zero_velocity", "coasting",
-         "covariance_interval_s", "max_latency_s", "coasting_after_s"}},
-       {"", "a lab's inventory", {"hosts", "discovery", "scenario", "domain", "unit", "log", "clock"}}}};
+const std::vector<Known>& known_documents() {
+  static const std::vector<Known> all = [] {
+    std::vector<Known> known;
+    for_each(catalog::ProfileKinds{},
+             [&known](auto profile) { known.push_back(known_profile<typename decltype(profile)::type>()); });
+    known.push_back({"scenario", "a scenario", keys_of<Scenario>()});
+    known.push_back({"", "a schedule of swaps", keys_of<Schedule>()});
+    known.push_back({"navigation",
+                     "a navigation filter's parameters",
+                     {"gyro", "accel", "lever_arm_b_m", "initial", "innovation_test", "zero_velocity", "coasting",
+                      "covariance_interval_s", "max_latency_s", "coasting_after_s"}});
+    known.push_back({"", "a lab's inventory", {"hosts", "discovery", "scenario", "domain", "unit", "log", "clock"}});
+    return known;
+  }();
   return all;
 }
 
@@ -92,17 +101,21 @@ std::string words_of(DocumentKind kind) { return known_documents()[static_cast<s
 
 std::vector<std::string> profile_kind_words() {
   std::vector<std::string> words(EnumNames<ProfileKind>::values.begin(), EnumNames<ProfileKind>::values.end());
-  words.insert(words.end(), {"imu", "gnss"});
+  for_each(catalog::ProfileKinds{}, [&words](auto profile) {
+    using Profile = typename decltype(profile)::type;
+    const std::string_view word = catalog::kWords<Profile>.word;
+    if (word != enum_name(Profile::kind)) words.emplace_back(word);
+  });
   return words;
 }
 
 std::optional<ProfileKind> profile_kind_named(const std::string& word) {
-  if (word == "imu") return ProfileKind::ImuError;
-  if (word == "gnss") return ProfileKind::GnssError;
-  const auto& names = EnumNames<ProfileKind>::values;
-  const auto found = std::find(names.begin(), names.end(), word);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<ProfileKind>(found - names.begin());
+  std::optional<ProfileKind> named;
+  for_each(catalog::ProfileKinds{}, [&](auto profile) {
+    using Profile = typename decltype(profile)::type;
+    if (word == enum_name(Profile::kind) || word == catalog::kWords<Profile>.word) named = Profile::kind;
+  });
+  return named;
 }
 
 }  // namespace inslab::scenario

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/samples/trajectory_limits.hpp"
 #include "inslab/foundation/fields/field.hpp"
 #include "inslab/scenario/path_attitude.hpp"
@@ -21,7 +22,7 @@ struct FileMotion {
   FileMethod method = FileMethod::InverseMechanization;
   std::string path;
   std::string columns;
-  std::string topic = "inslab/truth";
+  std::string topic = catalog::kTruth.name;
   io::TrajectoryLimits limits;
   double position_feedback_per_s = 0.01;  ///< inverse_mechanization
   bool full_rotation_term = false;        ///< inverse_mechanization

@@ -1,6 +1,6 @@
 #include "inslab/scenario/load.hpp"
 
-#include "inslab/data/profiles/profile_rules.hpp"
+#include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/formats/trajectory/trajectory_judge.hpp"
 #include "inslab/foundation/files/error.hpp"
 #include "inslab/foundation/text/shown.hpp"
@@ -32,35 +32,30 @@ Profile named_profile(const std::filesystem::path& folder, const std::string& na
   return read_profile<Profile>(folder / name, target);
 }
 
-LoadedImu load_imu(const std::filesystem::path& folder, const ImuSensor& sensor) {
-  const SensorAddress target{SensorKind::Imu, sensor.number};
-  LoadedImu imu;
-  imu.number = sensor.number;
-  imu.rate = time::Rate(sensor.rate_hz);
-  imu.errors = named_profile<ImuErrorProfile>(folder, sensor.error_profile, target);
-  imu.vibration = named_profile<VibrationProfile>(folder, sensor.vibration_profile, target);
-  imu.installation = named_profile<InstallationProfile>(folder, sensor.installation_profile, target);
-  imu.nominal_installation =
-      sensor.nominal_installation_profile.empty()
-          ? imu.installation
-          : named_profile<InstallationProfile>(folder, sensor.nominal_installation_profile, target);
-  return imu;
-}
-
-LoadedGnss load_gnss(const std::filesystem::path& folder, const GnssSensor& sensor) {
-  const SensorAddress target{SensorKind::Gnss, sensor.number};
-  LoadedGnss gnss;
-  gnss.number = sensor.number;
-  gnss.rate = time::Rate(sensor.rate_hz);
-  gnss.errors = named_profile<GnssErrorProfile>(folder, sensor.error_profile, target);
-  gnss.installation = named_profile<InstallationProfile>(folder, sensor.installation_profile, target);
-  gnss.nominal_installation =
-      sensor.nominal_installation_profile.empty()
-          ? gnss.installation
-          : named_profile<InstallationProfile>(folder, sensor.nominal_installation_profile, target);
+/// The parts of a sensor that are no profile.
+template <class Sensor, class LoadedSensor>
+void load_rest(const Sensor&, LoadedSensor&) {}
+void load_rest(const GnssSensor& sensor, LoadedGnss& gnss) {
   gnss.outages = sensor.outages;
   gnss.outage_areas = sensor.outage_areas;
-  return gnss;
+}
+
+template <class Kind, class Sensor>
+Loaded<Kind> load_sensor(const std::filesystem::path& folder, const Sensor& sensor) {
+  const SensorAddress target{Kind::kind, sensor.number};
+  Loaded<Kind> loaded;
+  loaded.number = sensor.number;
+  loaded.rate = time::Rate(sensor.rate_hz);
+  for_each_of(LoadedSection<Kind>::profiles, [&](const auto& named) {
+    auto& profile = loaded.*named.profile;
+    profile = named_profile<std::decay_t<decltype(profile)>>(folder, sensor.*named.file, target);
+  });
+  loaded.nominal_installation =
+      sensor.nominal_installation_profile.empty()
+          ? loaded.installation
+          : named_profile<InstallationProfile>(folder, sensor.nominal_installation_profile, target);
+  load_rest(sensor, loaded);
+  return loaded;
 }
 
 /// Looks for the files that a scenario names before any is read, so that the message can say who named it.
@@ -91,20 +86,19 @@ std::optional<Violation> missing_file(const Scenario& scenario, const std::files
   const Trajectory& trajectory = scenario.trajectory;
   if (trajectory.source == TrajectorySource::File) files.look_for("trajectory.file.path", trajectory.file.path);
   files.look_for_optional("trajectory.segments_file", trajectory.segments_file);
-  const auto at = [](const char* list, std::size_t index) { return list + ("[" + std::to_string(index) + "]."); };
-  for (std::size_t i = 0; i < scenario.imu.size(); ++i) {
-    const ImuSensor& imu = scenario.imu[i];
-    files.look_for_optional(at("imu", i) + "error_profile", imu.error_profile);
-    files.look_for_optional(at("imu", i) + "vibration_profile", imu.vibration_profile);
-    files.look_for_optional(at("imu", i) + "installation_profile", imu.installation_profile);
-    files.look_for_optional(at("imu", i) + "nominal_installation_profile", imu.nominal_installation_profile);
-  }
-  for (std::size_t i = 0; i < scenario.gnss.size(); ++i) {
-    const GnssSensor& gnss = scenario.gnss[i];
-    files.look_for(at("gnss", i) + "error_profile", gnss.error_profile);
-    files.look_for_optional(at("gnss", i) + "installation_profile", gnss.installation_profile);
-    files.look_for_optional(at("gnss", i) + "nominal_installation_profile", gnss.nominal_installation_profile);
-  }
+  const auto at = [](const std::string& list, std::size_t index) { return list + "[" + std::to_string(index) + "]."; };
+  for_each(catalog::SensorKinds{}, [&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    const auto& sensors = sensors_of<Kind>(scenario);
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+      const std::string place = at(std::string(Kind::name), i);
+      for_each_of(LoadedSection<Kind>::profiles, [&](const auto& named) {
+        const std::string& name = sensors[i].*named.file;
+        named.is_required ? files.look_for(place + named.key, name) : files.look_for_optional(place + named.key, name);
+      });
+      files.look_for_optional(place + "nominal_installation_profile", sensors[i].nominal_installation_profile);
+    }
+  });
   for (std::size_t i = 0; i < scenario.swaps.size(); ++i) {
     files.look_for(at("swaps", i) + "profile", scenario.swaps[i].profile);
   }
@@ -157,19 +151,9 @@ void take_segments_from_file(Trajectory& trajectory, const std::filesystem::path
 }  // namespace
 
 AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target) {
-  switch (kind) {
-    case ProfileKind::ImuError:
-      return read_profile<ImuErrorProfile>(file, target);
-    case ProfileKind::Vibration:
-      return read_profile<VibrationProfile>(file, target);
-    case ProfileKind::Installation:
-      return read_profile<InstallationProfile>(file, target);
-    case ProfileKind::GnssError:
-      return read_profile<GnssErrorProfile>(file, target);
-    case ProfileKind::Fault:
-      break;
-  }
-  return read_profile<FaultProfile>(file, target);
+  AnyProfile profile;
+  catalog::with_profile(kind, [&](auto tag) { profile = read_profile<typename decltype(tag)::type>(file, target); });
+  return profile;
 }
 
 LoadedScenario load(const std::filesystem::path& file, const std::string& unit, TrajectoryRows rows) {
@@ -182,8 +166,10 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit, 
   if (auto broken = missing_file(scenario, file.parent_path())) throw config::Error(file.string(), *broken);
   loaded.truth_rate = time::Rate(scenario.truth_rate_hz);
   const std::filesystem::path folder = file.parent_path();
-  for (const ImuSensor& sensor : scenario.imu) loaded.imus.push_back(load_imu(folder, sensor));
-  for (const GnssSensor& sensor : scenario.gnss) loaded.gnss.push_back(load_gnss(folder, sensor));
+  for_each_sensor(scenario, [&](auto tag, const auto& sensor) {
+    using Kind = typename decltype(tag)::type;
+    (loaded.*LoadedSection<Kind>::sensors).push_back(load_sensor<Kind>(folder, sensor));
+  });
   loaded.truth_samples = 1 + loaded.truth_grid().index(time::from_seconds(scenario.duration_s));
   if (scenario.trajectory.source == TrajectorySource::File && rows == TrajectoryRows::Read) {
     loaded.trajectory_file = load_rows(folder / scenario.trajectory.file.path, scenario.trajectory.file);
@@ -222,8 +208,7 @@ std::vector<AnyProfile> load_schedule(const std::filesystem::path& file, std::ui
 
 time::Grid LoadedScenario::truth_grid() const {
   std::vector<time::Rate> rates{truth_rate};
-  for (const LoadedImu& imu : imus) rates.push_back(imu.rate);
-  for (const LoadedGnss& receiver : gnss) rates.push_back(receiver.rate);
+  for_each_sensor(*this, [&rates](auto, const auto& sensor) { rates.push_back(sensor.rate); });
   return time::Grid(rates);
 }
 
@@ -242,19 +227,9 @@ nav::Gravity LoadedScenario::gravity() const {
                       {options.disturbance_mgal, options.deflection_north_arcsec, options.deflection_east_arcsec});
 }
 
-const LoadedImu& LoadedScenario::imu_number(std::uint32_t number) const {
-  for (const LoadedImu& imu : imus) {
-    if (imu.number == number) return imu;
-  }
-  throw config::Error(file.string(), {Rule::SensorExists, "imu", "has no IMU number " + std::to_string(number)});
-}
-
-const LoadedGnss& LoadedScenario::gnss_number(std::uint32_t number) const {
-  for (const LoadedGnss& receiver : gnss) {
-    if (receiver.number == number) return receiver;
-  }
-  throw config::Error(file.string(),
-                      {Rule::SensorExists, "gnss", "has no GNSS receiver number " + std::to_string(number)});
+void LoadedScenario::no_such_sensor(std::string_view kind, const char* singular, std::uint32_t number) const {
+  throw config::Error(file.string(), {Rule::SensorExists, std::string(kind),
+                                      std::string("has no ") + singular + " number " + std::to_string(number)});
 }
 
 }  // namespace inslab::scenario

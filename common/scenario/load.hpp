@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <tuple>
 
 #include "inslab/data/samples/trajectory_file.hpp"
 #include "inslab/foundation/time/grid.hpp"
@@ -53,10 +54,76 @@ struct LoadedScenario {
   std::uint64_t stream_seed() const;
   /// The gravity that the scenario's options describe.
   nav::Gravity gravity() const;
-  /// Throws config::Error when the scenario has no such sensor.
-  const LoadedImu& imu_number(std::uint32_t number) const;
-  const LoadedGnss& gnss_number(std::uint32_t number) const;
+  /// The sensor of that kind and number. Throws config::Error when the scenario has no such sensor.
+  template <class Kind>
+  const auto& sensor(std::uint32_t number) const;
+
+ private:
+  [[noreturn]] void no_such_sensor(std::string_view kind, const char* singular, std::uint32_t number) const;
 };
+
+/// A kind of profile that a sensor begins with: the key of its file in the scenario, and where the two of them stand.
+template <class Sensor, class Loaded, class Profile>
+struct NamedProfile {
+  const char* key;
+  const char* word;  ///< in what is derived from a scenario
+  std::string Sensor::*file;
+  Profile Loaded::*profile;
+  bool is_required = false;
+};
+
+/// Where the sensors of a kind stand in a loaded scenario, and what they begin with.
+template <class Kind>
+struct LoadedSection;
+template <>
+struct LoadedSection<catalog::Imu> {
+  static constexpr auto sensors = &LoadedScenario::imus;
+  static constexpr std::tuple profiles{
+      NamedProfile<ImuSensor, LoadedImu, ImuErrorProfile>{"error_profile", "errors", &ImuSensor::error_profile,
+                                                          &LoadedImu::errors},
+      NamedProfile<ImuSensor, LoadedImu, VibrationProfile>{"vibration_profile", "vibration",
+                                                           &ImuSensor::vibration_profile, &LoadedImu::vibration},
+      NamedProfile<ImuSensor, LoadedImu, InstallationProfile>{
+          "installation_profile", "installation", &ImuSensor::installation_profile, &LoadedImu::installation}};
+};
+template <>
+struct LoadedSection<catalog::Gnss> {
+  static constexpr auto sensors = &LoadedScenario::gnss;
+  static constexpr std::tuple profiles{
+      NamedProfile<GnssSensor, LoadedGnss, GnssErrorProfile>{"error_profile", "errors", &GnssSensor::error_profile,
+                                                             &LoadedGnss::errors, true},
+      NamedProfile<GnssSensor, LoadedGnss, InstallationProfile>{
+          "installation_profile", "installation", &GnssSensor::installation_profile, &LoadedGnss::installation}};
+};
+
+template <class Kind>
+const auto& sensors_of(const LoadedScenario& scenario) {
+  return scenario.*LoadedSection<Kind>::sensors;
+}
+template <class Kind>
+using Loaded = typename std::decay_t<decltype(sensors_of<Kind>(std::declval<LoadedScenario>()))>::value_type;
+
+/// Calls `visit` with the Tag of the kind and the sensor, for every sensor, kind by kind.
+template <class Visit>
+void for_each_sensor(const LoadedScenario& scenario, const Visit& visit) {
+  for_each(catalog::SensorKinds{}, [&](auto kind) {
+    for (const auto& sensor : sensors_of<typename decltype(kind)::type>(scenario)) visit(kind, sensor);
+  });
+}
+
+/// Calls `visit` with each profile that a sensor begins with.
+template <class Kind, class Visit>
+void for_each_profile(Tag<Kind>, const Loaded<Kind>& sensor, const Visit& visit) {
+  for_each_of(LoadedSection<Kind>::profiles, [&](const auto& named) { visit(sensor.*named.profile); });
+}
+
+template <class Kind>
+const auto& LoadedScenario::sensor(std::uint32_t number) const {
+  for (const auto& one : sensors_of<Kind>(*this)) {
+    if (one.number == number) return one;
+  }
+  no_such_sensor(Kind::name, Kind::singular, number);
+}
 
 /// The rows of a trajectory file: hours of them take hundreds of megabytes, and only who makes the truth needs them.
 enum class TrajectoryRows { Read, LeaveOut };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/foundation/time/grid.hpp"
@@ -14,8 +15,8 @@ namespace inslab::scenario {
 
 namespace {
 
-std::string at(const char* list, std::size_t index, const char* key) {
-  return std::string(list) + "[" + std::to_string(index) + "]." + key;
+std::string at(const std::string& list, std::size_t index, const char* key) {
+  return list + "[" + std::to_string(index) + "]." + key;
 }
 
 /// A rate of the scenario, and where it stands.
@@ -43,7 +44,7 @@ std::optional<Violation> rate_violation(const NamedRate& rate, const std::vector
 
 /// Numbers are given once, instants are apart.
 template <class Sensor>
-std::optional<Violation> sensors_violation(const char* list, const std::vector<Sensor>& sensors,
+std::optional<Violation> sensors_violation(const std::string& list, const std::vector<Sensor>& sensors,
                                            std::vector<NamedRate>& rates) {
   std::set<std::uint32_t> numbers;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
@@ -84,37 +85,21 @@ std::optional<Violation> outages_violation(const GnssSensor& sensor, const std::
 
 /// Topics on which a foreign reader can be demanded: the truth, and those of the scenario's sensors.
 bool is_stream(const Scenario& scenario, const std::string& topic) {
-  const auto is_one_of = [&topic](const auto& sensors, const std::string& root) {
-    return std::any_of(sensors.begin(), sensors.end(),
-                       [&](const auto& sensor) { return topic == root + std::to_string(sensor.number); });
-  };
-  return topic == "inslab/truth" || is_one_of(scenario.imu, "inslab/imu/") ||
-         is_one_of(scenario.imu, "inslab/imu_truth/") || is_one_of(scenario.gnss, "inslab/gnss/");
+  bool is_one = topic == catalog::kTruth.name;
+  for_each_sensor(scenario, [&](auto kind, const auto& sensor) {
+    for_each(catalog::SamplesOf<typename decltype(kind)::type>{}, [&](auto sample) {
+      is_one = is_one || topic == catalog::stream_topic<typename decltype(sample)::type>(sensor.number);
+    });
+  });
+  return is_one;
 }
 
-bool has_sensor(const Scenario& scenario, SensorKind kind, std::uint32_t number) {
-  const auto has = [number](const auto& sensors) {
-    for (const auto& sensor : sensors) {
-      if (sensor.number == number) return true;
-    }
-    return false;
-  };
-  return kind == SensorKind::Imu ? has(scenario.imu) : has(scenario.gnss);
-}
-
-/// The only kind of sensor that such profiles are for, or nothing when they are for both.
-std::optional<SensorKind> sensor_of(ProfileKind kind) {
-  switch (kind) {
-    case ProfileKind::ImuError:
-    case ProfileKind::Vibration:
-      return SensorKind::Imu;
-    case ProfileKind::GnssError:
-      return SensorKind::Gnss;
-    case ProfileKind::Installation:
-    case ProfileKind::Fault:
-      break;
-  }
-  return std::nullopt;
+bool has_sensor(const Scenario& scenario, const SensorAddress& address) {
+  bool has = false;
+  for_each_sensor(scenario, [&](auto kind, const auto& sensor) {
+    has = has || SensorAddress{decltype(kind)::type::kind, sensor.number} == address;
+  });
+  return has;
 }
 
 /// The name becomes that of the run's log, so it must not lead elsewhere or hide the file.
@@ -148,10 +133,10 @@ std::optional<Violation> route_violation(const Scenario& scenario) {
 std::optional<Violation> list_violation(const std::vector<ScheduledSwap>& swaps) {
   for (std::size_t i = 0; i < swaps.size(); ++i) {
     const ScheduledSwap& swap = swaps[i];
-    if (const auto expected = sensor_of(swap.kind); expected && *expected != swap.sensor_kind) {
+    if (!catalog::takes_profile(swap.sensor_kind, swap.kind)) {
       return Violation{Rule::ProfileFitsSensor, at("swaps", i, "sensor_kind"),
                        "is " + std::string(enum_name(swap.sensor_kind)) + "; a profile of the kind " +
-                           std::string(enum_name(swap.kind)) + " is for " + std::string(enum_name(*expected))};
+                           std::string(enum_name(swap.kind)) + " is for " + catalog::wearers(swap.kind)};
     }
     if (i > 0 && swap.at_s < swaps[i - 1].at_s) {
       return Violation{Rule::SwapsInOrder, at("swaps", i, "at_s"),
@@ -167,7 +152,7 @@ std::optional<Violation> list_violation(const std::vector<ScheduledSwap>& swaps)
 std::optional<Violation> swaps_violation(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.swaps.size(); ++i) {
     const ScheduledSwap& swap = scenario.swaps[i];
-    if (!has_sensor(scenario, swap.sensor_kind, swap.sensor_number)) {
+    if (!has_sensor(scenario, {swap.sensor_kind, swap.sensor_number})) {
       return Violation{
           Rule::SensorExists, at("swaps", i, "sensor_number"),
           "names " + sensor_name({swap.sensor_kind, swap.sensor_number}) + ", which the scenario does not have"};
@@ -182,12 +167,15 @@ std::optional<Violation> swaps_violation(const Scenario& scenario) {
 /// The reference navigation app has its sensors, and the unit to itself.
 std::optional<Violation> reference_nav_violation(const Scenario& scenario) {
   if (!scenario.reference_nav) return std::nullopt;
-  for (const auto& [kind, number] : {SensorAddress{SensorKind::Imu, scenario.reference_nav->imu},
-                                     SensorAddress{SensorKind::Gnss, scenario.reference_nav->gnss}}) {
-    if (has_sensor(scenario, kind, number)) continue;
-    return Violation{Rule::SensorExists, "reference_nav." + std::string(enum_name(kind)),
-                     "names " + sensor_name({kind, number}) + ", which the scenario does not have"};
-  }
+  std::optional<Violation> missing;
+  for_each(catalog::SensorKinds{}, [&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    const auto number = sensor_of_the_app<Kind>(*scenario.reference_nav);
+    if (missing || !number || has_sensor(scenario, {Kind::kind, *number})) return;
+    missing = Violation{Rule::SensorExists, "reference_nav." + std::string(Kind::name),
+                        "names " + sensor_name({Kind::kind, *number}) + ", which the scenario does not have"};
+  });
+  if (missing) return missing;
   if (!scenario.require_nav_app) return std::nullopt;
   return Violation{Rule::OneNavApp, "require_nav_app",
                    "is true beside reference_nav; expected one of them: two apps on inslab/nav cannot be told apart"};
@@ -249,8 +237,12 @@ std::optional<Violation> violation(const Scenario& scenario) {
   }
   if (auto broken = route_violation(scenario)) return broken;
   std::vector<NamedRate> rates{{"truth_rate_hz", scenario.truth_rate_hz}};
-  if (auto broken = sensors_violation("imu", scenario.imu, rates)) return broken;
-  if (auto broken = sensors_violation("gnss", scenario.gnss, rates)) return broken;
+  std::optional<Violation> broken_sensor;
+  for_each(catalog::SensorKinds{}, [&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    if (!broken_sensor) broken_sensor = sensors_violation(std::string(Kind::name), sensors_of<Kind>(scenario), rates);
+  });
+  if (broken_sensor) return broken_sensor;
   for (std::size_t i = 0; i < scenario.gnss.size(); ++i) {
     if (auto broken = outages_violation(scenario.gnss[i], at("gnss", i, ""))) return broken;
   }

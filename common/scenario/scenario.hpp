@@ -1,6 +1,7 @@
 #pragma once
 
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
+#include "inslab/data/catalog/sensor_kinds.hpp"
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/data/samples/outage.hpp"
 #include "inslab/scenario/acceptance.hpp"
@@ -135,7 +136,8 @@ struct RequiredSubscriber {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
-    visit(Field("topic", "inslab/truth, or one of a sensor of the scenario, such as inslab/imu/0").required(),
+    visit(Field("topic", "that of the truth, inslab/truth, or one of a sensor of the scenario, such as inslab/imu/0")
+              .required(),
           self.topic);
     visit(Field("count", "how many readers besides ours").in(1.0, 64.0), self.count);
   }
@@ -188,8 +190,8 @@ struct Scenario {
         Field("truth_rate_hz", "the truth has a sample at each k/rate, and at every instant of a sensor").in(1.0, 1e4),
         self.truth_rate_hz);
     visit(Field("trajectory", "the vehicle's motion").required(), self.trajectory);
-    visit(Field("imu", "the IMUs of this unit").at_most(8), self.imu);
-    visit(Field("gnss", "the GNSS receivers of this unit").at_most(8), self.gnss);
+    visit(Field(catalog::Imu::name, "the IMUs of this unit").at_most(8), self.imu);
+    visit(Field(catalog::Gnss::name, "the GNSS receivers of this unit").at_most(8), self.gnss);
     visit(Field("swaps", "profiles swapped while the run goes on").at_most(10000), self.swaps);
     visit(Field("clock", "what sets the pace of a live run"), self.clock);
     visit(Field("require_subscribers", "readers that are not ours; the barrier waits for them").at_most(32),
@@ -204,6 +206,45 @@ struct Scenario {
           self.acceptance);
   }
 };
+
+/// Where the sensors of a kind stand in a scenario, and which of them the reference navigation app navigates by; null:
+/// by none of that kind.
+template <class Kind>
+struct Section;
+template <>
+struct Section<catalog::Imu> {
+  static constexpr auto sensors = &Scenario::imu;
+  static constexpr auto of_the_app = &ReferenceNav::imu;
+};
+template <>
+struct Section<catalog::Gnss> {
+  static constexpr auto sensors = &Scenario::gnss;
+  static constexpr auto of_the_app = &ReferenceNav::gnss;
+};
+
+template <class Kind>
+const auto& sensors_of(const Scenario& scenario) {
+  return scenario.*Section<Kind>::sensors;
+}
+
+/// Whether the reference navigation app uses sensors of this kind at all.
+template <class Kind>
+inline constexpr bool is_navigated_by = !std::is_null_pointer_v<decltype(Section<Kind>::of_the_app)>;
+
+/// The number of the sensor of that kind that the app navigates by.
+template <class Kind>
+std::optional<std::uint32_t> sensor_of_the_app(const ReferenceNav& app) {
+  if constexpr (is_navigated_by<Kind>) return app.*Section<Kind>::of_the_app;
+  return std::nullopt;
+}
+
+/// Calls `visit` with the Tag of the kind and the sensor, for every sensor, kind by kind.
+template <class Visit>
+void for_each_sensor(const Scenario& scenario, const Visit& visit) {
+  for_each(catalog::SensorKinds{}, [&](auto kind) {
+    for (const auto& sensor : sensors_of<typename decltype(kind)::type>(scenario)) visit(kind, sensor);
+  });
+}
 
 /// The first rule that the scenario breaks and that no single field's limits express, or nothing: instants
 /// too near to each other, sensors given twice, swaps of sensors that are not there or after the end, broken

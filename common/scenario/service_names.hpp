@@ -4,17 +4,16 @@
 #include <utility>
 #include <vector>
 
+#include "inslab/data/catalog/services.hpp"
 #include "inslab/scenario/load.hpp"
 
 namespace inslab::app {
 
 using ServiceKey = std::pair<std::string, std::uint32_t>;  // service, sensor number
 
-inline constexpr const char* kTrajectoryServer = "inslab-trajectory-server";
-inline constexpr const char* kImuInjector = "inslab-imu-injector";
-inline constexpr const char* kGnssEmulator = "inslab-gnss-emulator";
-inline constexpr const char* kTruthLogger = "inslab-truth-logger";
-inline constexpr const char* kReferenceNav = "inslab-reference-nav";
+using catalog::kReferenceNav;
+using catalog::kTrajectoryServer;
+using catalog::kTruthLogger;
 /// The app under test, in credits: it is not ours and need not know of them.
 inline constexpr const char* kNavApp = "navigation app";
 /// What the message of a service begins with that was told to stop in mid-run: its going is no fault of the run's.
@@ -26,8 +25,9 @@ inline constexpr const char* kWaitsForApp = "waits for an app: ";
 /// The services that read the truth of a scenario, with their sensor numbers.
 inline std::vector<ServiceKey> truth_consumers(const scenario::LoadedScenario& scenario) {
   std::vector<ServiceKey> services;
-  for (const auto& imu : scenario.imus) services.emplace_back(kImuInjector, imu.number);
-  for (const auto& gnss : scenario.gnss) services.emplace_back(kGnssEmulator, gnss.number);
+  for_each_sensor(scenario, [&services](auto kind, const auto& sensor) {
+    services.emplace_back(decltype(kind)::type::service, sensor.number);
+  });
   services.emplace_back(kTruthLogger, 0u);
   return services;
 }
@@ -39,12 +39,15 @@ inline std::vector<ServiceKey> required_services(const scenario::LoadedScenario&
   return services;
 }
 
-/// Our consumers of the stream of a sensor: the logger, and the reference navigation app where it navigates by it.
-inline std::vector<ServiceKey> stream_consumers(const scenario::Scenario& scenario, SensorKind kind,
-                                                std::uint32_t number) {
+/// Our consumers of a stream of sensor `number`: the logger, and the reference navigation app where it navigates by it.
+template <class Kind>
+std::vector<ServiceKey> stream_consumers(const scenario::Scenario& scenario, catalog::Audience audience,
+                                         std::uint32_t number) {
   std::vector<ServiceKey> services{{kTruthLogger, 0u}};
   const auto& app = scenario.reference_nav;
-  if (app && number == (kind == SensorKind::Imu ? app->imu : app->gnss)) services.emplace_back(kReferenceNav, 0u);
+  if (audience == catalog::Audience::App && app && scenario::sensor_of_the_app<Kind>(*app) == number) {
+    services.emplace_back(kReferenceNav, 0u);
+  }
   return services;
 }
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "inslab/data/profiles/profile_rules.hpp"
+#include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/text/shown.hpp"
 

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/foundation/fields/violation.hpp"
 #include "inslab/foundation/time/grid.hpp"

@@ -1,36 +1,39 @@
 #include "inslab/sim/log_sink.hpp"
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/foundation/host/host.hpp"
 
 namespace inslab::cli {
+
+namespace {
+
+template <class... Profile>
+std::tuple<io::LogChannel<Profile>...> journal_channels(io::McapWriter& log, Types<Profile...>) {
+  return std::tuple<io::LogChannel<Profile>...>(io::LogChannel<Profile>(log, catalog::journal_topic(Profile::kind))...);
+}
+
+}  // namespace
 
 LogSink::LogSink(const std::string& path, const scenario::LoadedScenario& scenario, const time::GpsTime& start)
     : log_(path, scenario, app::cpu_features(), logger::RunLog::kChunkBytes, io::OutputFile::Kind::Result),
       utc_of_sim_time_zero_ns_(static_cast<std::uint64_t>(time::realtime_from_gps(start).count())),
       latest_utc_ns_(utc_of_sim_time_zero_ns_),
-      truth_(log_.file(), wire::topic_names::kTruth),
-      acks_(log_.file(), wire::topic_names::kProfileAck),
-      journals_(journal_channel<ImuErrorProfile>(), journal_channel<VibrationProfile>(),
-                journal_channel<InstallationProfile>(), journal_channel<GnssErrorProfile>(),
-                journal_channel<FaultProfile>()) {
-  for (const auto& sensor : scenario.imus) {
-    imu_.emplace_back(log_.file(), wire::topic_names::imu(sensor.number));
-    imu_truth_.emplace_back(log_.file(), wire::topic_names::imu_truth(sensor.number));
-  }
-  for (const auto& sensor : scenario.gnss) gnss_.emplace_back(log_.file(), wire::topic_names::gnss(sensor.number));
-  if (scenario.scenario.reference_nav) nav_.emplace(log_.file(), wire::topic_names::kNav);
+      truth_(log_.file(), catalog::kTruth.name),
+      acks_(log_.file(), catalog::kProfileAck.name),
+      journals_(journal_channels(log_.file(), catalog::ProfileKinds{})) {
+  for_each_sensor(scenario, [this](auto kind, const auto& sensor) {
+    for_each(catalog::SamplesOf<typename decltype(kind)::type>{}, [&](auto sample) {
+      using Sample = typename decltype(sample)::type;
+      std::get<Channels<Sample>>(streams_).emplace_back(log_.file(), catalog::stream_topic<Sample>(sensor.number));
+    });
+  });
+  if (scenario.scenario.reference_nav) nav_.emplace(log_.file(), catalog::kNav.name);
 }
 
 template <class T>
 void LogSink::write(io::LogChannel<T>& channel, const T& sample, const StreamHeader& header) {
   latest_utc_ns_ = utc_of_sim_time_zero_ns_ + static_cast<std::uint64_t>(header.sim_time_ns);
   channel.write(sample, static_cast<std::uint32_t>(header.sequence_number), latest_utc_ns_, latest_utc_ns_);
-}
-
-template <class Profile>
-io::LogChannel<Profile> LogSink::journal_channel() {
-  return {log_.file(), wire::topic_names::journal(Profile::kind)};
 }
 
 void LogSink::journal(const AnyProfile& entry) {
@@ -44,18 +47,22 @@ void LogSink::journal(const AnyProfile& entry) {
 }
 
 void LogSink::vehicle_state(const UsedVehicleState& used) {
-  if (!vehicle_states_) vehicle_states_.emplace(log_.file(), wire::topic_names::kVehicleStateUsed);
+  if (!vehicle_states_) vehicle_states_.emplace(log_.file(), catalog::kVehicleStateUsed.name);
   write(*vehicle_states_, used, used.header);
 }
 
 void LogSink::truth(const TruthState& truth) { write(truth_, truth, truth.header); }
 
-void LogSink::imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) {
-  write(imu_[index], sample, sample.header);
-  write(imu_truth_[index], truth, truth.header);
+template <class... Sample>
+void LogSink::write_streams(std::size_t index, const Sample&... samples) {
+  (write(std::get<Channels<Sample>>(streams_)[index], samples, samples.header), ...);
 }
 
-void LogSink::gnss(std::size_t index, const GnssFix& fix) { write(gnss_[index], fix, fix.header); }
+void LogSink::imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) {
+  write_streams(index, sample, truth);
+}
+
+void LogSink::gnss(std::size_t index, const GnssFix& fix) { write_streams(index, fix); }
 
 void LogSink::nav(const NavSolution& solution) { nav_->write(solution, nav_count_++, latest_utc_ns_, latest_utc_ns_); }
 

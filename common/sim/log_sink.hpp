@@ -3,6 +3,7 @@
 #include <deque>
 #include <tuple>
 
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/sim/offline_run.hpp"
 #include "inslab/sim/run_log.hpp"
 
@@ -28,21 +29,19 @@ class LogSink : public RunSink {
  private:
   template <class T>
   void write(io::LogChannel<T>& channel, const T& sample, const StreamHeader& header);
-  template <class Profile>
-  io::LogChannel<Profile> journal_channel();
+  template <class... Sample>
+  void write_streams(std::size_t index, const Sample&... samples);
 
   logger::RunLog log_;
   std::uint64_t utc_of_sim_time_zero_ns_;
   std::uint64_t latest_utc_ns_;
   io::LogChannel<TruthState> truth_;
   std::optional<io::LogChannel<UsedVehicleState>> vehicle_states_;
-  std::deque<io::LogChannel<ImuSample>> imu_;
-  std::deque<io::LogChannel<ImuTruth>> imu_truth_;
-  std::deque<io::LogChannel<GnssFix>> gnss_;
   io::LogChannel<ProfileAck> acks_;
-  std::tuple<io::LogChannel<ImuErrorProfile>, io::LogChannel<VibrationProfile>, io::LogChannel<InstallationProfile>,
-             io::LogChannel<GnssErrorProfile>, io::LogChannel<FaultProfile>>
-      journals_;
+  Applied<std::tuple, Mapped<io::LogChannel, catalog::ProfileKinds>> journals_;
+  template <class Sample>
+  using Channels = std::deque<io::LogChannel<Sample>>;  // by the sensor's index
+  Applied<std::tuple, Mapped<Channels, catalog::SensorSamples>> streams_;
   std::optional<io::LogChannel<NavSolution>> nav_;
   std::uint32_t ack_count_ = 0;
   std::uint32_t nav_count_ = 0;

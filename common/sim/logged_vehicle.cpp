@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
@@ -14,7 +14,7 @@ std::vector<UsedVehicleState> logged_vehicle_states(const std::string& log_path)
   const io::McapReader log(log_path);
   std::vector<UsedVehicleState> states;
   log.for_each([&](const io::mcap::Message& message) {
-    if (log.channels().at(message.channel_id).topic != wire::topic_names::kVehicleStateUsed) return true;
+    if (log.channels().at(message.channel_id).topic != catalog::kVehicleStateUsed.name) return true;
     UsedVehicleState state;
     if (wire::decode(message.data, message.size, state)) states.push_back(state);
     return true;
@@ -22,7 +22,7 @@ std::vector<UsedVehicleState> logged_vehicle_states(const std::string& log_path)
   std::sort(states.begin(), states.end(), [](const UsedVehicleState& a, const UsedVehicleState& b) {
     return a.header.sequence_number < b.header.sequence_number;
   });
-  const std::string topic = wire::topic_names::kVehicleStateUsed;
+  const std::string topic = catalog::kVehicleStateUsed.name;
   if (states.empty()) throw io::ReadError(log_path + ": has no " + topic + ": no run of a live vehicle");
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (states[i].header.sequence_number == i) continue;

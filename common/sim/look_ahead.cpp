@@ -165,7 +165,7 @@ LookAhead look_ahead(scenario::LoadedScenario scenario, double longest_s,
       more = run.step();
       if (is_known || (watcher.ahead.filter && !watcher.ahead.filter->begins_s)) continue;
       is_known = true;
-      needs_imus ? run.leave_navigation() : run.leave_sensors();
+      needs_imus ? run.keep_only<catalog::Imu>() : run.keep_only<>();
     }
     if (progress) progress(run.sim_time());
   }

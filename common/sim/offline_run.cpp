@@ -9,13 +9,13 @@ namespace inslab::cli {
 OfflineRun::OfflineRun(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id,
                        RunSink& sink, std::vector<UsedVehicleState> vehicle_states)
     : sink_(sink), run_id_(run_id), source_(scenario, start, run_id), vehicle_states_(std::move(vehicle_states)) {
-  for (const auto& imu : scenario.imus) injectors_.emplace_back(scenario, imu);
-  for (const auto& gnss : scenario.gnss) emulators_.emplace_back(scenario, gnss);
+  for_each_sensor(scenario, [&](auto kind, const auto& sensor) {
+    sensors<typename decltype(kind)::type>().emplace_back(scenario, sensor);
+  });
   if (const auto& app = scenario.scenario.reference_nav) {
     const reference_nav::AppSetup setup = reference_nav::setup_for(scenario, *app);
     navigator_.emplace(setup.parameters, setup.gravity);
-    while (scenario.imus[nav_imu_].number != app->imu) ++nav_imu_;
-    while (scenario.gnss[nav_gnss_].number != app->gnss) ++nav_gnss_;
+    app_ = app;
   }
   for (const AnyProfile& request : scenario.swaps) {
     auto verdict = source_.submit(request);
@@ -25,8 +25,9 @@ OfflineRun::OfflineRun(const scenario::LoadedScenario& scenario, const time::Gps
     }
     const AnyProfile& entry = std::get<AnyProfile>(verdict);
     sink_.journal(entry);
-    for (auto& injector : injectors_) injector.add(entry);
-    for (auto& emulator : emulators_) emulator.add(entry);
+    for_each_of(sensors_, [&entry](auto& of_a_kind) {
+      for (auto& sensor : of_a_kind) sensor.add(entry);
+    });
   }
 }
 
@@ -53,47 +54,37 @@ void OfflineRun::navigate(std::int64_t fixes_complete_up_to_ns) {
   }
 }
 
-void OfflineRun::leave_navigation() {
-  navigator_.reset();
-  emulators_.clear();
-}
-
-void OfflineRun::leave_sensors() {
-  leave_navigation();
-  injectors_.clear();
+template <class Kind>
+void OfflineRun::process(const TruthState& truth) {
+  for (std::size_t i = 0; i < sensors<Kind>().size(); ++i) {
+    typename sim::Sensor<Kind>::Result result = sensors<Kind>()[i].process(truth);
+    if (result.output) {
+      using Wiring = sim::SensorModel<Kind>;
+      Wiring::hand(sink_, i, *result.output);
+      if constexpr (scenario::is_navigated_by<Kind>) {
+        const auto& sample = std::get<0>(Wiring::samples(*result.output));
+        if (navigator_ && scenario::sensor_of_the_app<Kind>(*app_) == sample.sensor_number) navigator_->add(sample);
+      }
+    }
+    for (const ProfileAck& ack : result.acks) sink_.ack(ack);
+  }
 }
 
 bool OfflineRun::step() {
   if (!source_.has_next()) {
     if (navigator_) navigate(reference_nav::Navigator::kEver);
-    for (auto& injector : injectors_) {
-      for (const ProfileAck& ack : injector.close(run_id_)) sink_.ack(ack);
-    }
-    for (auto& emulator : emulators_) {
-      for (const ProfileAck& ack : emulator.close(run_id_)) sink_.ack(ack);
-    }
+    for_each_of(sensors_, [this](auto& of_a_kind) {
+      for (auto& sensor : of_a_kind) {
+        for (const ProfileAck& ack : sensor.close(run_id_)) sink_.ack(ack);
+      }
+    });
     return false;
   }
   use_vehicle_states();
   const TruthState truth = source_.take();
   sim_time_ = time::Nanoseconds(truth.header.sim_time_ns);
   sink_.truth(truth);
-  for (std::size_t i = 0; i < injectors_.size(); ++i) {
-    const imu::Injector::Result result = injectors_[i].process(truth);
-    if (result.output) {
-      sink_.imu(i, result.output->sample, result.output->truth);
-      if (navigator_ && i == nav_imu_) navigator_->add(result.output->sample);
-    }
-    for (const ProfileAck& ack : result.acks) sink_.ack(ack);
-  }
-  for (std::size_t i = 0; i < emulators_.size(); ++i) {
-    const gnss::Emulator::Result result = emulators_[i].process(truth);
-    if (result.fix) {
-      sink_.gnss(i, *result.fix);
-      if (navigator_ && i == nav_gnss_) navigator_->add(*result.fix);
-    }
-    for (const ProfileAck& ack : result.acks) sink_.ack(ack);
-  }
+  for_each(catalog::SensorKinds{}, [this, &truth](auto kind) { process<typename decltype(kind)::type>(truth); });
   if (navigator_) navigate(sim_time_.count());
   return true;
 }

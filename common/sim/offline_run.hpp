@@ -4,24 +4,11 @@
 #include <vector>
 
 #include "inslab/models/navigation/navigator.hpp"
-#include "inslab/sim/emulator.hpp"
-#include "inslab/sim/injector.hpp"
+#include "inslab/sim/run_sink.hpp"
+#include "inslab/sim/sensors.hpp"
 #include "inslab/sim/truth_source.hpp"
 
 namespace inslab::cli {
-
-/// Where the samples of an offline run go; every function is called in the order of sim time.
-class RunSink {
- public:
-  virtual ~RunSink() = default;
-  virtual void journal(const AnyProfile& entry) = 0;
-  virtual void vehicle_state(const UsedVehicleState&) {}  ///< of a live vehicle only
-  virtual void truth(const TruthState& truth) = 0;
-  virtual void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) = 0;
-  virtual void gnss(std::size_t index, const GnssFix& fix) = 0;
-  virtual void nav(const NavSolution&) {}  ///< of the reference navigation app, when the scenario has it
-  virtual void ack(const ProfileAck& ack) = 0;
-};
 
 /// The models of all services in one process, without DDS, as fast as they go. For the same scenario and seed its
 /// samples are those of the live run, bit for bit (run id and publish times aside).
@@ -37,26 +24,37 @@ class OfflineRun {
   /// before it.
   bool step();
 
-  /// From here on without receivers and the reference navigation app.
-  void leave_navigation();
-  /// From here on without IMUs, and so without all of that.
-  void leave_sensors();
+  /// From here on without the reference navigation app, and of the sensors with those of the kinds `Kept` alone.
+  template <class... Kept>
+  void keep_only() {
+    navigator_.reset();
+    for_each(catalog::SensorKinds{}, [this](auto tag) {
+      using Kind = typename decltype(tag)::type;
+      if constexpr (!is_among<Kind, Types<Kept...>>) sensors<Kind>().clear();
+    });
+  }
 
   time::Nanoseconds sim_time() const { return sim_time_; }
   /// The reference navigation app; null when the scenario has none.
   reference_nav::Navigator* navigator() { return navigator_ ? &*navigator_ : nullptr; }
 
  private:
+  template <class Kind>
+  auto& sensors() {
+    return std::get<Sensors<Kind>>(sensors_);
+  }
+  template <class Kind>
+  void process(const TruthState& truth);
   void use_vehicle_states();
   void navigate(std::int64_t fixes_complete_up_to_ns);
 
   RunSink& sink_;
   RunId run_id_;
   trajectory::TruthSource source_;
-  std::vector<imu::Injector> injectors_;
-  std::vector<gnss::Emulator> emulators_;
-  std::size_t nav_imu_ = 0;   ///< index of the injector that the navigation app hears
-  std::size_t nav_gnss_ = 0;  ///< and of the emulator
+  template <class Kind>
+  using Sensors = std::vector<sim::Sensor<Kind>>;
+  Applied<std::tuple, Mapped<Sensors, catalog::SensorKinds>> sensors_;
+  std::optional<scenario::ReferenceNav> app_;  ///< whose sensors the navigation app hears
   std::optional<reference_nav::Navigator> navigator_;
   std::vector<UsedVehicleState> vehicle_states_;
   std::size_t next_vehicle_state_ = 0;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/data/samples/stream_header.hpp"
 #include "inslab/data/samples/truth_state.hpp"
@@ -58,7 +58,8 @@ class ProfileDesk {
   std::uint64_t taken_ = 0;                                                 // how many that are, of all sensors
   std::set<Place> ahead_;                                                   // the others that are known, of all sensors
   std::map<Place, AnyProfile> waiting_;                                     // those of this sensor
-  std::array<std::vector<std::uint8_t>, 5> parameters_in_use_;              // by kind, CDR without the request
+  std::array<std::vector<std::uint8_t>, catalog::ProfileKinds::size>
+      parameters_in_use_;  // by kind, CDR without the request
   std::vector<ProfileAck> to_acknowledge_;
 };
 

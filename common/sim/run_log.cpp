@@ -30,15 +30,9 @@ RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario
                               {"unit", scenario.unit},
                               {"json", config::to_json(scenario.scenario).dump(2)}});
   file_.metadata("build", {{"version", kVersion}, {"cpu_features", cpu_features}});
-  for (const auto& imu : scenario.imus) {
-    add_profile(imu.errors);
-    add_profile(imu.vibration);
-    add_profile(imu.installation);
-  }
-  for (const auto& gnss : scenario.gnss) {
-    add_profile(gnss.errors);
-    add_profile(gnss.installation);
-  }
+  for_each_sensor(scenario, [this](auto of_kind, const auto& sensor) {
+    for_each_profile(of_kind, sensor, [this](const auto& profile) { add_profile(profile); });
+  });
 }
 
 RunLog::RunLog(const std::string& path, std::size_t chunk_bytes)

@@ -32,35 +32,35 @@ class Folder {
   std::string path_;
 };
 
+/// The parts of a sensor that are no profile.
+template <class Loaded, class Sensor>
+void write_rest(const Loaded&, Sensor&) {}
+void write_rest(const scenario::LoadedGnss& gnss, scenario::GnssSensor& sensor) {
+  sensor.outages = gnss.outages;
+  sensor.outage_areas = gnss.outage_areas;
+}
+
 }  // namespace
 
 std::string write_scenario_folder(const scenario::LoadedScenario& loaded,
                                   const reference_nav::NavigationParameters& parameters, const std::string& folder) {
   const Folder files(folder);
   scenario::Scenario scenario = loaded.scenario;
-  scenario.imu.clear();
-  for (const scenario::LoadedImu& imu : loaded.imus) {
-    const std::string stem = "imu" + std::to_string(imu.number);
-    scenario::ImuSensor sensor;
-    sensor.number = imu.number;
-    sensor.rate_hz = imu.rate.hz();
-    sensor.error_profile = files.write(stem + "_errors.json", imu.errors);
-    sensor.vibration_profile = files.write(stem + "_vibration.json", imu.vibration);
-    sensor.installation_profile = files.write(stem + "_installation.json", imu.installation);
-    scenario.imu.push_back(sensor);
-  }
-  scenario.gnss.clear();
-  for (const scenario::LoadedGnss& gnss : loaded.gnss) {
-    const std::string stem = "gnss" + std::to_string(gnss.number);
-    scenario::GnssSensor sensor;
-    sensor.number = gnss.number;
-    sensor.rate_hz = gnss.rate.hz();
-    sensor.error_profile = files.write(stem + "_errors.json", gnss.errors);
-    sensor.installation_profile = files.write(stem + "_installation.json", gnss.installation);
-    sensor.outages = gnss.outages;
-    sensor.outage_areas = gnss.outage_areas;
-    scenario.gnss.push_back(sensor);
-  }
+  for_each(catalog::SensorKinds{}, [&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    auto& sensors = scenario.*scenario::Section<Kind>::sensors;
+    sensors.clear();
+    for (const auto& one : scenario::sensors_of<Kind>(loaded)) {
+      auto& sensor = sensors.emplace_back();
+      sensor.number = one.number;
+      sensor.rate_hz = one.rate.hz();
+      const std::string stem = std::string(Kind::name) + std::to_string(one.number);
+      for_each_of(scenario::LoadedSection<Kind>::profiles, [&](const auto& named) {
+        sensor.*named.file = files.write(stem + "_" + named.word + ".json", one.*named.profile);
+      });
+      write_rest(one, sensor);
+    }
+  });
   if (loaded.trajectory_file) {
     scenario.trajectory.file.path = files.write_rows("trajectory.nav", *loaded.trajectory_file);
   }

@@ -8,8 +8,9 @@ namespace {
 
 std::vector<SensorAddress> sensors_of(const scenario::LoadedScenario& scenario) {
   std::vector<SensorAddress> sensors;
-  for (const auto& imu : scenario.imus) sensors.push_back({SensorKind::Imu, imu.number});
-  for (const auto& gnss : scenario.gnss) sensors.push_back({SensorKind::Gnss, gnss.number});
+  for_each_sensor(scenario, [&sensors](auto kind, const auto& sensor) {
+    sensors.push_back({decltype(kind)::type::kind, sensor.number});
+  });
   return sensors;
 }
 

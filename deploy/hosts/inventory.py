@@ -5,8 +5,8 @@ import json
 import pathlib
 import re
 
-SERVICES = {"trajectory-server": False, "imu-injector": True, "gnss-emulator": True, "truth-logger": False,
-            "reference-nav": False}  # whether there is one for each sensor
+# Whether there is one for each sensor; the file follows from the catalogue.
+SERVICES = json.loads((pathlib.Path(__file__).resolve().parent / "services.json").read_text(encoding="utf-8"))
 KEYS = {"scenario": str, "domain": int, "unit": str, "discovery": str, "log": str, "hosts": list, "clock": list}
 HOST_KEYS = {"name": str, "address": str, "folder": str, "reach": list, "services": list, "systemd": bool,
              "discovery_server": bool}

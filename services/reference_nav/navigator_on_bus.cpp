@@ -39,14 +39,15 @@ NavigatorOnBus::NavigatorOnBus(app::Context& context, const scenario::ReferenceN
              }),
       solutions_(context.participant(), dds::topics::nav()),
       blocks_(context.participant(), dds::topics::block(dds::topics::nav())),
-      imu_(context, dds::topics::imu(app.imu, context.scenario().imu_number(app.imu).rate.hz()),
+      imu_(context, dds::topics::stream<ImuSample>(app.imu, context.scenario().sensor<catalog::Imu>(app.imu).rate.hz()),
            [this](app::Arrived<ImuSample> arrived) { mailbox_.put(std::move(arrived)); }),
-      gnss_(context, dds::topics::gnss(app.gnss, context.scenario().gnss_number(app.gnss).rate.hz()),
+      gnss_(context,
+            dds::topics::stream<GnssFix>(app.gnss, context.scenario().sensor<catalog::Gnss>(app.gnss).rate.hz()),
             [this](app::Arrived<GnssFix> arrived) { mailbox_.put(std::move(arrived)); }),
       credits_(context, dds::topics::credit(),
                [this](const Credit& credit, const dds::SampleOrigin&) {
                  const bool of_our_receiver =
-                     credit.consumer == app::kGnssEmulator && credit.consumer_number == app_.gnss;
+                     credit.consumer == catalog::Gnss::service && credit.consumer_number == app_.gnss;
                  if (of_our_receiver && credit.topic == dds::topics::truth().name) mailbox_.put(credit);
                }),
       service_status_(context, dds::topics::service_status(),
@@ -98,10 +99,10 @@ void NavigatorOnBus::handle(const ServiceStatus& status) {
   if (status.run_id != run_id_ || (status.state != ServiceState::Finished && status.state != ServiceState::Fault)) {
     return;
   }
-  if (status.service == app::kGnssEmulator && status.sensor_number == app_.gnss) {
+  if (status.service == catalog::Gnss::service && status.sensor_number == app_.gnss) {
     navigator_.fixes_complete_up_to(Navigator::kEver);
   }
-  if (status.service != app::kImuInjector || status.sensor_number != app_.imu) return;
+  if (status.service != catalog::Imu::service || status.sensor_number != app_.imu) return;
   for (const StreamStatus& stream : status.streams) {
     if (stream.topic == imu_.topic() && stream.direction == StreamDirection::Out) imu_sent_ = stream.samples;
   }

@@ -39,7 +39,7 @@ std::string ServerOnBus::fault_of_a_service() const {
     const auto found = services_.find({service, number});
     if (found == services_.end() || !found->second.is_fault_of_this_run) continue;
     const std::string& message = found->second.message;
-    const bool makes_data = service == app::kImuInjector || service == app::kGnssEmulator;
+    const bool makes_data = catalog::is_of_a_sensor_kind(service);
     const bool was_told = message.rfind(app::kEndedBySignal, 0) == 0;
     if (clock_stands() || (makes_data && !was_told)) return service + " " + std::to_string(number) + ": " + message;
   }

@@ -57,11 +57,9 @@ ServerOnBus::ServerOnBus(app::Context& context)
       credits_(context, dds::topics::credit(), [this](const Credit& credit, const dds::SampleOrigin&) {
         if (credit.topic == truth_.topic()) mailbox_.put(credit);
       }) {
-  open_profile_topics<ImuErrorProfile>(context.participant());
-  open_profile_topics<VibrationProfile>(context.participant());
-  open_profile_topics<InstallationProfile>(context.participant());
-  open_profile_topics<GnssErrorProfile>(context.participant());
-  open_profile_topics<FaultProfile>(context.participant());
+  for_each(catalog::ProfileKinds{}, [this, &context](auto profile) {
+    open_profile_topics<typename decltype(profile)::type>(context.participant());
+  });
   if (scenario_.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) {
     vehicle_ = std::make_unique<VehicleOnBus>(context, scenario_.scenario.trajectory.vehicle,
                                               [this](const VehicleState& state) { mailbox_.put(state); });
@@ -286,14 +284,12 @@ int ServerOnBus::end(RunState state, const std::string& message) {
 
 int ServerOnBus::run() {
   source_ = std::make_unique<TruthSource>(scenario_, scenario_.start(app::realtime_now()), run_id_);
-  for (const auto& imu : scenario_.imus) {
-    installation_.write({{SensorKind::Imu, imu.number},
-                         imu.nominal_installation.lever_arm_v_m,
-                         imu.nominal_installation.mounting_rpy_deg});
-  }
-  for (const auto& gnss : scenario_.gnss) {
-    installation_.write({{SensorKind::Gnss, gnss.number}, gnss.nominal_installation.lever_arm_v_m, Vector3::Zero()});
-  }
+  for_each_sensor(scenario_, [this](auto tag, const auto& sensor) {
+    using Kind = typename decltype(tag)::type;
+    const InstallationProfile& nominal = sensor.nominal_installation;
+    const Vector3 rpy_deg = Kind::has_axes ? nominal.mounting_rpy_deg : Vector3::Zero();
+    installation_.write({{Kind::kind, sensor.number}, nominal.lever_arm_v_m, rpy_deg});
+  });
   if (!wait_until_ready()) {
     if (const auto exit_code = end_run_without_server()) return *exit_code;
     if (!app::shutdown_requested() && !control_.stop_requested()) return end(RunState::Fault, status_.message);

@@ -98,7 +98,7 @@ class ServerOnBus {
   dds::Writer<Installation> installation_;
   dds::Writer<TimeMark> time_mark_;
   dds::Writer<ProfileAck> acks_;
-  std::vector<std::shared_ptr<void>> entities_;  ///< request readers and journal writers of the five kinds
+  std::vector<std::shared_ptr<void>> entities_;  ///< request readers and journal writers of every kind
   std::map<ProfileKind, std::function<void(const AnyProfile&)>> write_journal_;
   dds::OpenReader<SimCommand> commands_;
   app::SetReader<ServiceStatus> service_status_;

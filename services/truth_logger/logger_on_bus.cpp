@@ -61,20 +61,17 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
   channels_.reserve(128);
   const scenario::LoadedScenario& scenario = context.scenario();
   add_stream(context, dds::topics::truth(scenario.truth_grid().hz()));
-  for (const auto& imu : scenario.imus) {
-    add_stream(context, dds::topics::imu(imu.number, imu.rate.hz()));
-    add_stream(context, dds::topics::imu_truth(imu.number, imu.rate.hz()));
-  }
-  for (const auto& gnss : scenario.gnss) add_stream(context, dds::topics::gnss(gnss.number, gnss.rate.hz()));
+  for_each_sensor(scenario, [&](auto kind, const auto& sensor) {
+    for_each(catalog::SamplesOf<typename decltype(kind)::type>{}, [&](auto sample) {
+      using Sample = typename decltype(sample)::type;
+      add_stream(context, dds::topics::stream<Sample>(sensor.number, sensor.rate.hz()));
+    });
+  });
   add_nav_channels(context);
-  for (const auto& imu : scenario.imus) scorer_.add(imu.installation, -1);
-  for (const auto& gnss : scenario.gnss) scorer_.add(gnss.installation, -1);
+  for_each_sensor(scenario, [this](auto, const auto& sensor) { scorer_.add(sensor.installation, -1); });
   if (scenario.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) add_vehicle_channels(context);
-  add_profile_channels<ImuErrorProfile>(context);
-  add_profile_channels<VibrationProfile>(context);
-  add_profile_channels<InstallationProfile>(context);
-  add_profile_channels<GnssErrorProfile>(context);
-  add_profile_channels<FaultProfile>(context);
+  for_each(catalog::ProfileKinds{},
+           [&](auto profile) { add_profile_channels<typename decltype(profile)::type>(context); });
   add_control_channels(context);
   if (interrupted_) go_on();
 }
@@ -325,7 +322,7 @@ void LoggerOnBus::take(const Message& message) {
 std::string LoggerOnBus::missing() const {
   for (const Channel& channel : channels_) {
     if (channel.matched()) continue;
-    const bool is_of_app = channel.topic == wire::topic_names::kNav;
+    const bool is_of_app = channel.topic == catalog::kNav.name;
     return (is_of_app ? app::kWaitsForApp : std::string("waits for ")) + "a writer of " + channel.topic;
   }
   return "";

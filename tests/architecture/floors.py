@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Holds the sources to the floors of docs/architecture.md: floors.py TREE
 
-Prints each include that breaks a rule, as file:line, and exits with 1 when there is one. The floors and the order of the
+Prints each include and each name that breaks a rule, as file:line, and exits with 1 when there is one. The floors and the order of the
 folders in them are those of TREE/common/CMakeLists.txt.
 """
 
@@ -10,6 +10,10 @@ import re
 import sys
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
+CATALOG = "common/data/catalog"
+# A literal, or a comment, which is passed over.
+LITERAL = re.compile(r'//.*|/\*.*?\*/|R"(\w*)\((?s:.*?)\)\1"|"((?:[^"\\\n]|\\.)*)"|\'(?:[^\'\\]|\\.)\'')
+SERVICE = re.compile(r'\* service = "([^"]+)"|\* k\w+ = "(inslab-[^"]+)"')
 FAST_DDS = re.compile(r"(fastdds|fastcdr|fastrtps)/|\w+PubSubTypes\.h")
 
 
@@ -31,6 +35,33 @@ def includes(path):
         found = INCLUDE.match(line)
         if found:
             yield number, found.group(1) == '"', found.group(2)
+
+
+def literals(path):
+    text = path.read_text(encoding="utf-8")
+    for found in LITERAL.finditer(text):
+        if found.group(2) is not None:
+            yield text.count("\n", 0, found.start()) + 1, found.group(2)
+
+
+def services_of(tree):
+    """The names of the services, as the catalogue gives them."""
+    names = set()
+    for path in (tree / CATALOG).glob("*.hpp"):
+        names |= {a or b for a, b in SERVICE.findall(path.read_text(encoding="utf-8"))}
+    return names
+
+
+def named_outside_the_catalogue(path, services):
+    """Topics and services are named in the catalogue alone."""
+    included = {number for number, _, _ in includes(path)}
+    for number, text in literals(path):
+        if number in included:
+            continue
+        if text.startswith("inslab/"):
+            yield number, f'"{text}": topics are named in {CATALOG} alone'
+        elif text in services:
+            yield number, f'"{text}": services are named in {CATALOG} alone'
 
 
 def floor(folder):
@@ -60,6 +91,7 @@ def breach(folder, target, order):
 
 def check(tree):
     order = folders_in_order(tree)
+    services = services_of(tree)
     findings = []
     for path in sources(tree):
         place = path.relative_to(tree)
@@ -67,6 +99,8 @@ def check(tree):
         if place.parts[0] == "common" and folder not in order:
             findings.append(f"{place}:1: its folder stands on no floor: common/CMakeLists.txt does not list it")
             continue
+        if not place.is_relative_to(CATALOG):
+            findings += [f"{place}:{number}: {why}" for number, why in named_outside_the_catalogue(path, services)]
         for number, is_ours, name in includes(path):
             where = f"{place}:{number}: "
             if FAST_DDS.match(name):
@@ -93,5 +127,5 @@ if __name__ == "__main__":
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     found = check(pathlib.Path(sys.argv[1]))
-    print("\n".join(found) or "every include keeps to the floors")
+    print("\n".join(found) or "every include keeps to the floors, and every name to the catalogue")
     sys.exit(1 if found else 0)

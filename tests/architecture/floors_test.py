@@ -30,6 +30,20 @@ BREACHES = {  # what is planted where: (file, include) and what must be said of 
     "no such folder": ("common/nav/strapdown.cpp", '"inslab/geodesy/wgs84.hpp"', "there is no folder geodesy"),
 }
 
+NAMES = {  # what is planted where: (file, line of code) and what must be said of it
+    "a topic": ("common/bus/service/writers.cpp", 'const std::string topic = "inslab/service_status";', "topics are named"),
+    "the beginning of topics": ("services/truth_logger/main.cpp", 'return topic.rfind("inslab/imu/", 0);', "topics are named"),
+    "a service": ("common/sim/offline_run.cpp", 'ack.service = "inslab-imu-injector";', "services are named"),
+    "a single service": ("services/inslab/live/live_run.cpp", 'start("inslab-truth-logger");', "services are named"),
+}
+NO_NAMES = (
+    '// "inslab/imu/0" in a comment',
+    '/// such as "inslab-imu-injector"',
+    'tell("listens to topics such as inslab/imu/0, of inslab-imu-injector 0");',
+    'participant_options(network, "inslab-status");',
+    'const char* text = R"(say "inslab/imu/0" as you like)";',
+)
+
 
 class Floors(unittest.TestCase):
     def tree(self):
@@ -39,6 +53,7 @@ class Floors(unittest.TestCase):
         (tree / "common").mkdir()
         (tree / "services").mkdir()
         shutil.copy(TREE / "common/CMakeLists.txt", tree / "common")
+        shutil.copytree(TREE / "common/data/catalog", tree / "common/data/catalog")
         return tree
 
     def plant(self, path, include):
@@ -54,6 +69,19 @@ class Floors(unittest.TestCase):
                 self.assertEqual(len(found), 1, found)
                 self.assertTrue(found[0].startswith(f"{path}:2: "), found)
                 self.assertIn(said, found[0])
+
+    def test_finds_a_name_outside_the_catalogue(self):
+        for name, (path, line, said) in NAMES.items():
+            with self.subTest(name):
+                found = self.plant(path, f"<string>\n{line}")
+                self.assertEqual(len(found), 1, found)
+                self.assertTrue(found[0].startswith(f"{path}:3: "), found)
+                self.assertIn(said, found[0])
+
+    def test_takes_names_in_comments_and_messages(self):
+        for line in NO_NAMES:
+            with self.subTest(line):
+                self.assertEqual(self.plant("common/sim/offline_run.cpp", f"<string>\n{line}"), [])
 
     def test_finds_a_folder_on_no_floor(self):
         found = self.plant("common/sensors/magnetometer.hpp", '"inslab/nav/geodesy.hpp"')

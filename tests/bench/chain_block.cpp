@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/samples/imu_sample.hpp"
 #include "inslab/data/samples/nav_solution.hpp"
 #include "inslab/data/samples/service_status.hpp"
@@ -62,7 +62,7 @@ T decoded(const io::mcap::Message& message) {
 /// The last report of a service stands.
 void note_receipt(const ServiceStatus& status, ChainBlock& block) {
   for (const StreamStatus& stream : status.streams) {
-    if (stream.topic == wire::topic_names::kTruth && stream.direction == StreamDirection::In) {
+    if (stream.topic == catalog::kTruth.name && stream.direction == StreamDirection::In) {
       block.truth_receipt_p50_s[status.service] = stream.latency_p50_s;
     }
   }
@@ -74,9 +74,9 @@ void read_latencies(const std::string& log_file, ChainBlock& block) {
   for (const auto& [id, channel] : log.channels()) topics[id] = channel.topic;
   std::map<std::int64_t, StreamHeader> truth;  // by sim time
   log.for_each([&](const io::mcap::Message& message) {
-    if (topics[message.channel_id] == wire::topic_names::kServiceStatus)
+    if (topics[message.channel_id] == catalog::kServiceStatus.name)
       note_receipt(decoded<ServiceStatus>(message), block);
-    if (topics[message.channel_id] != wire::topic_names::kTruth) return true;
+    if (topics[message.channel_id] != catalog::kTruth.name) return true;
     const StreamHeader header = decoded<TruthState>(message).header;
     truth[header.sim_time_ns] = header;
     return true;
@@ -86,7 +86,7 @@ void read_latencies(const std::string& log_file, ChainBlock& block) {
   constexpr std::int64_t kWarmUp_ns = 500'000'000;
   std::map<std::uint64_t, std::int64_t> imu_published_ns;  // CLOCK_REALTIME, by sequence number
   log.for_each([&](const io::mcap::Message& message) {
-    if (topics[message.channel_id] != wire::topic_names::imu(0)) return true;
+    if (topics[message.channel_id] != catalog::stream_topic<ImuSample>(0)) return true;
     const StreamHeader imu = decoded<ImuSample>(message).header;
     imu_published_ns[imu.sequence_number] = imu.publish_realtime_ns;
     if (imu.sim_time_ns < kWarmUp_ns) return true;
@@ -97,7 +97,7 @@ void read_latencies(const std::string& log_file, ChainBlock& block) {
     return true;
   });
   log.for_each([&](const io::mcap::Message& message) {
-    if (topics[message.channel_id] != wire::topic_names::kNav) return true;
+    if (topics[message.channel_id] != catalog::kNav.name) return true;
     const auto solution = decoded<NavSolution>(message);
     // While it aligns the filter has nothing to do.
     if (solution.mode != NavMode::Navigating) return true;

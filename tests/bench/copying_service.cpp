@@ -11,7 +11,7 @@
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
 #include "inslab/scenario/service_names.hpp"
-#include "inslab/services/imu_error_injector/imu_outputs.hpp"
+#include "inslab/services/sensor/sensor_outputs.hpp"
 
 namespace inslab::bench {
 namespace {
@@ -60,7 +60,7 @@ class CopyingInjector : public Copier {
 
  private:
   std::uint32_t number_;
-  imu::ImuOutputs outputs_;
+  sensor::SensorOutputs<catalog::Imu> outputs_;
 };
 
 class CopyingEmulator : public Copier {
@@ -68,7 +68,8 @@ class CopyingEmulator : public Copier {
   CopyingEmulator(app::Context& context, const scenario::LoadedGnss& gnss)
       : number_(gnss.number),
         period_ns_(gnss.rate.period().count()),
-        fixes_(context, dds::topics::gnss(gnss.number, 1.0 / gnss.rate.period_s()), {{{app::kTruthLogger, 0u}}}) {}
+        fixes_(context, dds::topics::stream<GnssFix>(gnss.number, 1.0 / gnss.rate.period_s()),
+               {{{app::kTruthLogger, 0u}}}) {}
 
   void begin_run(const RunId& run, ClockMode clock) override { fixes_.begin_run(run, clock); }
   bool has_room() const override { return fixes_.has_room(); }
@@ -109,18 +110,18 @@ class CopyingEmulator : public Copier {
 int main(int argc, char** argv) {
   using namespace inslab;
   const std::string service = argc > 1 ? argv[1] : "";
-  if (service == app::kImuInjector) {
-    return app::run_service(app::kImuInjector, "Copies truth to an IMU's topics", {true, false}, argc - 1, argv + 1,
+  if (service == catalog::Imu::service) {
+    return app::run_service(catalog::Imu::service, "Copies truth to an IMU's topics", {true, false}, argc - 1, argv + 1,
                             [](app::Context& context) {
                               const std::uint32_t sensor = context.options().sensor;
-                              bench::CopyingInjector bus(context, context.scenario().imu_number(sensor));
+                              bench::CopyingInjector bus(context, context.scenario().sensor<catalog::Imu>(sensor));
                               return app::TruthFollower(context, sensor, bus).run();
                             });
   }
-  return app::run_service(app::kGnssEmulator, "Copies truth to a receiver's topic", {true, false}, argc - 1, argv + 1,
-                          [](app::Context& context) {
+  return app::run_service(catalog::Gnss::service, "Copies truth to a receiver's topic", {true, false}, argc - 1,
+                          argv + 1, [](app::Context& context) {
                             const std::uint32_t sensor = context.options().sensor;
-                            bench::CopyingEmulator bus(context, context.scenario().gnss_number(sensor));
+                            bench::CopyingEmulator bus(context, context.scenario().sensor<catalog::Gnss>(sensor));
                             return app::TruthFollower(context, sensor, bus).run();
                           });
 }

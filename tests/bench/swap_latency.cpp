@@ -25,7 +25,7 @@ std::vector<double> measure_swap_latency(const ChainSettings& settings, int coun
   cli::RunClient client(participant);
   std::atomic<std::uint32_t> revision{0};
   std::atomic<std::int64_t> changed_at_ns{0};
-  const dds::Reader<ImuSample> reader(participant, dds::topics::imu(0),
+  const dds::Reader<ImuSample> reader(participant, dds::topics::stream<ImuSample>(0),
                                       [&](const ImuSample& sample, const dds::SampleOrigin&) {
                                         if (sample.revisions.imu_error == revision.load()) return;
                                         changed_at_ns = app::monotonic_now().count();

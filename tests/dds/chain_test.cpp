@@ -147,9 +147,9 @@ TEST_P(Chain, LateJoinerGetsTheAnswers) {
 
 TEST_P(Chain, ReceivedSampleKeepsTheBytesThatWereSent) {
   Collector<Received<GnssFix>> received;
-  Reader<GnssFix> reader(to_, topics::gnss(0),
+  Reader<GnssFix> reader(to_, topics::stream<GnssFix>(0),
                          [&](const Received<GnssFix>& p, const SampleOrigin&) { received.add(p); });
-  Writer<GnssFix> writer(from_, topics::gnss(0));
+  Writer<GnssFix> writer(from_, topics::stream<GnssFix>(0));
   ASSERT_TRUE(eventually([&] { return writer.matched_readers() == 1 && reader.matched_writers() == 1; }));
   GnssFix fix;
   fix.hdop = 0.7;

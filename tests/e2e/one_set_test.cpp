@@ -174,7 +174,7 @@ TEST_F(OneSet, AWriterThatIsNotOfTheSetIsAFaultAtOnceAndTheRowsStayTheSets) {
   dds::Participant foe(app::participant_options(network(), "foe"));
   const cli::RunClient client(foe);
   dds::Writer<TruthState> truth(foe, dds::topics::truth());
-  dds::Writer<ImuSample> imu(foe, dds::topics::imu(0));
+  dds::Writer<ImuSample> imu(foe, dds::topics::stream<ImuSample>(0));
   dds::Writer<ImuErrorProfile> journal(foe, dds::topics::journal<ImuErrorProfile>());
   dds::Writer<SimStatus> status(foe, dds::topics::sim_status());
   ASSERT_TRUE(is_running(client)) << set->output();

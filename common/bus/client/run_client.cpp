@@ -28,11 +28,7 @@ RunClient::RunClient(dds::Participant& participant, const app::Identity& own)
     : of_one_run_(own.run_id != RunId{}),
       run_id_(own.run_id),
       writers_(participant.peers(), participant.key(), own),
-      imu_error_(participant, dds::topics::request<ImuErrorProfile>()),
-      vibration_(participant, dds::topics::request<VibrationProfile>()),
-      installation_(participant, dds::topics::request<InstallationProfile>()),
-      gnss_error_(participant, dds::topics::request<GnssErrorProfile>()),
-      fault_(participant, dds::topics::request<FaultProfile>()),
+      requests_(participant),
       command_(participant, dds::topics::sim_command()),
       status_reader_(participant, dds::topics::sim_status(),
                      writers_.only(dds::topics::sim_status(),
@@ -62,21 +58,10 @@ std::string RunClient::other_run() const {
   return other_run_;
 }
 
-bool RunClient::connected() const {
-  return imu_error_.matched_readers() > 0 && vibration_.matched_readers() > 0 && installation_.matched_readers() > 0 &&
-         gnss_error_.matched_readers() > 0 && fault_.matched_readers() > 0 && command_.matched_readers() > 0;
-}
+bool RunClient::connected() const { return requests_.are_matched() && command_.matched_readers() > 0; }
 
 bool RunClient::send(const AnyProfile& request) {
-  struct Send {
-    RunClient& client;
-    bool operator()(const ImuErrorProfile& p) const { return client.imu_error_.write(p); }
-    bool operator()(const VibrationProfile& p) const { return client.vibration_.write(p); }
-    bool operator()(const InstallationProfile& p) const { return client.installation_.write(p); }
-    bool operator()(const GnssErrorProfile& p) const { return client.gnss_error_.write(p); }
-    bool operator()(const FaultProfile& p) const { return client.fault_.write(p); }
-  };
-  return std::visit(Send{*this}, request);
+  return std::visit([this](const auto& one) { return requests_.send(one); }, request);
 }
 
 bool RunClient::send(const SimCommand& command) { return command_.write(command); }

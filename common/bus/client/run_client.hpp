@@ -10,7 +10,7 @@
 #include "inslab/bus/dds/reader.hpp"
 #include "inslab/bus/dds/writer.hpp"
 #include "inslab/bus/service/writers.hpp"
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
@@ -47,14 +47,25 @@ class RunClient {
  private:
   void hear(const SimStatus& status);
 
+  /// A writer of the requests for each kind of profile.
+  template <class... Profile>
+  struct RequestWriters : dds::Writer<Profile>... {
+    explicit RequestWriters(dds::Participant& participant)
+        : dds::Writer<Profile>(participant, dds::topics::request<Profile>())... {}
+
+    template <class One>
+    bool send(const One& request) {
+      return static_cast<dds::Writer<One>&>(*this).write(request);
+    }
+    bool are_matched() const {
+      return ((static_cast<const dds::Writer<Profile>&>(*this).matched_readers() > 0) && ...);
+    }
+  };
+
   const bool of_one_run_;
   RunId run_id_;  ///< zero: of none yet
   app::Writers writers_;
-  dds::Writer<ImuErrorProfile> imu_error_;
-  dds::Writer<VibrationProfile> vibration_;
-  dds::Writer<InstallationProfile> installation_;
-  dds::Writer<GnssErrorProfile> gnss_error_;
-  dds::Writer<FaultProfile> fault_;
+  Applied<RequestWriters, catalog::ProfileKinds> requests_;
   dds::Writer<SimCommand> command_;
   mutable std::mutex mutex_;
   std::optional<SimStatus> status_;

@@ -13,6 +13,7 @@
 
 #include "inslab/bus/dds/fast_dds_network.hpp"
 #include "inslab/bus/dds/participant.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/foundation/fields/unit_name.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
@@ -62,7 +63,7 @@ struct Participant::Listener : fast_dds::DomainParticipantListener {
     constexpr std::size_t kMost = 64;
     const std::string topic = data.topic_name.to_string();
     const std::string type = data.type_name.to_string();
-    if (topic.rfind("inslab/", 0) != 0 || type.rfind(wire::kModule, 0) == 0) return;
+    if (topic.rfind(catalog::kRoot, 0) != 0 || type.rfind(wire::kModule, 0) == 0) return;
     const std::vector<std::string> partitions = data.partition.getNames();
     const bool in_this_unit =
         unit.empty() ? partitions.empty() : std::find(partitions.begin(), partitions.end(), unit) != partitions.end();

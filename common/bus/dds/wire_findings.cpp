@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 
 namespace inslab::dds {
 
@@ -70,7 +70,7 @@ std::vector<std::string> units_among(const std::vector<Endpoint>& endpoints) {
   std::set<std::string> units;
   for (const Endpoint& endpoint : endpoints) {
     // A command looks at a unit, which need not be there; the trajectory server makes one.
-    if (!endpoint.is_ours() || !endpoint.is_writer || endpoint.topic != wire::topic_names::kSimStatus) continue;
+    if (!endpoint.is_ours() || !endpoint.is_writer || endpoint.topic != catalog::kSimStatus.name) continue;
     units.insert(endpoint.partitions.empty() ? "" : endpoint.partitions.front());
   }
   return {units.begin(), units.end()};

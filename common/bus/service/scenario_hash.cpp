@@ -62,17 +62,10 @@ void add_file(Sha256& hash, const std::filesystem::path& path) {
 std::string scenario_hash(const scenario::LoadedScenario& loaded) {
   Sha256 hash;
   hash.add_text(config::to_json(loaded.scenario).dump());
-  for (const auto& imu : loaded.imus) {
-    hash.add_profile(imu.errors);
-    hash.add_profile(imu.vibration);
-    hash.add_profile(imu.installation);
-    hash.add_profile(imu.nominal_installation);
-  }
-  for (const auto& gnss : loaded.gnss) {
-    hash.add_profile(gnss.errors);
-    hash.add_profile(gnss.installation);
-    hash.add_profile(gnss.nominal_installation);
-  }
+  for_each_sensor(loaded, [&hash](auto kind, const auto& sensor) {
+    for_each_profile(kind, sensor, [&hash](const auto& profile) { hash.add_profile(profile); });
+    hash.add_profile(sensor.nominal_installation);
+  });
   for (const AnyProfile& swap : loaded.swaps) {
     std::visit([&hash](const auto& profile) { hash.add_profile(profile); }, swap);
   }

@@ -46,9 +46,7 @@ dds::ParticipantOptions participant_options(const NetworkOptions& network, const
   options.security = network.security;
   options.peers = network.peers;
   options.discovery_server = network.discovery_server;
-  const bool is_service =
-      name == kTrajectoryServer || name == kImuInjector || name == kGnssEmulator || name == kTruthLogger;
-  options.role = is_service ? name : name == kReferenceNav ? "nav-app" : "operator";
+  options.role = catalog::security_identity(name);
   return options;
 }
 

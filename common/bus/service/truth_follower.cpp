@@ -2,7 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "inslab/data/profiles/profile_rules.hpp"
+#include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/last_word.hpp"
@@ -42,11 +42,8 @@ TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, Trut
                     [this](const Block<TruthState>& block, const dds::SampleOrigin&) {
                       mailbox_.put(Arrived{block.samples, realtime_now().count()});
                     }) {
-  read_journal<ImuErrorProfile>(context);
-  read_journal<VibrationProfile>(context);
-  read_journal<InstallationProfile>(context);
-  read_journal<GnssErrorProfile>(context);
-  read_journal<FaultProfile>(context);
+  for_each(catalog::ProfileKinds{},
+           [this, &context](auto profile) { read_journal<typename decltype(profile)::type>(context); });
   if (const std::string topic = consumer_.paced_by_nav_app(); !topic.empty()) {
     nav_reader_ = std::make_unique<dds::OpenReader<NavSolution>>(
         context.participant(), dds::topics::nav(),

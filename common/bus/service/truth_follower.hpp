@@ -10,7 +10,7 @@
 #include "inslab/bus/service/service.hpp"
 #include "inslab/bus/service/set_reader.hpp"
 #include "inslab/bus/service/status_board.hpp"
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/data/streams/stream_monitor.hpp"
 #include "inslab/foundation/host/mailbox.hpp"

@@ -6,9 +6,6 @@
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/data/samples/block.hpp"
 #include "inslab/data/samples/credit.hpp"
-#include "inslab/data/samples/gnss_fix.hpp"
-#include "inslab/data/samples/imu_sample.hpp"
-#include "inslab/data/samples/imu_truth.hpp"
 #include "inslab/data/samples/service_status.hpp"
 #include "inslab/scenario/service_names.hpp"
 
@@ -26,25 +23,30 @@ inline ServiceKey writer_of(const ProfileAck& ack) {
   return {ack.service, ack.service == kTrajectoryServer ? 0u : ack.target.number};
 }
 
-/// The service that alone writes a topic of ours with samples of this type.
+namespace detail {
+template <class T>
+struct SampleOf {
+  using type = T;
+};
+template <class T>
+struct SampleOf<Block<T>> {
+  using type = T;
+};
+}  // namespace detail
+
+/// The service that alone writes a topic of ours with samples of this type, single or in blocks.
 template <class T>
 ServiceKey writer_of_topic(const std::string& topic) {
-  const auto number = [&topic] { return static_cast<std::uint32_t>(std::stoul(topic.substr(topic.rfind('/') + 1))); };
-  constexpr bool of_imu = std::is_same_v<T, ImuSample> || std::is_same_v<T, ImuTruth> ||
-                          std::is_same_v<T, Block<ImuSample>> || std::is_same_v<T, Block<ImuTruth>>;
-  if constexpr (of_imu) {
-    return {kImuInjector, number()};
-  } else if constexpr (std::is_same_v<T, GnssFix> || std::is_same_v<T, Block<GnssFix>>) {
-    return {kGnssEmulator, number()};
+  using Sample = typename detail::SampleOf<T>::type;
+  if constexpr (catalog::is_of_a_sensor<Sample>) {
+    return {catalog::SourceOf<Sample>::service,
+            static_cast<std::uint32_t>(std::stoul(topic.substr(topic.rfind('/') + 1)))};
   } else {
     return {kTrajectoryServer, 0u};
   }
 }
 
 /// Whether a service is one of the set's, and not a foreign app that speaks as they do.
-inline bool is_of_the_set(const std::string& service) {
-  return service == kTrajectoryServer || service == kImuInjector || service == kGnssEmulator ||
-         service == kTruthLogger || service == kReferenceNav;
-}
+inline bool is_of_the_set(const std::string& service) { return catalog::is_service(service); }
 
 }  // namespace inslab::app

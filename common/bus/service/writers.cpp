@@ -3,7 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "inslab/bus/service/set_members.hpp"
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/foundation/host/host.hpp"
 
 namespace inslab::app {
@@ -15,8 +15,7 @@ constexpr std::size_t kMostIntruders = 64;
 /// What every service says of itself: left out, it changes nothing in the run, so that a service that was started by
 /// mistake does not spoil it.
 bool only_tells(const std::string& topic) {
-  return topic == wire::topic_names::kServiceStatus || topic == wire::topic_names::kCredit ||
-         topic == wire::topic_names::kProfileAck;
+  return topic == catalog::kServiceStatus.name || topic == catalog::kCredit.name || topic == catalog::kProfileAck.name;
 }
 
 }  // namespace

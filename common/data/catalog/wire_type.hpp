@@ -3,21 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "inslab/data/profiles/fault_profile.hpp"
-#include "inslab/data/profiles/gnss_error_profile.hpp"
-#include "inslab/data/profiles/imu_error_profile.hpp"
-#include "inslab/data/profiles/installation_profile.hpp"
-#include "inslab/data/profiles/vibration_profile.hpp"
-#include "inslab/data/requests/run_control.hpp"
-#include "inslab/data/samples/block.hpp"
-#include "inslab/data/samples/credit.hpp"
-#include "inslab/data/samples/gnss_fix.hpp"
-#include "inslab/data/samples/imu_sample.hpp"
-#include "inslab/data/samples/imu_truth.hpp"
-#include "inslab/data/samples/nav_solution.hpp"
-#include "inslab/data/samples/service_status.hpp"
-#include "inslab/data/samples/truth_state.hpp"
-#include "inslab/data/samples/vehicle_state.hpp"
+#include "inslab/data/catalog/topics.hpp"
 
 namespace inslab::wire {
 
@@ -83,10 +69,11 @@ INSLAB_BLOCK_TYPE(NavSolution, "NavBlock");
 
 /// Every type that travels as a topic by itself: `Of` is given them all, as testing::Types is in tests. Beside them
 /// travel blocks of the streams' samples.
+using WireTypes = Joined<Types<TruthState>, catalog::SensorSamples, Types<NavSolution>, catalog::ProfileKinds,
+                         Types<ProfileAck, Installation, SimCommand, SimStatus, TimeMark, ServiceStatus, VehicleState,
+                               UsedVehicleState, VehicleLink, Credit>>;
 template <template <class...> class Of>
-using EveryWireType = Of<TruthState, ImuSample, ImuTruth, GnssFix, NavSolution, ImuErrorProfile, VibrationProfile,
-                         InstallationProfile, GnssErrorProfile, FaultProfile, ProfileAck, Installation, SimCommand,
-                         SimStatus, TimeMark, ServiceStatus, VehicleState, UsedVehicleState, VehicleLink, Credit>;
+using EveryWireType = Applied<Of, WireTypes>;
 
 /// The product's own text of one file of idl/, with the files it includes put before it and no preprocessor line left:
 /// what a reader needs to decode the types in it. Throws std::out_of_range for a name that is not in idl/.

@@ -158,11 +158,11 @@ std::string profile_idl() {
   IdlWriter writer;
   writer.is_declared_elsewhere<FixType>();
   writer.write_enum<ProfileKind>();
-  write_profile<ImuErrorProfile>(writer, "Topic inslab/profile/imu_error: how one IMU errs.");
-  write_profile<VibrationProfile>(writer, "Topic inslab/profile/vibration: what shakes one IMU.");
-  write_profile<InstallationProfile>(writer, "Topic inslab/profile/installation: where a sensor truly sits.");
-  write_profile<GnssErrorProfile>(writer, "Topic inslab/profile/gnss_error: how one GNSS receiver errs.");
-  write_profile<FaultProfile>(writer, "Topic inslab/profile/fault: faults of one sensor.");
+  for_each(catalog::ProfileKinds{}, [&writer](auto tag) {
+    using Profile = typename decltype(tag)::type;
+    write_profile<Profile>(writer, "Topic " + catalog::request_topic(Profile::kind) + ": " +
+                                       std::string(catalog::kWords<Profile>.meaning) + ".");
+  });
 
   std::string text =
       "// Inslab wire types, part 6 of 9: the profiles that can be swapped while a run goes on. A request and its "

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/formats/log/logged_state.hpp"
 #include "inslab/formats/text/gnss_text.hpp"
@@ -118,7 +119,7 @@ ExportedFile export_file(const std::string& path, const FileExportOptions& optio
   switch (options.format) {
     case FileFormat::Nav:
     case FileFormat::Kml:
-      result.topic = options.topic.empty() ? "inslab/truth" : options.topic;
+      result.topic = options.topic.empty() ? catalog::kTruth.name : options.topic;
       break;
     case FileFormat::Imu:
     case FileFormat::Novatel:

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "inslab/data/profiles/profile_rules.hpp"
+#include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/files/error.hpp"
 #include "inslab/foundation/files/input_file.hpp"

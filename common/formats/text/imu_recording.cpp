@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/formats/text/imu_columns.hpp"
 #include "inslab/foundation/files/decimal_time.hpp"
@@ -154,7 +154,7 @@ RawSample raw_of(const ImuSample& sample, std::uint64_t number) {
 
 void read_log(const std::string& path, const ImuRecordingOptions& options, ImuRecordingInfo& info, Regular& regular) {
   const McapReader log(path);
-  const std::string topic = wire::topic_names::imu(options.sensor_number);
+  const std::string topic = catalog::stream_topic<ImuSample>(options.sensor_number);
   if (!options.minus_truth) {
     for_each_sample<ImuSample>(log, topic, [&](const ImuSample& sample, std::uint64_t number) {
       if (sample.gyro_valid && sample.accel_valid) {
@@ -166,7 +166,7 @@ void read_log(const std::string& path, const ImuRecordingOptions& options, ImuRe
     });
     return;
   }
-  const std::string truth_topic = wire::topic_names::imu_truth(options.sensor_number);
+  const std::string truth_topic = catalog::stream_topic<ImuTruth>(options.sensor_number);
   const auto samples = channels_of(log, topic, wire::WireType<ImuSample>::name);
   const auto truths = channels_of(log, truth_topic, wire::WireType<ImuTruth>::name);
   if (samples.empty() || truths.empty()) {
@@ -386,8 +386,8 @@ ImuRecordingInfo read_imu_recording(const std::string& path, const ImuRecordingO
   ImuRecordingInfo info;
   std::array<bool, kImuAxes> is_rate{};
   if (is_mcap(path)) {
-    info.kind =
-        "log, " + wire::topic_names::imu(options.sensor_number) + (options.minus_truth ? " less its truth" : "");
+    info.kind = "log, " + catalog::stream_topic<ImuSample>(options.sensor_number) +
+                (options.minus_truth ? " less its truth" : "");
     info.has_axis.fill(true);
     Regular regular(path, "sample", options, info, is_rate, begin, sample);
     read_log(path, options, info, regular);

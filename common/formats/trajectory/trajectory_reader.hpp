@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/samples/trajectory_file.hpp"
 #include "inslab/formats/trajectory/trajectory_columns.hpp"
 #include "inslab/foundation/fields/violation.hpp"
@@ -41,9 +42,9 @@ struct TrajectoryReading {
 };
 
 struct TrajectoryReadOptions {
-  std::string columns;                 ///< names of the columns of a text that does not begin with them
-  std::string topic = "inslab/truth";  ///< of a log: TruthState or NavSolution
-  bool stop_at_first = true;           ///< false: bad rows are left out, and the problems say which
+  std::string columns;                       ///< names of the columns of a text that does not begin with them
+  std::string topic = catalog::kTruth.name;  ///< of a log: TruthState or NavSolution
+  bool stop_at_first = true;                 ///< false: bad rows are left out, and the problems say which
 };
 
 /// Reads a trajectory in one pass, in memory and time proportional to its rows; the kind is seen from the content:

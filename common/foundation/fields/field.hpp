@@ -98,6 +98,21 @@ std::string_view enum_name(Enum value) {
   return index < EnumNames<Enum>::values.size() ? EnumNames<Enum>::values[index] : std::string_view("?");
 }
 
+/// The enumerator of that JSON name, if there is one.
+template <class Enum>
+std::optional<Enum> enum_named(std::string_view name) {
+  for (std::size_t i = 0; i < EnumNames<Enum>::values.size(); ++i) {
+    if (EnumNames<Enum>::values[i] == name) return static_cast<Enum>(i);
+  }
+  return std::nullopt;
+}
+
+/// The JSON names of all enumerators.
+template <class Enum>
+std::vector<std::string> enum_words() {
+  return {EnumNames<Enum>::values.begin(), EnumNames<Enum>::values.end()};
+}
+
 namespace detail {
 struct AnyVisitor {
   template <class T>

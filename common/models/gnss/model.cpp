@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "inslab/data/profiles/profile_rules.hpp"
+#include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/foundation/units/units.hpp"
 
 namespace inslab::gnss {

@@ -34,7 +34,7 @@ class GnssModel {
     std::vector<OutageArea> outage_areas;
   };
 
-  /// Throws std::invalid_argument when a profile breaks a rule of samples/profile_rules.hpp, and as OutageSchedule
+  /// Throws std::invalid_argument when a profile breaks a rule of catalog/profile_rules.hpp, and as OutageSchedule
   /// does.
   explicit GnssModel(const Setup& setup);
 

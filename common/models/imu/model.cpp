@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "inslab/data/profiles/profile_rules.hpp"
+#include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/models/imu/mount_motion.hpp"
 

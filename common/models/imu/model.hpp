@@ -40,7 +40,7 @@ class ImuModel {
     ImuTruth truth;
   };
 
-  /// Throws std::invalid_argument when a profile breaks a rule of samples/profile_rules.hpp.
+  /// Throws std::invalid_argument when a profile breaks a rule of catalog/profile_rules.hpp.
   explicit ImuModel(const Setup& setup);
 
   /// Swaps a profile from the next interval of the IMU on, in the order of the calls; samples from there carry its

@@ -6,8 +6,8 @@
 namespace inslab::reference_nav {
 
 AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app) {
-  const scenario::LoadedImu& imu = scenario.imu_number(app.imu);
-  const scenario::LoadedGnss& gnss = scenario.gnss_number(app.gnss);
+  const scenario::LoadedImu& imu = scenario.sensor<catalog::Imu>(app.imu);
+  const scenario::LoadedGnss& gnss = scenario.sensor<catalog::Gnss>(app.gnss);
   if (!app.parameters.empty()) {
     return {read_parameters((scenario.file.parent_path() / app.parameters).string()), scenario.gravity()};
   }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "inslab/data/profiles/profile_rules.hpp"
+#include "inslab/data/catalog/profile_rules.hpp"
 
 namespace inslab::reference_nav {
 

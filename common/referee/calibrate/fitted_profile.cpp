@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "inslab/data/profiles/profile_rules.hpp"
+#include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/foundation/units/units.hpp"

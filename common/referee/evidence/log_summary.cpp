@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/json/json_reader.hpp"
 #include "inslab/data/streams/stream_monitor.hpp"
@@ -32,11 +32,9 @@ class Gatherer {
       identify(message);
       return stream<TruthState>(topic, message);
     }
-    if (type == wire::WireType<ImuSample>::name) return stream<ImuSample>(topic, message);
-    if (type == wire::WireType<ImuTruth>::name) return stream<ImuTruth>(topic, message);
-    if (type == wire::WireType<GnssFix>::name) return stream<GnssFix>(topic, message);
+    if (sensor_stream(topic, type, message)) return;
     if (type == wire::WireType<UsedVehicleState>::name) return stream<UsedVehicleState>(topic, message);
-    if (topic == wire::topic_names::kNav) {
+    if (topic == catalog::kNav.name) {
       ++summary_.nav_solutions;
     } else if (type == wire::WireType<ProfileAck>::name) {
       if (auto ack = decoded<ProfileAck>(message)) summary_.acks.push_back(*ack);
@@ -46,7 +44,7 @@ class Gatherer {
       if (auto link = decoded<VehicleLink>(message)) summary_.vehicle_link = *link;
     } else if (type == wire::WireType<ServiceStatus>::name) {
       if (auto status = decoded<ServiceStatus>(message)) services_[{status->service, status->sensor_number}] = *status;
-    } else if (topic.rfind("inslab/journal/", 0) == 0) {
+    } else if (topic.rfind(catalog::kJournal, 0) == 0) {
       journal(type, message);
     }
   }
@@ -59,8 +57,7 @@ class Gatherer {
       for (const StreamStatus& stream : status.streams) {
         if (stream.direction != StreamDirection::Out) continue;
         summary_.streams[stream.topic].sent = stream.samples;
-        if (stream.topic == wire::topic_names::kNav)
-          summary_.streams[stream.topic].logged.samples = summary_.nav_solutions;
+        if (stream.topic == catalog::kNav.name) summary_.streams[stream.topic].logged.samples = summary_.nav_solutions;
       }
     }
   }
@@ -77,6 +74,18 @@ class Gatherer {
     if (sent_ns > 0) identity.began_utc = app::utc_words(time::Nanoseconds(sent_ns));
   }
 
+  /// False when it is none.
+  bool sensor_stream(const std::string& topic, const std::string& type, const io::mcap::Message& message) {
+    bool is_one = false;
+    for_each(catalog::SensorSamples{}, [&](auto sample) {
+      using Sample = typename decltype(sample)::type;
+      if (type != wire::WireType<Sample>::name) return;
+      is_one = true;
+      stream<Sample>(topic, message);
+    });
+    return is_one;
+  }
+
   template <class T>
   void stream(const std::string& topic, const io::mcap::Message& message) {
     const auto sample = decoded<T>(message);
@@ -89,11 +98,8 @@ class Gatherer {
   }
 
   void journal(const std::string& type, const io::mcap::Message& message) {
-    journal_entry<ImuErrorProfile>(type, message);
-    journal_entry<VibrationProfile>(type, message);
-    journal_entry<InstallationProfile>(type, message);
-    journal_entry<GnssErrorProfile>(type, message);
-    journal_entry<FaultProfile>(type, message);
+    for_each(catalog::ProfileKinds{},
+             [&](auto profile) { journal_entry<typename decltype(profile)::type>(type, message); });
   }
   template <class Profile>
   void journal_entry(const std::string& type, const io::mcap::Message& message) {
@@ -140,17 +146,12 @@ void read_metadata(const io::McapReader& log, LogSummary& summary) {
     const std::string place = log.path() + " (metadata scenario)";
     summary.scenario = config::from_json<scenario::Scenario>(json_of(record, place), place);
   }
-  for (const auto& imu : summary.scenario.imu) {
-    const SensorAddress sensor{SensorKind::Imu, imu.number};
-    read_initial<ImuErrorProfile>(log, sensor, summary);
-    read_initial<VibrationProfile>(log, sensor, summary);
-    read_initial<InstallationProfile>(log, sensor, summary);
-  }
-  for (const auto& gnss : summary.scenario.gnss) {
-    const SensorAddress sensor{SensorKind::Gnss, gnss.number};
-    read_initial<GnssErrorProfile>(log, sensor, summary);
-    read_initial<InstallationProfile>(log, sensor, summary);
-  }
+  for_each_sensor(summary.scenario, [&](auto tag, const auto& sensor) {
+    using Kind = typename decltype(tag)::type;
+    for_each(typename Kind::Profiles{}, [&](auto profile) {
+      read_initial<typename decltype(profile)::type>(log, {Kind::kind, sensor.number}, summary);
+    });
+  });
 }
 
 }  // namespace
@@ -192,7 +193,7 @@ LogSummary summarize(const io::McapReader& log) {
     return true;
   });
   gatherer.finish();
-  // Requests of one journal come over five topics, which keep no order among each other.
+  // Requests of one journal come over a topic for each kind of profile, which keep no order among each other.
   std::stable_sort(summary.profiles.begin(), summary.profiles.end(), [](const ProfileInUse& a, const ProfileInUse& b) {
     return request_of(a.profile).journal_number < request_of(b.profile).journal_number;
   });

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/data/samples/service_status.hpp"
 #include "inslab/data/samples/vehicle_state.hpp"

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/referee/evidence/swap_evidence.hpp"
 #include "inslab/referee/evidence/tell.hpp"
@@ -74,7 +74,7 @@ void print_streams(const LogSummary& summary, Verdict& verdict) {
                     topic + ": its service did not finish, so what it sent is unknown");
     const std::uint64_t sent = stream.sent.value_or(0), arrived = logged.samples - logged.duplicates;
     // A navigation app that was started again knows only of its own solutions.
-    const bool complete = topic == wire::topic_names::kNav ? arrived >= sent : arrived == sent;
+    const bool complete = topic == catalog::kNav.name ? arrived >= sent : arrived == sent;
     verdict.require(!stream.sent || complete, fmt::format("{}: {} sent, {} received", topic, sent, arrived));
     // A service that was started again may send its last sample once more.
     verdict.require(logged.lost == 0 && (logged.duplicates == 0 || !summary.recoveries.empty()),
@@ -85,7 +85,7 @@ void print_streams(const LogSummary& summary, Verdict& verdict) {
   // moments, is heard by nobody.
   verdict.require(!summary.scenario.require_nav_app || is_offline(summary) || summary.nav_solutions > 0,
                   fmt::format("{}: the scenario requires a navigation app, and no solution of one came to the log",
-                              wire::topic_names::kNav));
+                              catalog::kNav.name));
 }
 
 void print_services(const LogSummary& summary, Verdict& verdict) {

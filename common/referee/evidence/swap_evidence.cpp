@@ -131,7 +131,8 @@ class Weigher {
       case ProfileKind::Vibration:
         return vibration();
       case ProfileKind::Installation:
-        return imu ? imu_installation() : antenna_installation();
+        if (swap_.ack.target.kind == SensorKind::Gnss) return antenna_installation();
+        return imu ? imu_installation() : std::vector<EvidenceLine>{};
       case ProfileKind::GnssError:
         return gnss_error();
       case ProfileKind::Fault:
@@ -143,15 +144,11 @@ class Weigher {
  private:
   bool is_imu() const { return swap_.ack.target.kind == SensorKind::Imu; }
   double period_s() const {
-    return swap_.ack.target.kind == SensorKind::Imu ? period_s(summary_.scenario.imu)
-                                                    : period_s(summary_.scenario.gnss);
-  }
-  template <class Sensor>
-  double period_s(const std::vector<Sensor>& sensors) const {
-    for (const Sensor& sensor : sensors) {
-      if (sensor.number == swap_.ack.target.number) return 1.0 / sensor.rate_hz;
-    }
-    return 0.0;
+    double period_s = 0.0;
+    for_each_sensor(summary_.scenario, [&](auto kind, const auto& sensor) {
+      if (SensorAddress{decltype(kind)::type::kind, sensor.number} == swap_.ack.target) period_s = 1.0 / sensor.rate_hz;
+    });
+    return period_s;
   }
   ImuPromise promise(const SwapWindow& window) const {
     return ImuPromise(summary_, swap_.ack.target, window.after_ns + 1, period_s());

@@ -27,8 +27,7 @@ class ScoringSink : public cli::RunSink {
         draws_(seed, "montecarlo/start"),
         scorer_(study.loaded.scenario, options()) {
     scorer_.without_latency("the run was offline");
-    for (const auto& imu : study.loaded.imus) scorer_.add(imu.installation, -1);
-    for (const auto& gnss : study.loaded.gnss) scorer_.add(gnss.installation, -1);
+    for_each_sensor(study.loaded, [this](auto, const auto& sensor) { scorer_.add(sensor.installation, -1); });
   }
   ScoringSink(const ScoringSink&) = delete;
   ScoringSink& operator=(const ScoringSink&) = delete;

@@ -32,15 +32,13 @@ Json description_of(const Study& study, const std::string& version) {
   scenario.reference_nav->parameters.clear();  // they stand below, whatever their file is called
   Json description{{"version", version}, {"scenario", config::to_json(scenario)}};
   if (study.loaded.trajectory_file) description["trajectory_file"] = rows_json(*study.loaded.trajectory_file);
-  for (const scenario::LoadedImu& imu : study.loaded.imus) {
-    description["imu"].push_back({{"errors", config::to_json(imu.errors)},
-                                  {"vibration", config::to_json(imu.vibration)},
-                                  {"installation", config::to_json(imu.installation)}});
-  }
-  for (const scenario::LoadedGnss& gnss : study.loaded.gnss) {
-    description["gnss"].push_back(
-        {{"errors", config::to_json(gnss.errors)}, {"installation", config::to_json(gnss.installation)}});
-  }
+  for_each_sensor(study.loaded, [&description](auto tag, const auto& sensor) {
+    using Kind = typename decltype(tag)::type;
+    Json profiles;
+    for_each_of(scenario::LoadedSection<Kind>::profiles,
+                [&](const auto& named) { profiles[named.word] = config::to_json(sensor.*named.profile); });
+    description[std::string(Kind::name)].push_back(profiles);
+  });
   description["swaps"] = Json::array();
   for (const AnyProfile& swap : study.loaded.swaps) {
     description["swaps"].push_back(std::visit([](const auto& profile) { return config::to_json(profile); }, swap));

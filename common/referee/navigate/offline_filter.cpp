@@ -1,6 +1,6 @@
 #include "inslab/referee/navigate/offline_filter.hpp"
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/formats/text/gnss_text.hpp"
 #include "inslab/formats/text/imu_text.hpp"
@@ -49,16 +49,17 @@ std::optional<NavSolution> OfflineFilter::take(const ImuSample& sample) {
 OfflineFilter filter_with_fixes_of(const io::McapReader& log, std::uint32_t gnss_number,
                                    const reference_nav::AppSetup& setup) {
   std::vector<GnssFix> fixes;
-  io::for_each_sample<GnssFix>(log, wire::topic_names::gnss(gnss_number), [&](const GnssFix& fix, std::uint64_t) {
-    fixes.push_back(fix);
-    return true;
-  });
+  io::for_each_sample<GnssFix>(log, catalog::stream_topic<GnssFix>(gnss_number),
+                               [&](const GnssFix& fix, std::uint64_t) {
+                                 fixes.push_back(fix);
+                                 return true;
+                               });
   return {setup, fixes};
 }
 
 ImuTruth first_true_state(const io::McapReader& log, std::uint32_t imu_number) {
   std::optional<ImuTruth> first;
-  const std::string topic = wire::topic_names::imu_truth(imu_number);
+  const std::string topic = catalog::stream_topic<ImuTruth>(imu_number);
   io::for_each_sample<ImuTruth>(log, topic, [&](const ImuTruth& truth, std::uint64_t) {
     first = truth;
     return false;

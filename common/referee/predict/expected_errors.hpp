@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/referee/predict/error_growth.hpp"
 

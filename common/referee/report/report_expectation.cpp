@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/scenario/load.hpp"
 
@@ -32,7 +32,7 @@ bool has_topic(const io::McapReader& log, const std::string& topic, std::string_
 
 std::vector<GnssFix> fixes_of(const io::McapReader& log, std::uint32_t number) {
   std::vector<GnssFix> fixes;
-  const std::string topic = wire::topic_names::gnss(number);
+  const std::string topic = catalog::stream_topic<GnssFix>(number);
   if (!has_topic(log, topic, wire::WireType<GnssFix>::name)) return fixes;
   io::for_each_sample<GnssFix>(log, topic, [&](const GnssFix& fix, std::uint64_t) {
     fixes.push_back(fix);
@@ -81,7 +81,7 @@ Expectation expectation_of(const io::McapReader& log, const LogSummary& summary,
   if (!scenario.gnss.empty()) setup.gnss_number = app ? app->gnss : scenario.gnss.front().number;
   expectation.of = setup.gnss_number ? fmt::format("the best filter of the fixes of gnss {}", *setup.gnss_number)
                                      : std::string("free inertial navigation");
-  const std::string topic = wire::topic_names::imu_truth(setup.imu_number);
+  const std::string topic = catalog::stream_topic<ImuTruth>(setup.imu_number);
   if (!has_topic(log, topic, wire::WireType<ImuTruth>::name)) {
     expectation.missing = "the log has no " + topic;
     return expectation;

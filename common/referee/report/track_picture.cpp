@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
@@ -143,12 +143,12 @@ Track track_of_log(const std::string& log_path) {
   const io::McapReader log(log_path);
   Track track;
   log.for_each([&](const io::mcap::Message& message) {
-    if (log.channels().at(message.channel_id).topic != wire::topic_names::kTruth) return true;
+    if (log.channels().at(message.channel_id).topic != catalog::kTruth.name) return true;
     TruthState truth;
     if (wire::decode(message.data, message.size, truth)) track.add(truth);
     return true;
   });
-  if (track.empty()) throw io::ReadError(log_path + ": has no " + std::string(wire::topic_names::kTruth));
+  if (track.empty()) throw io::ReadError(log_path + ": has no " + std::string(catalog::kTruth.name));
   return track;
 }
 

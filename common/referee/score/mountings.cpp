@@ -6,12 +6,14 @@
 namespace inslab::score {
 
 void Mountings::add(const InstallationProfile& installation, std::int64_t apply_at_ns) {
-  const bool is_imu = installation.target.kind == SensorKind::Imu;
-  if ((is_imu ? imu_number_ : gnss_number_) != installation.target.number) return;
+  const SensorAddress& target = installation.target;
+  const bool of_the_imu = target.kind == SensorKind::Imu && imu_number_ == target.number;
+  const bool of_the_antenna = target.kind == SensorKind::Gnss && gnss_number_ == target.number;
+  if (!of_the_imu && !of_the_antenna) return;
   const Vector3 rpy_rad = units::kDeg * installation.mounting_rpy_deg;
-  const Quaternion q_vb =
-      is_imu ? nav::quaternion_from_rpy({rpy_rad.x(), rpy_rad.y(), rpy_rad.z()}) : Quaternion(Quaternion::Identity());
-  (is_imu ? imu_ : antenna_).push_back({apply_at_ns, {installation.lever_arm_v_m, q_vb}});
+  const Quaternion q_vb = of_the_imu ? nav::quaternion_from_rpy({rpy_rad.x(), rpy_rad.y(), rpy_rad.z()})
+                                     : Quaternion(Quaternion::Identity());
+  (of_the_imu ? imu_ : antenna_).push_back({apply_at_ns, {installation.lever_arm_v_m, q_vb}});
 }
 
 Mounting Mountings::at(ReferencePoint point, std::int64_t sim_time_ns) const {

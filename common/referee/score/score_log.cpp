@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/log/log_topic.hpp"
@@ -71,7 +71,8 @@ LogScore score_log(const io::McapReader& log, const LogSummary& summary,
 }
 
 LogScore score_app(const io::McapReader& log, const LogSummary& summary, const OfflineApp& app) {
-  const auto imu = io::needed_channels_of(log, wire::topic_names::imu(app.imu_number), wire::WireType<ImuSample>::name);
+  const auto imu =
+      io::needed_channels_of(log, catalog::stream_topic<ImuSample>(app.imu_number), wire::WireType<ImuSample>::name);
   score::Scorer::Options options;
   options.imu_number = app.imu_number;
   options.gnss_number = app.gnss_number;

@@ -91,9 +91,14 @@ int check_scenario(const std::string& file, bool lists_files) {
     return app::kOk;
   }
   const std::string ahead = ahead_of(loaded);
-  const int code = good(file, fmt::format("scenario of {:.3f} s at {} Hz, {}, {} IMUs, {} GNSS receivers, {} swaps",
-                                          loaded.scenario.duration_s, loaded.scenario.truth_rate_hz, words_of(loaded),
-                                          loaded.imus.size(), loaded.gnss.size(), loaded.swaps.size()));
+  std::string sensors;
+  for_each(catalog::SensorKinds{}, [&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    sensors += fmt::format("{} {}, ", scenario::sensors_of<Kind>(loaded).size(), Kind::plural);
+  });
+  const int code =
+      good(file, fmt::format("scenario of {:.3f} s at {} Hz, {}, {}{} swaps", loaded.scenario.duration_s,
+                             loaded.scenario.truth_rate_hz, words_of(loaded), sensors, loaded.swaps.size()));
   tell("{}", ahead);
   return code;
 }
@@ -103,10 +108,8 @@ int check_navigation(const std::string& file) {
 }
 
 int check_profile(const CheckOptions& options, ProfileKind kind) {
-  const SensorKind usual = kind == ProfileKind::GnssError ? SensorKind::Gnss : SensorKind::Imu;
-  const SensorKind sensor = options.sensor_kind.empty()    ? usual
-                            : options.sensor_kind == "imu" ? SensorKind::Imu
-                                                           : SensorKind::Gnss;
+  const SensorKind sensor =
+      options.sensor_kind.empty() ? catalog::usual_sensor(kind) : enum_named<SensorKind>(options.sensor_kind).value();
   const AnyProfile profile = scenario::load_profile(options.file, kind, {sensor, 0});
   return good(options.file, fmt::format("{} profile '{}' for a sensor of the kind {}", enum_name(kind),
                                         name_of(profile), enum_name(sensor)));
@@ -204,7 +207,7 @@ void add_check(CLI::App& app, std::function<int()>& action) {
   for (const std::string& word : scenario::profile_kind_words()) kinds.push_back(word);
   command->add_option("--kind", options->kind, "what the file must be; absent: what it is")->check(app::one_of(kinds));
   command->add_option("--sensor", options->sensor_kind, "for a profile: the kind of sensor it goes to")
-      ->check(app::one_of({"imu", "gnss"}));
+      ->check(app::one_of(enum_words<SensorKind>()));
   command->add_flag("--files", options->lists_files, "for a scenario: print only the files that it takes, one a line");
   command->callback([options, &action] { action = [options] { return check(*options); }; });
 }

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/models/navigation/app_setup.hpp"
@@ -76,7 +76,7 @@ int navigate_log(const NavigateOptions& options) {
   const io::McapReader log(options.log);
   OfflineFilter filter = filter_with_fixes_of(log, options.gnss_number, setup_of(options));
   if (options.start_at_truth) filter.start_at(first_true_state(log, options.imu_number));
-  io::needed_channels_of(log, wire::topic_names::imu(options.imu_number), wire::WireType<ImuSample>::name);
+  io::needed_channels_of(log, catalog::stream_topic<ImuSample>(options.imu_number), wire::WireType<ImuSample>::name);
   ResultFiles files(options.output);  // from here on nothing is refused
   reference_nav::Refusals refusals;
   const LogScore score =

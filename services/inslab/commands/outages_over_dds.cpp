@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/foundation/units/units.hpp"
@@ -102,7 +102,7 @@ std::vector<NavSolution> over_dds(const std::string& scenario_file, const app::N
   run.follow();
   if (const auto failure = run.failure()) throw std::runtime_error("the run over DDS failed: " + *failure);
   std::vector<NavSolution> solutions;
-  io::for_each_sample<NavSolution>(io::McapReader(options.log_file), wire::topic_names::kNav,
+  io::for_each_sample<NavSolution>(io::McapReader(options.log_file), catalog::kNav.name,
                                    [&](const NavSolution& solution, std::uint64_t) {
                                      solutions.push_back(solution);
                                      return true;

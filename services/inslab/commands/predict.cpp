@@ -46,17 +46,9 @@ predict::PredictedError start_of(const PredictOptions& options) {
 
 std::vector<AnyProfile> profiles_of(const scenario::LoadedScenario& loaded) {
   std::vector<AnyProfile> profiles;
-  for (const auto& imu : loaded.imus) {
-    for (const AnyProfile& profile :
-         {AnyProfile(imu.errors), AnyProfile(imu.vibration), AnyProfile(imu.installation)}) {
-      profiles.push_back(profile);
-    }
-  }
-  for (const auto& gnss : loaded.gnss) {
-    for (const AnyProfile& profile : {AnyProfile(gnss.errors), AnyProfile(gnss.installation)}) {
-      profiles.push_back(profile);
-    }
-  }
+  for_each_sensor(loaded, [&profiles](auto kind, const auto& sensor) {
+    for_each_profile(kind, sensor, [&profiles](const auto& profile) { profiles.emplace_back(profile); });
+  });
   profiles.insert(profiles.end(), loaded.swaps.begin(), loaded.swaps.end());
   return profiles;
 }
@@ -100,7 +92,7 @@ Prediction predicted(const scenario::LoadedScenario& loaded, const PredictOption
   }
   predict::ExpectedErrors::Setup setup;
   setup.gravity = loaded.gravity();
-  setup.imu_number = loaded.imu_number(options.sensor_number).number;
+  setup.imu_number = loaded.sensor<catalog::Imu>(options.sensor_number).number;
   const bool uses_fixes = !options.free_inertial && !loaded.gnss.empty();
   if (uses_fixes) setup.gnss_number = loaded.gnss.front().number;
   setup.start = start_of(options);

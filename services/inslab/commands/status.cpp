@@ -119,7 +119,9 @@ std::vector<ServiceKey> missing_of(const std::vector<ServiceKey>& expected, cons
 std::vector<ServiceKey> expected_services(const std::string& scenario) {
   std::vector<ServiceKey> expected{{app::kTrajectoryServer, 0u}};
   if (scenario.empty()) {
-    for (const char* name : {app::kImuInjector, app::kGnssEmulator, app::kTruthLogger}) expected.emplace_back(name, 0u);
+    for_each(catalog::SensorKinds{},
+             [&expected](auto kind) { expected.emplace_back(decltype(kind)::type::service, 0u); });
+    expected.emplace_back(app::kTruthLogger, 0u);
   } else {
     for (const ServiceKey& key : app::required_services(scenario::load(scenario))) expected.push_back(key);
   }

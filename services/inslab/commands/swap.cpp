@@ -47,10 +47,9 @@ std::vector<std::string> names_of() {
 
 AnyProfile request_for(const SwapOptions& options) {
   const ProfileKind kind = scenario::profile_kind_named(options.kind).value();
-  const std::string sensor_kind =
-      !options.sensor_kind.empty() ? options.sensor_kind : (kind == ProfileKind::GnssError ? "gnss" : "imu");
-  AnyProfile request =
-      scenario::load_profile(options.profile, kind, {value_named<SensorKind>(sensor_kind), options.sensor_number});
+  const SensorKind sensor =
+      options.sensor_kind.empty() ? catalog::usual_sensor(kind) : value_named<SensorKind>(options.sensor_kind);
+  AnyProfile request = scenario::load_profile(options.profile, kind, {sensor, options.sensor_number});
   ProfileRequest& head = request_of(request);
   head.request_id = app::random_id();
   head.apply_at_ns = options.at_s < 0.0 ? -1 : time::from_seconds(options.at_s).count();

@@ -1,10 +1,12 @@
 #include "inslab/services/inslab/derived/derived_files.hpp"
 
+#include "inslab/data/catalog/profile_kinds.hpp"
 #include "inslab/data/json/reference_writer.hpp"
 #include "inslab/data/json/schema_writer.hpp"
 #include "inslab/data/wire/idl_writer.hpp"
 #include "inslab/models/navigation/parameters.hpp"
 #include "inslab/scenario/scenario.hpp"
+#include "inslab/services/inslab/derived/deploy_files.hpp"
 
 namespace inslab::cli {
 
@@ -25,11 +27,12 @@ std::string parameters_page() {
     page += "\n## " + title + "\n\n" + table;
   };
   add("Scenario (`config/scenarios`)", config::reference_table<scenario::Scenario>());
-  add("IMU errors (`config/profiles/imu`)", config::reference_table<ImuErrorProfile>());
-  add("Vibration (`config/profiles/vibration`)", config::reference_table<VibrationProfile>());
-  add("Installation (`config/profiles/installation`)", config::reference_table<InstallationProfile>());
-  add("GNSS errors (`config/profiles/gnss`)", config::reference_table<GnssErrorProfile>());
-  add("Fault (`config/profiles/fault`)", config::reference_table<FaultProfile>());
+  for_each(catalog::ProfileKinds{}, [&add](auto tag) {
+    using Profile = typename decltype(tag)::type;
+    const catalog::ProfileWords& words = catalog::kWords<Profile>;
+    add(std::string(words.title) + " (`config/profiles/" + std::string(words.folder) + "`)",
+        config::reference_table<Profile>());
+  });
   add("Navigation filter (`config/nav`)", config::reference_table<reference_nav::NavigationParameters>());
   return page;
 }
@@ -37,17 +40,19 @@ std::string parameters_page() {
 }  // namespace
 
 const std::vector<DerivedFile>& derived_files() {
-  static const std::vector<DerivedFile> files{
-      schema_file<scenario::Scenario>("scenario", "Inslab scenario"),
-      schema_file<ImuErrorProfile>("imu_error", "Inslab IMU error profile"),
-      schema_file<VibrationProfile>("vibration", "Inslab vibration profile"),
-      schema_file<InstallationProfile>("installation", "Inslab installation profile"),
-      schema_file<GnssErrorProfile>("gnss_error", "Inslab GNSS error profile"),
-      schema_file<FaultProfile>("fault", "Inslab fault profile"),
-      schema_file<reference_nav::NavigationParameters>("navigation", "Inslab navigation filter"),
-      {"idl/profile.idl", wire::profile_idl},
-      {"docs/parameters.md", parameters_page},
-  };
+  static const std::vector<DerivedFile> files = [] {
+    std::vector<DerivedFile> all{schema_file<scenario::Scenario>("scenario", "Inslab scenario")};
+    for_each(catalog::ProfileKinds{}, [&all](auto tag) {
+      using Profile = typename decltype(tag)::type;
+      all.push_back(schema_file<Profile>(std::string(enum_name(Profile::kind)),
+                                         "Inslab " + std::string(catalog::kWords<Profile>.document)));
+    });
+    all.push_back(schema_file<reference_nav::NavigationParameters>("navigation", "Inslab navigation filter"));
+    all.push_back({"idl/profile.idl", wire::profile_idl});
+    all.push_back({"docs/parameters.md", parameters_page});
+    for (DerivedFile& file : deploy_files()) all.push_back(std::move(file));
+    return all;
+  }();
   return files;
 }
 

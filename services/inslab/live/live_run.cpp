@@ -81,8 +81,9 @@ void LiveRun::start_services() {
     if (!options_.network.security.empty()) std::this_thread::sleep_for(milliseconds(700));
   };
   start(app::kTruthLogger, with({"--log", options_.log_file, "--overwrite"}));  // judged before, by this process
-  for (const auto& imu : loaded_.imus) start(app::kImuInjector, with({"--sensor", std::to_string(imu.number)}));
-  for (const auto& gnss : loaded_.gnss) start(app::kGnssEmulator, with({"--sensor", std::to_string(gnss.number)}));
+  for_each_sensor(loaded_, [&](auto kind, const auto& sensor) {
+    start(decltype(kind)::type::service, with({"--sensor", std::to_string(sensor.number)}));
+  });
   if (loaded_.scenario.reference_nav) start(app::kReferenceNav, with({}));
   app::ClockOptions clock = options_.clock;
   clock.paused = clock.paused || holds_the_start_;

@@ -9,17 +9,15 @@ namespace inslab::cli {
 SoakEvents::SoakEvents(const scenario::LoadedScenario& scenario, const std::filesystem::path& profiles,
                        std::uint64_t seed, double often)
     : random_(seed) {
-  for (const auto& imu : scenario.imus) {
-    const SensorAddress sensor{SensorKind::Imu, imu.number};
-    add_profiles(profiles / "imu", ProfileKind::ImuError, sensor);
-    add_profiles(profiles / "vibration", ProfileKind::Vibration, sensor);
-    add_profiles(profiles / "installation", ProfileKind::Installation, sensor, "imu_");
-  }
-  for (const auto& gnss : scenario.gnss) {
-    const SensorAddress sensor{SensorKind::Gnss, gnss.number};
-    add_profiles(profiles / "gnss", ProfileKind::GnssError, sensor);
-    add_profiles(profiles / "installation", ProfileKind::Installation, sensor, "antenna_");
-  }
+  for_each_sensor(scenario, [&](auto tag, const auto& sensor) {
+    using Sensor = typename decltype(tag)::type;
+    for_each(typename Sensor::Profiles{}, [&](auto profile) {
+      using Profile = typename decltype(profile)::type;
+      if constexpr (std::is_same_v<Profile, FaultProfile>) return;  // a soak is judged by the errors that it promises
+      const char* prefix = std::is_same_v<Profile, InstallationProfile> ? Sensor::mountings : "";
+      add_profiles(profiles / catalog::kWords<Profile>.folder, Profile::kind, {Sensor::kind, sensor.number}, prefix);
+    });
+  });
   for (Source& source : sources_) {
     if (source.kind != Kind::Swap) source.mean_s /= often;
     source.next_s = wait_s(source.mean_s);

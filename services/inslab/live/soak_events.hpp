@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/scenario/load.hpp"
 
 namespace inslab::cli {

@@ -51,9 +51,9 @@ template <class Do>
 void for_each_topic(const Do& with) {
   with(topics::truth());
   with(topics::block(topics::truth()));
-  with(topics::imu(0));
-  with(topics::imu_truth(0));
-  with(topics::gnss(0));
+  with(topics::stream<ImuSample>(0));
+  with(topics::stream<ImuTruth>(0));
+  with(topics::stream<GnssFix>(0));
   with(topics::request<ImuErrorProfile>());
   with(topics::request<GnssErrorProfile>());
   with(topics::request<FaultProfile>());

@@ -73,9 +73,9 @@ TEST(InvalidFiles, AreAllListed) {
 
 TEST(Scenario, RefusesASensorItDoesNotHave) {
   const auto loaded = scenario::load(std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "scenarios" / "demo.json");
-  EXPECT_EQ(loaded.imu_number(0).number, 0U);
-  EXPECT_THROW(loaded.imu_number(7), config::Error);
-  EXPECT_THROW(loaded.gnss_number(7), config::Error);
+  EXPECT_EQ(loaded.sensor<catalog::Imu>(0).number, 0U);
+  EXPECT_THROW(loaded.sensor<catalog::Imu>(7), config::Error);
+  EXPECT_THROW(loaded.sensor<catalog::Gnss>(7), config::Error);
 }
 
 }  // namespace invalid_files_test

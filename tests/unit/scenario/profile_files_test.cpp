@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <set>
 
+#include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/data/json/json_reader.hpp"
-#include "inslab/data/profiles/profile_rules.hpp"
 
 /// The profiles that come with the product: each is read strictly, breaks no rule, and bears its file's name.
 namespace inslab {

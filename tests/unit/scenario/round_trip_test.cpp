@@ -22,8 +22,9 @@ void without_request(reference_nav::NavigationParameters&) {}
 template <class T>
 class RoundTrip : public testing::Test {};
 
-using Files = testing::Types<scenario::Scenario, ImuErrorProfile, VibrationProfile, InstallationProfile,
-                             GnssErrorProfile, FaultProfile, reference_nav::NavigationParameters>;
+using Files =
+    Applied<testing::Types,
+            Joined<Types<scenario::Scenario>, catalog::ProfileKinds, Types<reference_nav::NavigationParameters>>>;
 TYPED_TEST_SUITE(RoundTrip, Files, );
 
 TYPED_TEST(RoundTrip, ThroughJsonTextKeepsEveryBitOfRandomValues) {

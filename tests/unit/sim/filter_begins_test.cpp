@@ -61,8 +61,8 @@ Nees nees_of(const reference_nav::InertialFilter& filter, const ImuTruth& truth)
 struct Unit {
   std::string name;
   scenario::LoadedScenario loaded;
-  imu::Injector injector;
-  gnss::Emulator emulator;
+  sim::Sensor<catalog::Imu> injector;
+  sim::Sensor<catalog::Gnss> emulator;
   reference_nav::Navigator navigator;
   bool has_fix = false;
   std::optional<nav::RollPitchYaw> first_rpy;  ///< at the first fix
@@ -81,8 +81,8 @@ struct Unit {
 
   void take(const TruthState& truth) {
     if (is_done()) return;
-    if (const auto result = emulator.process(truth); result.fix) {
-      navigator.add(*result.fix);
+    if (const auto result = emulator.process(truth); result.output) {
+      navigator.add(*result.output);
       has_fix = true;
     }
     const auto result = injector.process(truth);

@@ -5,8 +5,7 @@
 
 #include "inslab/data/state/state_stream.hpp"
 #include "inslab/scenario/load.hpp"
-#include "inslab/sim/emulator.hpp"
-#include "inslab/sim/injector.hpp"
+#include "inslab/sim/sensors.hpp"
 #include "inslab/sim/truth_source.hpp"
 
 namespace inslab {
@@ -21,7 +20,7 @@ void append(const T& sample, Bytes& out) {
   out.insert(out.end(), encoded.begin(), encoded.end());
 }
 
-Bytes bytes_of(const imu::Injector::Result& result) {
+Bytes bytes_of(const sim::Sensor<catalog::Imu>::Result& result) {
   Bytes bytes;
   if (result.output) {
     append(result.output->sample, bytes);
@@ -31,9 +30,9 @@ Bytes bytes_of(const imu::Injector::Result& result) {
   return bytes;
 }
 
-Bytes bytes_of(const gnss::Emulator::Result& result) {
+Bytes bytes_of(const sim::Sensor<catalog::Gnss>::Result& result) {
   Bytes bytes;
-  if (result.fix) append(*result.fix, bytes);
+  if (result.output) append(*result.output, bytes);
   for (const ProfileAck& ack : result.acks) append(ack, bytes);
   return bytes;
 }
@@ -100,27 +99,27 @@ void expect_resumes(const Run& run, const Make& make) {
 }
 
 TEST(ResumedSensors, AnImuGoesOnWithTheSameBits) {
-  expect_resumes<imu::Injector>(Run::recovery(),
-                                [](const auto& scenario) { return imu::Injector(scenario, scenario.imus[0]); });
+  expect_resumes<sim::Sensor<catalog::Imu>>(
+      Run::recovery(), [](const auto& scenario) { return sim::Sensor<catalog::Imu>(scenario, scenario.imus[0]); });
 }
 
 TEST(ResumedSensors, AnImuSlowerThanTheTruthGoesOnWithTheSameBits) {
-  expect_resumes<imu::Injector>(Run::recovery(),
-                                [](const auto& scenario) { return imu::Injector(scenario, scenario.imus[1]); });
+  expect_resumes<sim::Sensor<catalog::Imu>>(
+      Run::recovery(), [](const auto& scenario) { return sim::Sensor<catalog::Imu>(scenario, scenario.imus[1]); });
 }
 
 TEST(ResumedSensors, AReceiverGoesOnWithTheSameBits) {
-  expect_resumes<gnss::Emulator>(Run::recovery(),
-                                 [](const auto& scenario) { return gnss::Emulator(scenario, scenario.gnss[0]); });
+  expect_resumes<sim::Sensor<catalog::Gnss>>(
+      Run::recovery(), [](const auto& scenario) { return sim::Sensor<catalog::Gnss>(scenario, scenario.gnss[0]); });
 }
 
 TEST(ResumedSensors, AtRatesThatDivideNoneOfTheOthersAllGoOnWithTheSameBits) {
   for (const std::size_t i : {0, 1}) {
-    expect_resumes<imu::Injector>(Run::odd_rates(),
-                                  [i](const auto& scenario) { return imu::Injector(scenario, scenario.imus[i]); });
+    expect_resumes<sim::Sensor<catalog::Imu>>(
+        Run::odd_rates(), [i](const auto& scenario) { return sim::Sensor<catalog::Imu>(scenario, scenario.imus[i]); });
   }
-  expect_resumes<gnss::Emulator>(Run::odd_rates(),
-                                 [](const auto& scenario) { return gnss::Emulator(scenario, scenario.gnss[0]); });
+  expect_resumes<sim::Sensor<catalog::Gnss>>(
+      Run::odd_rates(), [](const auto& scenario) { return sim::Sensor<catalog::Gnss>(scenario, scenario.gnss[0]); });
 }
 
 }  // namespace resumed_sensors_test

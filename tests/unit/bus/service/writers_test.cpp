@@ -13,7 +13,7 @@ using testing::HasSubstr;
 class WritersOfAStream : public testing::Test {
  protected:
   static constexpr const char* kTopic = "inslab/imu/0";
-  static inline const ServiceKey kInjector{kImuInjector, 0u};
+  static inline const ServiceKey kInjector{catalog::Imu::service, 0u};
 
   static Identity identity(const char* service, std::uint32_t pid, const std::string& space = "another host") {
     Identity one;
@@ -39,7 +39,7 @@ class WritersOfAStream : public testing::Test {
 };
 
 TEST_F(WritersOfAStream, IsTheServiceOfItsRole) {
-  const auto injector = joins(1, identity(kImuInjector, 2));
+  const auto injector = joins(1, identity(catalog::Imu::service, 2));
   EXPECT_TRUE(writers_.admit(kTopic, kInjector, injector));
   EXPECT_TRUE(writers_.admit(kTopic, kInjector, injector));
   EXPECT_EQ(writers_.fault(), "");
@@ -101,7 +101,7 @@ TEST_F(WritersOfAStream, OfASetIsKnownToWhoHasNoScenarioOfItsOwn) {
 }
 
 TEST_F(WritersOfAStream, WithoutAScenarioAreNotOfASetThatHasOne) {
-  Identity without = identity(kImuInjector, 3);
+  Identity without = identity(catalog::Imu::service, 3);
   without.scenario_hash.clear();
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(1, without)));
 }
@@ -112,7 +112,7 @@ TEST_F(WritersOfAStream, AStrangerIsAFaultAtItsFirstSampleBeforeAndAfterTheRight
   EXPECT_THAT(writers_.fault(), HasSubstr("inslab/imu/0: a writer that is not this set's: 'foe', GUID "
                                           "07.07.07.07.07.07.07.07.07.07.07.07, at 10.0.0.9: only inslab-imu-injector "
                                           "0 may write it"));
-  EXPECT_TRUE(writers_.admit(kTopic, kInjector, joins(1, identity(kImuInjector, 2))));
+  EXPECT_TRUE(writers_.admit(kTopic, kInjector, joins(1, identity(catalog::Imu::service, 2))));
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, foe));
 }
 
@@ -125,19 +125,19 @@ TEST_F(WritersOfAStream, WhatAStrangerSaysOfItselfIsLeftOutAndSpoilsNothing) {
 }
 
 TEST_F(WritersOfAStream, OfAnotherRoleUnitOrScenarioIsAFaultThatNamesIt) {
-  EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(2, identity(kGnssEmulator, 5))));
+  EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(2, identity(catalog::Gnss::service, 5))));
   EXPECT_THAT(writers_.fault(), HasSubstr("inslab-gnss-emulator 0 (host bench, process 5"));
-  Identity elsewhere = identity(kImuInjector, 6);
+  Identity elsewhere = identity(catalog::Imu::service, 6);
   elsewhere.unit = "other";
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(3, elsewhere)));
-  Identity of_another_scenario = identity(kImuInjector, 7);
+  Identity of_another_scenario = identity(catalog::Imu::service, 7);
   of_another_scenario.scenario_hash = "2";
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(4, of_another_scenario)));
 }
 
 TEST_F(WritersOfAStream, ASuccessorMayFollowButNotBesideTheOneBefore) {
-  const auto first = joins(1, identity(kImuInjector, 2));
-  const auto second = joins(2, identity(kImuInjector, 3));
+  const auto first = joins(1, identity(catalog::Imu::service, 2));
+  const auto second = joins(2, identity(catalog::Imu::service, 3));
   EXPECT_TRUE(writers_.admit(kTopic, kInjector, first));
   EXPECT_TRUE(writers_.admit(kTopic, kInjector, second));
   EXPECT_EQ(writers_.fault(), "");
@@ -147,25 +147,25 @@ TEST_F(WritersOfAStream, ASuccessorMayFollowButNotBesideTheOneBefore) {
 }
 
 TEST_F(WritersOfAStream, WhereTheProcessIsSeenToLiveNobodyTakesItsPlace) {
-  Identity living = identity(kImuInjector, process_id(), process_space());
+  Identity living = identity(catalog::Imu::service, process_id(), process_space());
   living.started_ticks = *started_ticks(process_id());
   const auto first = joins(1, living);
   EXPECT_TRUE(writers_.admit(kTopic, kInjector, first));
-  EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(2, identity(kImuInjector, 3))));
+  EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(2, identity(catalog::Imu::service, 3))));
   EXPECT_THAT(writers_.fault(), HasSubstr("writes it"));
   EXPECT_TRUE(writers_.admit(kTopic, kInjector, first));
 }
 
 TEST_F(WritersOfAStream, TopicsAndClaimsHaveTheirServices) {
   EXPECT_EQ(writer_of_topic<TruthState>("inslab/truth"), (ServiceKey{kTrajectoryServer, 0u}));
-  EXPECT_EQ(writer_of_topic<ImuSample>("inslab/imu/12"), (ServiceKey{kImuInjector, 12u}));
-  EXPECT_EQ(writer_of_topic<Block<ImuTruth>>("inslab/block/imu_truth/3"), (ServiceKey{kImuInjector, 3u}));
-  EXPECT_EQ(writer_of_topic<GnssFix>("inslab/gnss/1"), (ServiceKey{kGnssEmulator, 1u}));
+  EXPECT_EQ(writer_of_topic<ImuSample>("inslab/imu/12"), (ServiceKey{catalog::Imu::service, 12u}));
+  EXPECT_EQ(writer_of_topic<Block<ImuTruth>>("inslab/block/imu_truth/3"), (ServiceKey{catalog::Imu::service, 3u}));
+  EXPECT_EQ(writer_of_topic<GnssFix>("inslab/gnss/1"), (ServiceKey{catalog::Gnss::service, 1u}));
   EXPECT_EQ(writer_of_topic<SimStatus>("inslab/sim/status"), (ServiceKey{kTrajectoryServer, 0u}));
   ProfileAck ack;
-  ack.service = kGnssEmulator;
+  ack.service = catalog::Gnss::service;
   ack.target.number = 2;
-  EXPECT_EQ(writer_of(ack), (ServiceKey{kGnssEmulator, 2u}));
+  EXPECT_EQ(writer_of(ack), (ServiceKey{catalog::Gnss::service, 2u}));
   ack.service = kTrajectoryServer;
   EXPECT_EQ(writer_of(ack), (ServiceKey{kTrajectoryServer, 0u}));
 }

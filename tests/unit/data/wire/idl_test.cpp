@@ -4,9 +4,9 @@
 #include <set>
 #include <sstream>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/catalog/wire_type.hpp"
-#include "inslab/data/profiles/any_profile.hpp"
 
 namespace inslab::wire {
 namespace idl_test {
@@ -78,11 +78,11 @@ TEST(PresentName, IsThatOfTheSameTypeInAnEarlierLog) {
 }
 
 TEST(TopicNames, AreOneForEachStreamAndKind) {
-  EXPECT_EQ(topic_names::imu(3), "inslab/imu/3");
-  EXPECT_EQ(topic_names::imu_truth(0), "inslab/imu_truth/0");
-  EXPECT_EQ(topic_names::gnss(1), "inslab/gnss/1");
-  EXPECT_EQ(topic_names::request(ProfileKind::GnssError), "inslab/profile/gnss_error");
-  EXPECT_EQ(topic_names::journal(ProfileKind::ImuError), "inslab/journal/imu_error");
+  EXPECT_EQ(catalog::stream_topic<ImuSample>(3), "inslab/imu/3");
+  EXPECT_EQ(catalog::stream_topic<ImuTruth>(0), "inslab/imu_truth/0");
+  EXPECT_EQ(catalog::stream_topic<GnssFix>(1), "inslab/gnss/1");
+  EXPECT_EQ(catalog::request_topic(ProfileKind::GnssError), "inslab/profile/gnss_error");
+  EXPECT_EQ(catalog::journal_topic(ProfileKind::ImuError), "inslab/journal/imu_error");
 }
 
 }  // namespace idl_test

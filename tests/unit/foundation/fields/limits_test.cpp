@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
 #include "tests/unit/foundation/fields/number_fields.hpp"
 
 namespace inslab {
@@ -11,7 +11,7 @@ namespace limits_test {
 template <class Profile>
 class LimitsOf : public testing::Test {};
 
-using Profiles = testing::Types<ImuErrorProfile, VibrationProfile, InstallationProfile, GnssErrorProfile, FaultProfile>;
+using Profiles = Applied<testing::Types, catalog::ProfileKinds>;
 TYPED_TEST_SUITE(LimitsOf, Profiles, );
 
 template <class Profile>

@@ -1,4 +1,4 @@
-#include "inslab/data/profiles/profile_rules.hpp"
+#include "inslab/data/catalog/profile_rules.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/data/json/json_reader.hpp"
-#include "inslab/data/profiles/profile_rules.hpp"
 #include "inslab/foundation/files/error.hpp"
 #include "inslab/referee/calibrate/fitted_profile.hpp"
 #include "inslab/referee/calibrate/profile_file.hpp"

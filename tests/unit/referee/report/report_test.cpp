@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "inslab/data/catalog/topic_names.hpp"
+#include "inslab/data/catalog/topics.hpp"
 #include "inslab/referee/report/report_files.hpp"
 #include "inslab/referee/report/report_limits.hpp"
 #include "inslab/referee/score/score_words.hpp"
@@ -88,12 +88,12 @@ class Report : public test::TemporaryFolder {
         channel.write(sample, number++, time_ns, time_ns);
       }
     };
-    write(wire::topic_names::kTruth, recorder_.truths);
-    if (with == With::Everything) write(wire::topic_names::imu_truth(0), recorder_.imu_truths);
-    write(wire::topic_names::gnss(0), recorder_.fixes);
-    io::LogChannel<ImuErrorProfile> journal(log.file(), wire::topic_names::journal(ProfileKind::ImuError));
+    write(catalog::kTruth.name, recorder_.truths);
+    if (with == With::Everything) write(catalog::stream_topic<ImuTruth>(0), recorder_.imu_truths);
+    write(catalog::stream_topic<GnssFix>(0), recorder_.fixes);
+    io::LogChannel<ImuErrorProfile> journal(log.file(), catalog::journal_topic(ProfileKind::ImuError));
     journal.write(std::get<ImuErrorProfile>(recorder_.entries.front()), 0, 0, 0);
-    io::LogChannel<NavSolution> nav(log.file(), wire::topic_names::kNav);
+    io::LogChannel<NavSolution> nav(log.file(), catalog::kNav.name);
     for (std::size_t k = 20; k < recorder_.truths.size(); k += 10) {
       const auto time_ns = static_cast<std::uint64_t>(recorder_.truths[k].header.sim_time_ns);
       nav.write(off_by_a_constant(recorder_.truths[k]), static_cast<std::uint32_t>(k), time_ns, time_ns);

@@ -1,18 +1,15 @@
 #pragma once
 
+#include <string>
 #include <variant>
 
-#include "inslab/data/profiles/fault_profile.hpp"
-#include "inslab/data/profiles/gnss_error_profile.hpp"
-#include "inslab/data/profiles/imu_error_profile.hpp"
-#include "inslab/data/profiles/installation_profile.hpp"
-#include "inslab/data/profiles/vibration_profile.hpp"
+#include "inslab/data/catalog/profile_kinds.hpp"
 
 namespace inslab {
 inline namespace samples {
 
-/// One profile of any of the five kinds: a request, or an entry of the journal.
-using AnyProfile = std::variant<ImuErrorProfile, VibrationProfile, InstallationProfile, GnssErrorProfile, FaultProfile>;
+/// One profile of any kind: a request, or an entry of the journal.
+using AnyProfile = Applied<std::variant, catalog::ProfileKinds>;
 
 inline ProfileKind kind_of(const AnyProfile& profile) {
   return std::visit([](const auto& p) { return p.kind; }, profile);

@@ -3,12 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include "inslab/data/profiles/any_profile.hpp"
-#include "inslab/data/profiles/fault_profile.hpp"
-#include "inslab/data/profiles/gnss_error_profile.hpp"
-#include "inslab/data/profiles/imu_error_profile.hpp"
-#include "inslab/data/profiles/installation_profile.hpp"
-#include "inslab/data/profiles/vibration_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
+#include "inslab/data/catalog/sensor_kinds.hpp"
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/fields/violation.hpp"
 #include "inslab/foundation/units/units.hpp"
@@ -25,11 +21,12 @@ inline constexpr double kMaxMotionHz = 2000.0;  ///< the same
 
 namespace detail {
 
-inline std::optional<Violation> target_violation(const SensorAddress& target, SensorKind expected) {
-  if (target.kind == expected) return std::nullopt;
+template <class Profile>
+std::optional<Violation> target_violation(const Profile& profile) {
+  if (catalog::takes_profile(profile.target.kind, Profile::kind)) return std::nullopt;
   return Violation{
       Rule::ProfileFitsSensor, "target_kind",
-      "is " + std::string(enum_name(target.kind)) + "; this profile is for " + std::string(enum_name(expected))};
+      "is " + std::string(enum_name(profile.target.kind)) + "; this profile is for " + catalog::wearers(Profile::kind)};
 }
 
 inline std::optional<Violation> fade_violation(const ProfileRequest& request) {
@@ -190,7 +187,7 @@ inline std::optional<Violation> zero_violation(Rule rule, const char* path, cons
 }  // namespace detail
 
 inline std::optional<Violation> violation(const ImuErrorProfile& profile) {
-  if (auto broken = detail::target_violation(profile.target, SensorKind::Imu)) return broken;
+  if (auto broken = detail::target_violation(profile)) return broken;
   if (auto broken = detail::fade_violation(profile.request)) return broken;
   if (auto broken = detail::gyro_violation(profile.gyro)) return broken;
   if (auto broken = detail::accel_violation(profile.accel)) return broken;
@@ -198,7 +195,7 @@ inline std::optional<Violation> violation(const ImuErrorProfile& profile) {
 }
 
 inline std::optional<Violation> violation(const VibrationProfile& profile) {
-  if (auto broken = detail::target_violation(profile.target, SensorKind::Imu)) return broken;
+  if (auto broken = detail::target_violation(profile)) return broken;
   if (auto broken = detail::random_table_violation("linear_random", profile.linear_random)) return broken;
   if (auto broken = detail::random_table_violation("angular_random", profile.angular_random)) return broken;
   return profile.domain == VibrationDomain::Motion ? detail::mount_violation(profile) : std::nullopt;
@@ -210,13 +207,13 @@ inline std::optional<Violation> violation(const InstallationProfile& profile) {
     return Violation{Rule::LeverArmLength, "lever_arm_v_m",
                      "is " + std::to_string(profile.lever_arm_v_m.norm()) + " m long; a lever arm has at most 1000 m"};
   }
-  if (profile.target.kind != SensorKind::Gnss) return std::nullopt;
+  if (catalog::has_axes(profile.target.kind)) return std::nullopt;
   return detail::zero_violation(Rule::AntennaMounting, "mounting_rpy_deg", profile.mounting_rpy_deg,
                                 "is not 0; an antenna has no axes");
 }
 
 inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
-  if (auto broken = detail::target_violation(profile.target, SensorKind::Gnss)) return broken;
+  if (auto broken = detail::target_violation(profile)) return broken;
   if (auto broken = detail::fade_violation(profile.request)) return broken;
   if (profile.fix_type == FixType::None) {
     return Violation{Rule::FixTypeGiven, "fix_type", "is none; a receiver without a fix is the fault 'outage'"};
@@ -272,8 +269,10 @@ inline std::optional<Violation> receiver_fault_violation(const FaultProfile& pro
 
 inline std::optional<Violation> violation(const FaultProfile& profile) {
   if (auto broken = detail::fade_violation(profile.request)) return broken;
-  return profile.target.kind == SensorKind::Imu ? detail::receiver_fault_violation(profile)
-                                                : detail::imu_fault_violation(profile);
+  if (profile.target.kind != SensorKind::Imu) {
+    if (auto broken = detail::imu_fault_violation(profile)) return broken;
+  }
+  return profile.target.kind != SensorKind::Gnss ? detail::receiver_fault_violation(profile) : std::nullopt;
 }
 
 /// The first limit or rule that a profile of any kind breaks.

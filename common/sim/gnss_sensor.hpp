@@ -1,0 +1,26 @@
+#pragma once
+
+#include <tuple>
+
+#include "inslab/models/gnss/model.hpp"
+#include "inslab/sim/run_sink.hpp"
+#include "inslab/sim/sensor.hpp"
+
+namespace inslab::sim {
+
+template <>
+struct SensorModel<catalog::Gnss> {
+  using Model = gnss::GnssModel;
+  using Output = GnssFix;
+
+  static Model::Setup setup(const scenario::LoadedScenario& scenario, const scenario::LoadedGnss& gnss) {
+    return {scenario.stream_seed(), gnss.number,  gnss.rate,        gnss.errors,
+            gnss.installation,      gnss.outages, gnss.outage_areas};
+  }
+  static bool takes_profiles_at(const time::Rate&, const TruthState&) { return true; }
+  static std::optional<Output> process(Model& model, const TruthState& truth) { return model.observe(truth); }
+  static void hand(cli::RunSink& sink, std::size_t index, const Output& fix) { sink.gnss(index, fix); }
+  static auto samples(Output& fix) { return std::tie(fix); }
+};
+
+}  // namespace inslab::sim

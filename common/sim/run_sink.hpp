@@ -1,0 +1,27 @@
+#pragma once
+
+#include "inslab/data/catalog/any_profile.hpp"
+#include "inslab/data/requests/run_control.hpp"
+#include "inslab/data/samples/gnss_fix.hpp"
+#include "inslab/data/samples/imu_sample.hpp"
+#include "inslab/data/samples/imu_truth.hpp"
+#include "inslab/data/samples/nav_solution.hpp"
+#include "inslab/data/samples/truth_state.hpp"
+#include "inslab/data/samples/vehicle_state.hpp"
+
+namespace inslab::cli {
+
+/// Where the samples of an offline run go; every function is called in the order of sim time.
+class RunSink {
+ public:
+  virtual ~RunSink() = default;
+  virtual void journal(const AnyProfile& entry) = 0;
+  virtual void vehicle_state(const UsedVehicleState&) {}  ///< of a live vehicle only
+  virtual void truth(const TruthState& truth) = 0;
+  virtual void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) = 0;
+  virtual void gnss(std::size_t index, const GnssFix& fix) = 0;
+  virtual void nav(const NavSolution&) {}  ///< of the reference navigation app, when the scenario has it
+  virtual void ack(const ProfileAck& ack) = 0;
+};
+
+}  // namespace inslab::cli

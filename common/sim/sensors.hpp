@@ -1,0 +1,6 @@
+#pragma once
+
+/// The models of every kind of sensor.
+
+#include "inslab/sim/gnss_sensor.hpp"
+#include "inslab/sim/imu_sensor.hpp"
