@@ -14,7 +14,7 @@ class EmulatorOnBus : public app::TruthConsumer {
       : emulator_(context.scenario(), gnss),
         fixes_(context, dds::topics::gnss(gnss.number, gnss.rate.hz()),
                {app::stream_consumers(context.scenario().scenario, SensorKind::Gnss, gnss.number), false,
-                app::StreamOutput<GnssFix>::kWindowSamples, app::StreamOutput<GnssFix>::ten_seconds(gnss.rate.hz())}),
+                app::StreamOutput<GnssFix>::kWindowSamples, app::StreamOutput<GnssFix>::half_a_minute(gnss.rate.hz())}),
         acks_(context.participant(), dds::topics::profile_ack()) {}
 
   void begin_run(const RunId& run, ClockMode clock) override { fixes_.begin_run(run, clock); }

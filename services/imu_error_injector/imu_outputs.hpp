@@ -13,12 +13,12 @@ class ImuOutputs {
       : samples_(
             context, dds::topics::imu(imu.number, imu.rate.hz()),
             {app::stream_consumers(context.scenario().scenario, SensorKind::Imu, imu.number), paced_by_nav_app,
-             app::StreamOutput<ImuSample>::kWindowSamples, app::StreamOutput<ImuSample>::ten_seconds(imu.rate.hz())}),
+             app::StreamOutput<ImuSample>::kWindowSamples, app::StreamOutput<ImuSample>::half_a_minute(imu.rate.hz())}),
         truths_(context, dds::topics::imu_truth(imu.number, imu.rate.hz()),
                 {{{app::kTruthLogger, 0u}},
                  false,
                  app::StreamOutput<ImuTruth>::kWindowSamples,
-                 app::StreamOutput<ImuTruth>::ten_seconds(imu.rate.hz())}) {}
+                 app::StreamOutput<ImuTruth>::half_a_minute(imu.rate.hz())}) {}
 
   void begin_run(const RunId& run, ClockMode clock) {
     samples_.begin_run(run, clock);

@@ -193,6 +193,12 @@ void LoggerOnBus::give_credit(const std::string& topic, std::uint64_t next_seque
   if (!credits_.write(credit)) spdlog::warn("a credit could not be sent");
 }
 
+/// Whether the others must stay for it.
+void LoggerOnBus::say_of_the_log(bool is_closed) {
+  if (run_id_ == RunId{}) return;
+  if (!credits_.write(app::log_word(run_id_, is_closed))) spdlog::warn("a credit could not be sent");
+}
+
 /// Asks again for what is missing; in lockstep also says again how far this service is, since a credit that got lost
 /// must not stop the run, and so it does when the run has ended: the others stay until everything is here.
 void LoggerOnBus::repeat_credits() {
@@ -347,7 +353,7 @@ std::string LoggerOnBus::unfinished_services() const {
 /// Every service has said that it ended, or has been silent for long. After a kill the trajectory server waits some
 /// seconds for acknowledgements of the reader that is gone, and says nothing meanwhile.
 bool LoggerOnBus::all_services_ended() const {
-  constexpr time::Nanoseconds kSilence = seconds(6);
+  constexpr time::Nanoseconds kSilence = seconds(15);
   for (const auto& [service, heard] : services_) {
     const bool ended = heard.state == ServiceState::Finished || heard.state == ServiceState::Fault;
     if (service.first != app::kTruthLogger && !ended && app::monotonic_now() - heard.at < kSilence) return false;
@@ -365,9 +371,10 @@ bool LoggerOnBus::all_samples_here() const {
 }
 
 bool LoggerOnBus::finished() const {
-  // Reliable samples that have not come some seconds after the end will not come.
+  // The others do not stay for longer.
+  constexpr time::Nanoseconds kPatience = app::kTimeToComeBack - seconds(5);
   return run_ended_ &&
-         ((all_services_ended() && all_samples_here()) || app::monotonic_now() - run_ended_at_ > seconds(15));
+         ((all_services_ended() && all_samples_here()) || app::monotonic_now() - run_ended_at_ > kPatience);
 }
 
 int LoggerOnBus::run() {
@@ -410,7 +417,11 @@ int LoggerOnBus::end() {
     failure_ = std::string(app::kEndedBySignal) + ": the rest is missing";
   board_.enter(failure_.empty() ? ServiceState::Finished : ServiceState::Fault,
                failure_.empty() && by_signal ? "ended by a signal before a run" : failure_);
-  while (const auto message = mailbox_.take(milliseconds(200))) handle(*message);
+  // The others stay for the log and go on saying so, once a second each: there is no end of messages to wait for.
+  const time::Nanoseconds closes_at = app::monotonic_now() + milliseconds(200);
+  while (app::monotonic_now() < closes_at) {
+    if (const auto message = mailbox_.take(milliseconds(20))) handle(*message);
+  }
   try {
     add_score();
     log_.file().close();
@@ -418,7 +429,9 @@ int LoggerOnBus::end() {
     note_failure(error.what());
   }
   checkpoint_.forget();
+  say_of_the_log(true);
   board_.flush(seconds(2));
+  credits_.wait_for_acknowledgments(seconds(2));
   spdlog::info("log {} ({:.1f} MB)", log_.path(), static_cast<double>(log_.file().file_size()) * 1e-6);
   if (!failure_.empty()) spdlog::error("{}", failure_);
   return app::after_the_last_word(failure_.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed);

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <memory>
+
 #include "tests/e2e/logged_samples.hpp"
 #include "tests/e2e/process.hpp"
 
@@ -11,6 +14,7 @@ namespace reference_nav_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr std::size_t kImuSamples = 2000;
 
@@ -29,6 +33,41 @@ TEST(ReferenceNav, AnswersEachImuSampleLiveAndIsAccepted) {
   for (std::size_t i = 0; i < solutions.size(); ++i) ASSERT_EQ(solutions[i].imu_sequence, i);
   EXPECT_EQ(solutions.front().mode, NavMode::Aligning);
   EXPECT_EQ(solutions.back().mode, NavMode::Navigating);
+}
+
+TEST(ReferenceNav, InLockstepItsSolutionsAndTheStreamsAreShownToWhoListensAndNobodyWaitsForThat) {
+  const TestFolder folder;
+  const std::string log = folder / "log.mcap";
+  Process run("inslab", {"run", source("tests/data/reference_nav.json"), "--domain", own_domain(), "--log", log,
+                         "--clock", "lockstep", "--paused"});
+  Process ready("inslab", {"pause", "--domain", own_domain(), "--timeout", "60"});
+  ASSERT_EQ(ready.wait(seconds(60)), 0) << ready.output() << run.output();
+  const auto listen = [](const std::string& topic, const std::string& how, std::vector<std::string> more) {
+    more.insert(more.begin(), {"topics", how, topic, "--domain", own_domain()});
+    return std::make_unique<Process>("inslab", more);
+  };
+  const auto nav = listen("inslab/nav", "echo", {"--count", "5"});
+  const auto imu = listen("inslab/imu/0", "echo", {"--count", "5"});
+  const auto truth = listen("inslab/truth", "hz", {"--count", "20", "--seconds", "60"});
+  const auto stopped = listen("inslab/imu/0", "echo", {});
+  for (const auto* each : {&nav, &imu, &truth, &stopped}) {
+    ASSERT_TRUE((*each)->prints("its writer is there and sends none", seconds(60))) << (*each)->output();
+  }
+  stopped->send(SIGSTOP);
+  Process resume("inslab", {"resume", "--domain", own_domain(), "--timeout", "60"});
+  ASSERT_EQ(resume.wait(seconds(60)), 0) << resume.output() << run.output();
+  EXPECT_EQ(run.wait(seconds(90)), 0) << run.output();
+  EXPECT_THAT(run.output(), Not(HasSubstr("no longer waits")));
+  EXPECT_EQ(nav->wait(seconds(10)), 0) << nav->output();
+  EXPECT_THAT(nav->output(), HasSubstr("imu_sequence: 4\n"));
+  EXPECT_EQ(imu->wait(seconds(10)), 0) << imu->output();
+  EXPECT_THAT(imu->output(), HasSubstr("header.sequence_number: 4\n"));
+  EXPECT_EQ(truth->wait(seconds(10)), 0) << truth->output();
+  EXPECT_THAT(truth->output(), HasSubstr(" Hz over 19 intervals"));
+  // For a listener alone nothing is sent singly, which in lockstep would cost each service a message for each sample.
+  for (const ServiceStatus& status : samples_of_kind<ServiceStatus>(log, "inslab/service_status")) {
+    for (const StreamStatus& stream : status.streams) EXPECT_EQ(stream.duplicates, 0u) << status.service;
+  }
 }
 
 TEST(ReferenceNav, SaysHowFarItIs) {

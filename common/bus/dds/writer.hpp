@@ -44,6 +44,7 @@ class Writer {
   /// are made. False when all fail: the sample was not sent.
   bool write(const T& sample) { return untyped_.write(&sample); }
 
+  /// How many readers it has, without those of onlookers: nobody waits for them, and nothing is sent for them alone.
   int matched_readers() const { return untyped_.matched_readers(); }
 
   /// Waits until all matched reliable readers have acknowledged everything; false after `timeout`.

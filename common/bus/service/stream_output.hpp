@@ -35,9 +35,10 @@ class StreamOutput {
   static constexpr std::size_t kBlockSamples = 32;
   static constexpr std::uint64_t kWindowSamples = 128;
 
-  /// Samples that a logger that is killed in real time may still ask for when it is back: those of ten seconds.
-  static std::size_t ten_seconds(double rate_hz) {
-    return static_cast<std::size_t>(std::clamp(10.0 * rate_hz, 2.0 * kWindowSamples, 20'000.0));
+  /// Samples that a logger that is killed in real time may still ask for when it is back: those of half a minute, which
+  /// it may need on a host that is busy with starting others too.
+  static std::size_t half_a_minute(double rate_hz) {
+    return static_cast<std::size_t>(std::clamp(30.0 * rate_hz, 2.0 * kWindowSamples, 30'000.0));
   }
 
   struct Settings {

@@ -194,12 +194,19 @@ std::string LiveRun::when() const {
   return fmt::format(", at about {:.3f} s of sim time", static_cast<double>(status->sim_time_ns) * 1e-9);
 }
 
-/// Whether a service has said that its work is done: then it was on its way out.
+/// Whether a service has said that its work is done, and the logger has heard it: then it was on its way out. The
+/// trajectory server could not say it again.
 bool LiveRun::has_done(const ChildProcesses::Ended& ended) const {
   if (ended.program == app::kTruthLogger) return false;  // it says so before its log is closed
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = said_.find({ended.program, ended.sensor});
-  return found != said_.end() && found->second == ServiceState::Finished;
+  const auto said = [this](const app::ServiceKey& service, ServiceState state) {
+    const auto found = said_.find(service);
+    return found != said_.end() && found->second == state;
+  };
+  const app::ServiceKey logger{app::kTruthLogger, 0u};
+  const bool is_heard = children_.has_ended(app::kTruthLogger) || said(logger, ServiceState::Finished) ||
+                        said(logger, ServiceState::Fault) || ended.program == app::kTrajectoryServer;
+  return said({ended.program, ended.sensor}, ServiceState::Finished) && is_heard;
 }
 
 bool LiveRun::starts_again(ChildProcesses::Ended& ended) {
