@@ -133,6 +133,9 @@ class LoggerOnBus {
   time::Nanoseconds run_ended_at_{0};
   app::StatusBoard board_;
   dds::Writer<Credit> credits_;
+  /// A word that is said once stays the first in its writer's history. Among credits by the thousand that would leave a
+  /// gap as wide as the run, which each reader counts through, one by one, whenever it has missed something.
+  dds::Writer<Credit> log_words_;
 };
 
 }  // namespace inslab::logger
