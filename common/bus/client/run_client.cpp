@@ -36,19 +36,22 @@ RunClient::RunClient(dds::Participant& participant, const app::Identity& own)
       command_(participant, dds::topics::sim_command()),
       status_reader_(participant, dds::topics::sim_status(),
                      writers_.only(dds::topics::sim_status(),
-                                   [this](const SimStatus& status, const dds::SampleOrigin&) { hear(status); })),
+                                   [this](const SimStatus& status, const dds::SampleOrigin& origin) {
+                                     hear(status, dds::participant_of(origin));
+                                   })),
       ack_reader_(participant, dds::topics::profile_ack(),
                   writers_.only(dds::topics::profile_ack(), [this](const ProfileAck& ack, const dds::SampleOrigin&) {
                     const std::lock_guard<std::mutex> lock(mutex_);
                     acks_[ack.request_id].push_back(ack);
                   })) {}
 
-void RunClient::hear(const SimStatus& status) {
+void RunClient::hear(const SimStatus& status, const dds::ParticipantKey& server) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool has_left = !of_one_run_ && status_ && has_ended(status_->state);
   if (run_id_ == RunId{} || has_left) run_id_ = status.run_id;
   if (status.run_id == run_id_) {
     status_ = status;
+    server_ = server;
     ++statuses_;
   } else if (other_run_.empty()) {
     other_run_ = "another run, " + app::run_id_text(status.run_id) + " of '" + text::shown(status.scenario) +
@@ -63,8 +66,16 @@ std::string RunClient::other_run() const {
 }
 
 bool RunClient::connected() const {
-  return imu_error_.matched_readers() > 0 && vibration_.matched_readers() > 0 && installation_.matched_readers() > 0 &&
-         gnss_error_.matched_readers() > 0 && fault_.matched_readers() > 0 && command_.matched_readers() > 0;
+  constexpr int kOfTheServer = 2;  // a dds::OpenReader
+  dds::ParticipantKey server;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!status_) return false;
+    server = server_;
+  }
+  const auto is_heard = [&server](const auto& writer) { return writer.matched_readers_of(server) >= kOfTheServer; };
+  return is_heard(imu_error_) && is_heard(vibration_) && is_heard(installation_) && is_heard(gnss_error_) &&
+         is_heard(fault_) && is_heard(command_);
 }
 
 bool RunClient::send(const AnyProfile& request) {

@@ -26,7 +26,8 @@ class RunClient {
   /// Of the set that has this process's scenario and run, and of no other run.
   RunClient(dds::Participant& participant, const app::Identity& own);
 
-  /// Whether a trajectory server listens to requests.
+  /// Whether the run's trajectory server listens to every kind of request: both of its readers, the reliable one too.
+  /// Others read requests as well; one that is sent to them alone is lost.
   bool connected() const;
   /// False when the request could not be sent.
   bool send(const AnyProfile& request);
@@ -45,7 +46,7 @@ class RunClient {
   std::vector<ProfileAck> acks(std::uint64_t request_id) const;
 
  private:
-  void hear(const SimStatus& status);
+  void hear(const SimStatus& status, const dds::ParticipantKey& server);
 
   const bool of_one_run_;
   RunId run_id_;  ///< zero: of none yet
@@ -58,6 +59,7 @@ class RunClient {
   dds::Writer<SimCommand> command_;
   mutable std::mutex mutex_;
   std::optional<SimStatus> status_;
+  dds::ParticipantKey server_{};  ///< who says it
   std::uint64_t statuses_ = 0;
   std::string other_run_;
   std::map<std::uint64_t, std::vector<ProfileAck>> acks_;
