@@ -8,6 +8,8 @@
 
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/models/navigation/app_setup.hpp"
+#include "inslab/models/navigation/navigation_filter.hpp"
 #include "inslab/sim/offline_run.hpp"
 
 namespace inslab::cli {
@@ -23,6 +25,16 @@ class Watcher final : public RunSink {
   explicit Watcher(const scenario::LoadedScenario& scenario) {
     for (const scenario::LoadedImu& imu : scenario.imus) errors_.push_back(imu.errors);
     over_.resize(scenario.imus.size());
+  }
+
+  /// Tries the alignment that has its yaw given beside the one that the scenario's app has, on the app's sensors.
+  void try_levelled(const scenario::LoadedScenario& scenario) {
+    const scenario::ReferenceNav& app = scenario.scenario.reference_nav.value();
+    reference_nav::AppSetup setup = reference_nav::setup_for(scenario, app);
+    if (setup.parameters.initial.attitude != reference_nav::InitialAttitude::StaticAlignment) return;
+    setup.parameters.initial.attitude = reference_nav::InitialAttitude::Levelled;
+    levelled_.emplace(setup.parameters, setup.gravity);
+    app_ = app;
   }
 
   void journal(const AnyProfile& entry) override {
@@ -42,6 +54,10 @@ class Watcher final : public RunSink {
   }
 
   void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override {
+    if (levelled_ && !ahead.filter->begins_levelled && sample.sensor_number == app_.imu) {
+      levelled_->add(sample);
+      ahead.filter->begins_levelled = levelled_->filter() != nullptr;
+    }
     if (!sample.gyro_saturated && !sample.accel_saturated) return;
     const double dt_s = 1e-9 * static_cast<double>(truth.interval_ns);
     const ImuErrorProfile& errors = in_use(index, sample.header.sim_time_ns);
@@ -53,7 +69,10 @@ class Watcher final : public RunSink {
     }
   }
 
-  void gnss(std::size_t, const GnssFix&) override {}
+  void gnss(std::size_t, const GnssFix& fix) override {
+    const bool is_wanted = levelled_ && !ahead.filter->begins_levelled && fix.sensor_number == app_.gnss;
+    if (is_wanted) levelled_->add(fix);
+  }
   void ack(const ProfileAck&) override {}
 
   void nav(const NavSolution& solution) override {
@@ -109,6 +128,8 @@ class Watcher final : public RunSink {
   std::vector<ImuErrorProfile> errors_;
   std::vector<ImuErrorProfile> swaps_;
   std::vector<std::array<OverScale, 2>> over_;
+  scenario::ReferenceNav app_;
+  std::optional<reference_nav::NavigationFilter> levelled_;
 };
 
 std::string why_it_does_not_begin(const reference_nav::NavigationFilter& filter) {
@@ -153,7 +174,10 @@ LookAhead look_ahead(scenario::LoadedScenario scenario, double longest_s,
   }
   leave_out_idle_sensors(scenario);
   Watcher watcher(scenario);
-  if (navigates) watcher.ahead.filter = FilterOutlook{};
+  if (navigates) {
+    watcher.ahead.filter = FilterOutlook{};
+    watcher.try_levelled(scenario);
+  }
   OfflineRun run(scenario, scenario.start(app::realtime_now()), RunId{}, watcher);
   constexpr int kStepsBetweenLooks = 4096;
   const time::Nanoseconds end = time::from_seconds(longest_s);
@@ -200,9 +224,9 @@ std::string text_of(const LookAhead& ahead) {
   }
   return text + fmt::format(
                     "  warning: the reference filter does not begin ({}); to begin all the same give "
-                    "reference_nav.parameters with initial.attitude 'levelled' and the yaw, or 'given' and all three "
-                    "angles, or let the vehicle change its velocity\n",
-                    ahead.filter->why_not);
+                    "reference_nav.parameters with initial.attitude {}'given' and all three angles, or let the vehicle "
+                    "change its velocity\n",
+                    ahead.filter->why_not, ahead.filter->begins_levelled ? "'levelled' and the yaw, or " : "");
 }
 
 }  // namespace inslab::cli

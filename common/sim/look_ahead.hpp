@@ -31,7 +31,8 @@ struct FilterOutlook {
   std::optional<double> begins_s;
   double heading_sigma_deg = 0.0;  ///< when it begins
   double tilt_sigma_deg = 0.0;
-  std::string why_not;  ///< when it does not
+  std::string why_not;           ///< when it does not
+  bool begins_levelled = false;  ///< with a yaw given and roll and pitch from gravity it would: the vehicle rests
 };
 
 /// What a run of the scenario will meet.

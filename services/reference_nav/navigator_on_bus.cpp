@@ -48,7 +48,8 @@ NavigatorOnBus::NavigatorOnBus(app::Context& context, const scenario::ReferenceN
                [this](const Credit& credit, const dds::SampleOrigin&) {
                  const bool of_our_receiver =
                      credit.consumer == catalog::Gnss::service && credit.consumer_number == app_.gnss;
-                 if (of_our_receiver && credit.topic == dds::topics::truth().name) mailbox_.put(credit);
+                 const bool counts = of_our_receiver && credit.topic == dds::topics::truth().name;
+                 if (counts || credit.topic == dds::topics::service_status().name) mailbox_.put(credit);
                }),
       service_status_(context, dds::topics::service_status(),
                       [this](const ServiceStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }),
@@ -110,6 +111,7 @@ void NavigatorOnBus::handle(const ServiceStatus& status) {
 
 /// The emulator has done with the truth before this credit, and this service has every fix that came of it.
 void NavigatorOnBus::handle(const Credit& credit) {
+  if (log_word_.take(credit)) return;
   if (!lockstep_ || credit.run_id != run_id_ || credit.next_sequence == 0) return;
   navigator_.fixes_complete_up_to(truth_grid_.at(credit.next_sequence - 1).count());
 }
@@ -170,6 +172,23 @@ int NavigatorOnBus::run() {
   return end();
 }
 
+/// A logger that was killed at the end hears the last word of this service when it is back.
+void NavigatorOnBus::stay_for_the_log() {
+  if (!run_ended_ || next_imu_ == 0) return;
+  bool told = false;
+  const time::Nanoseconds begun = monotonic_now();
+  while (!log_word_.is_closed(run_id_) && !app::shutdown_requested() &&
+         monotonic_now() - run_ended_at_ < app::kTimeToComeBack) {
+    const auto message = mailbox_.take(milliseconds(50));
+    if (message && std::holds_alternative<Credit>(*message)) handle(*message);
+    board_.tick();
+    if (told || monotonic_now() - begun < seconds(2)) continue;
+    told = true;
+    spdlog::info("waits until the logger has closed its log, at most {} s",
+                 std::chrono::duration_cast<seconds>(app::kTimeToComeBack).count());
+  }
+}
+
 int NavigatorOnBus::end() {
   const auto& counts = navigator_.filter().counts();
   spdlog::info("{} solutions; fixes not used {}, too old {}; IMU samples not valid {}, gaps {}; begun anew {} times",
@@ -190,6 +209,7 @@ int NavigatorOnBus::end() {
   board_.enter(failure.empty() ? ServiceState::Finished : ServiceState::Fault,
                failure.empty() && by_signal ? "ended by a signal before a run" : failure);
   board_.flush(seconds(2));
+  stay_for_the_log();
   return app::after_the_last_word(failure.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed);
 }
 

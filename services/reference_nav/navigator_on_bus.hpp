@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "inslab/bus/service/log_word.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "inslab/bus/service/set_reader.hpp"
 #include "inslab/bus/service/status_board.hpp"
@@ -41,6 +42,7 @@ class NavigatorOnBus {
   void flush_block();
   std::string missing() const;
   bool finished() const;
+  void stay_for_the_log();
   int end();
 
   app::Context& context_;
@@ -55,6 +57,7 @@ class NavigatorOnBus {
   bool run_began_ = false;
   bool run_ended_ = false;
   time::Nanoseconds run_ended_at_{0};
+  app::LogWord log_word_;
   std::string fault_;                      ///< why the run ended as a fault; empty: it did not
   std::uint64_t next_imu_ = 0;             ///< samples before this one are answered
   std::uint64_t next_fix_ = 0;             ///< fixes before this one have come

@@ -87,7 +87,7 @@ class SensorOutputs {
         context, dds::topics::stream<Sample>(sensor.number, rate_hz),
         typename Stream::Settings{app::stream_consumers<Kind>(context.scenario().scenario, audience, sensor.number),
                                   paced_by_nav_app && audience == catalog::Audience::App, Stream::kWindowSamples,
-                                  Stream::ten_seconds(rate_hz)});
+                                  Stream::half_a_minute(rate_hz)});
   }
 
   Outputs outputs_;

@@ -48,10 +48,9 @@ std::string ServerOnBus::fault_of_a_service() const {
 
 /// Goes on sending again what is asked for until every consumer has everything, or a while has passed: time for one
 /// that was killed at the end to be started again and to go on.
-void ServerOnBus::serve_stragglers() {
-  constexpr time::Nanoseconds kPatience = seconds(10);
-  const time::Nanoseconds deadline = monotonic_now() + kPatience;
+void ServerOnBus::serve_stragglers(time::Nanoseconds deadline) {
   const auto all_ended = [this] {
+    if (log_word_.is_closed(run_id_)) return true;  // nobody else writes down what comes
     if (status_.clock == ClockMode::Lockstep && truth_.lowest_wanted() < source_->taken()) return false;
     if (!truth_.is_logged()) return false;
     for (const auto& [service, number] : app::required_services(scenario_)) {
@@ -65,6 +64,20 @@ void ServerOnBus::serve_stragglers() {
   while (!all_ended() && monotonic_now() < deadline && !app::shutdown_requested()) {
     handle_messages(milliseconds(20));
     board_.tick();
+  }
+}
+
+/// A logger that was killed at the end hears the last word of this service when it is back.
+void ServerOnBus::stay_for_the_log(time::Nanoseconds deadline) {
+  const time::Nanoseconds begun = monotonic_now();
+  bool told = false;
+  while (!log_word_.is_closed(run_id_) && monotonic_now() < deadline && !app::shutdown_requested()) {
+    handle_messages(milliseconds(20));
+    board_.tick();
+    if (told || monotonic_now() - begun < seconds(2)) continue;
+    told = true;
+    spdlog::info("waits until the logger has closed its log, at most {} s more",
+                 std::chrono::duration_cast<seconds>(deadline - monotonic_now()).count());
   }
 }
 

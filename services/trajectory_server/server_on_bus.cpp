@@ -55,7 +55,7 @@ ServerOnBus::ServerOnBus(app::Context& context)
       service_status_(context, dds::topics::service_status(),
                       [this](const ServiceStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }),
       credits_(context, dds::topics::credit(), [this](const Credit& credit, const dds::SampleOrigin&) {
-        if (credit.topic == truth_.topic()) mailbox_.put(credit);
+        if (credit.topic == truth_.topic() || credit.topic == catalog::kServiceStatus.name) mailbox_.put(credit);
       }) {
   for_each(catalog::ProfileKinds{}, [this, &context](auto profile) {
     open_profile_topics<typename decltype(profile)::type>(context.participant());
@@ -132,7 +132,7 @@ void ServerOnBus::handle_messages(time::Nanoseconds patience) {
     } else if (const auto* command = std::get_if<SimCommand>(&*message)) {
       obey(*command);
     } else if (const auto* credit = std::get_if<Credit>(&*message)) {
-      truth_.take(*credit);
+      if (!log_word_.take(*credit)) truth_.take(*credit);
     } else if (const auto* state = std::get_if<VehicleState>(&*message)) {
       // Before the run there is no time that a state could be of.
       if (status_.state == RunState::Running) vehicle_->take(*state, *source_);
@@ -269,7 +269,9 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   truth_.flush_block();
   if (vehicle_) vehicle_->report(*source_, run_id_, status_.sim_time_ns);
   sim_status_.write(status_);
-  serve_stragglers();
+  const bool there_was_a_run = source_->taken() > 0;
+  const time::Nanoseconds stays_until = monotonic_now() + (there_was_a_run ? app::kTimeToComeBack : seconds(10));
+  serve_stragglers(stays_until);
   const time::Nanoseconds deadline = monotonic_now() + seconds(2);
   truth_.wait_for_acknowledgments(deadline);
   sim_status_.wait_for_acknowledgments(app::time_left(deadline));
@@ -277,6 +279,7 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   const bool good = state != RunState::Fault && context_.writers().fault().empty();
   board_.enter(good ? ServiceState::Finished : ServiceState::Fault, message);
   board_.flush(seconds(2));
+  if (there_was_a_run) stay_for_the_log(stays_until);
   spdlog::info("{}: {} truth samples, {} overruns, largest lag {:.3f} ms{}", enum_name(state), source_->taken(),
                status_.overruns, status_.lag_max_s * 1e3, message.empty() ? "" : ": " + message);
   return app::after_the_last_word(good ? app::kOk : app::kFailed);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/service/log_word.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "inslab/bus/service/set_reader.hpp"
 #include "inslab/bus/service/status_board.hpp"
@@ -59,7 +60,8 @@ class ServerOnBus {
   int end_run_of(const ServiceStatus& orphan);
   void begin();
   int run_to_end();
-  void serve_stragglers();
+  void serve_stragglers(time::Nanoseconds deadline);
+  void stay_for_the_log(time::Nanoseconds deadline);
   void wait_paused();
   void send_at_deadline();
   void send_in_lockstep();
@@ -90,6 +92,7 @@ class ServerOnBus {
   std::optional<time::Nanoseconds> stranger_since_;  ///< CLOCK_MONOTONIC; nothing: there is none
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
   bool fault_heard_ = false;  ///< of a service, in this run
+  app::LogWord log_word_;
   app::Mailbox<Message> mailbox_;
   std::unique_ptr<VehicleOnBus> vehicle_;  ///< null when the scenario has no live vehicle
   app::StreamOutput<TruthState> truth_;

@@ -10,6 +10,7 @@
 #include "inslab/bus/dds/reader.hpp"
 #include "inslab/bus/dds/writer.hpp"
 #include "inslab/bus/service/checkpoint.hpp"
+#include "inslab/bus/service/log_word.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "inslab/bus/service/set_reader.hpp"
 #include "inslab/bus/service/status_board.hpp"
@@ -83,6 +84,7 @@ class LoggerOnBus {
            const std::vector<std::uint8_t>& cdr);
   void add_score();
   void give_credit(const std::string& topic, std::uint64_t next_sequence, bool resend);
+  void say_of_the_log(bool is_closed);
   void repeat_credits();
   template <class Profile>
   void add_profile_channels(app::Context& context);
@@ -131,6 +133,9 @@ class LoggerOnBus {
   time::Nanoseconds run_ended_at_{0};
   app::StatusBoard board_;
   dds::Writer<Credit> credits_;
+  /// A word that is said once stays the first in its writer's history. Among credits by the thousand that would leave a
+  /// gap as wide as the run, which each reader counts through, one by one, whenever it has missed something.
+  dds::Writer<Credit> log_words_;
 };
 
 }  // namespace inslab::logger

@@ -60,6 +60,7 @@ LoggerState LoggerOnBus::state() const {
 void LoggerOnBus::begin_run(const RunId& run) {
   if (run == run_id_) return;
   run_id_ = run;
+  say_of_the_log(false);
   checkpoint_.begin(run);
   open_tail();
   if (tail_) tail_->begin(generation_);
@@ -94,6 +95,7 @@ void LoggerOnBus::go_on() {
   }
   for (const LoggedStream& stream : interrupted_->sent) sent_[stream.topic] = stream.samples;
   board_.set_run(run_id_);
+  say_of_the_log(false);
   std::uint64_t rescued = 0;
   replaying_ = true;
   open_tail();

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <regex>
 
@@ -139,6 +140,24 @@ TEST_F(OneSet, AServiceWithAnotherScenarioIsNamedBeforeTheRun) {
   }
   EXPECT_EQ(log->wait(seconds(20)), 1) << log->output();
   EXPECT_TRUE(samples_of<TruthState>(log_, "inslab/truth").empty());
+}
+
+TEST_F(OneSet, AnnouncesTheHashOfWhatTheFilesSayWhateverClockTheCommandLineGives) {
+  dds::Participant participant(app::participant_options(network(), "test"));
+  Process set("inslab",
+              {"run", scenario(), "--log", log_, "--domain", own_domain(), "--clock", "lockstep", "--paused"});
+  const auto hashes = [&participant] {
+    std::map<std::string, std::string> of;
+    for (const dds::Peer& peer : participant.peers().all()) {
+      const auto identity = app::identity_in(peer.user_data);
+      if (identity) of[identity->service] = identity->scenario_hash;
+    }
+    return of;
+  };
+  ASSERT_TRUE(eventually([&] { return hashes().size() == 5; }, seconds(60))) << set.output();
+  for (const auto& [service, hash] : hashes()) EXPECT_EQ(hash, hashes().at("inslab-truth-logger")) << service;
+  set.send(SIGINT);
+  EXPECT_EQ(set.wait(seconds(60)), 1) << set.output();
 }
 
 TEST_F(OneSet, AServiceThatComesToAServerOfAnotherScenarioDoesNotStartAndAnAppOfAnotherVersionIsNamed) {

@@ -9,7 +9,9 @@
 #include <memory>
 
 #include "inslab/bus/client/run_client.hpp"
+#include "inslab/bus/dds/reader.hpp"
 #include "inslab/bus/service/service.hpp"
+#include "inslab/foundation/host/mailbox.hpp"
 #include "tests/e2e/logged_samples.hpp"
 #include "tests/e2e/process.hpp"
 
@@ -134,6 +136,39 @@ TEST_F(Recovery, OfAServiceThatIsKilledAtTheVeryEndNothingIsMissing) {
     EXPECT_THAT(run.output(), HasSubstr("was ended by signal 9 (Killed) and started again, at about "));
     expect_whole_run(reference);
   }
+}
+
+/// An injector that is held keeps the run from its end, so that the logger is killed between the others' last word and
+/// its own.
+TEST_F(Recovery, AServiceThatHasEndedItsStreamStaysForALoggerThatHasNotHeardItsLastWord) {
+  const std::string reference = offline("recovery_by_hand");
+  app::Mailbox<ServiceStatus> statuses;
+  const dds::Reader<ServiceStatus> reader(
+      participant_, dds::topics::service_status(),
+      [&](const ServiceStatus& status, const dds::SampleOrigin&) { statuses.put(status); });
+  const auto logger = [this] { return service("inslab-truth-logger", "recovery_by_hand", {"--log", log_}); };
+  auto log = logger();
+  const auto imu0 = service("inslab-imu-injector", "recovery_by_hand");
+  const auto imu1 = service("inslab-imu-injector", "recovery_by_hand", {"--sensor", "1"});
+  const auto gnss = service("inslab-gnss-emulator", "recovery_by_hand");
+  const auto truth = service("inslab-trajectory-server", "recovery_by_hand");
+  ASSERT_TRUE(reaches(9.5)) << truth->output();
+  imu1->send(SIGSTOP);
+  const auto says_it_has_ended = [&] {
+    const auto status = statuses.take(milliseconds(0));
+    return status && status->service == "inslab-imu-injector" && status->sensor_number == 0 &&
+           status->state == ServiceState::Finished;
+  };
+  ASSERT_TRUE(eventually(says_it_has_ended, seconds(30))) << imu0->output();
+  log->send(SIGKILL);
+  ASSERT_EQ(log->wait(seconds(10)), 128 + SIGKILL);
+  imu1->send(SIGCONT);
+  EXPECT_FALSE(imu0->wait(seconds(12)));
+  EXPECT_THAT(imu0->output(), HasSubstr("waits until the logger has closed its log, at most 30 s"));
+  log = logger();
+  for (const auto* each : {&imu0, &imu1, &gnss, &truth}) EXPECT_EQ((*each)->wait(seconds(40)), 0) << (*each)->output();
+  EXPECT_EQ(log->wait(seconds(20)), 0) << log->output();
+  expect_whole_run(reference);
 }
 
 TEST_F(Recovery, ServicesThatAreKilledBeforeTheRunBeginsAreStartedAgain) {

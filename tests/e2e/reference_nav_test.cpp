@@ -3,6 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <csignal>
+#include <memory>
+
+#include "inslab/bus/dds/reader.hpp"
+#include "inslab/bus/dds/topics.hpp"
+#include "inslab/bus/service/service.hpp"
 #include "tests/e2e/logged_samples.hpp"
 #include "tests/e2e/process.hpp"
 
@@ -11,6 +18,7 @@ namespace reference_nav_test {
 
 using std::chrono::seconds;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr std::size_t kImuSamples = 2000;
 
@@ -29,6 +37,46 @@ TEST(ReferenceNav, AnswersEachImuSampleLiveAndIsAccepted) {
   for (std::size_t i = 0; i < solutions.size(); ++i) ASSERT_EQ(solutions[i].imu_sequence, i);
   EXPECT_EQ(solutions.front().mode, NavMode::Aligning);
   EXPECT_EQ(solutions.back().mode, NavMode::Navigating);
+}
+
+TEST(ReferenceNav, InLockstepItsSolutionsAndTheStreamsAreShownToWhoListensAndNobodyWaitsForThat) {
+  const TestFolder folder;
+  app::NetworkOptions network;
+  network.domain = static_cast<std::uint32_t>(std::stoul(own_domain()));
+  dds::ParticipantOptions onlooker = app::participant_options(network, "onlooker");
+  onlooker.looks_on = true;
+  dds::Participant participant(onlooker);
+  std::atomic<int> came_singly{0};
+  const dds::Reader<ImuSample> singles(participant, dds::topics::imu(0),
+                                       [&came_singly](const ImuSample&, const dds::SampleOrigin&) { ++came_singly; });
+  Process run("inslab", {"run", source("tests/data/reference_nav.json"), "--domain", own_domain(), "--log",
+                         folder / "log.mcap", "--clock", "lockstep", "--paused"});
+  Process ready("inslab", {"pause", "--domain", own_domain(), "--timeout", "60"});
+  ASSERT_EQ(ready.wait(seconds(60)), 0) << ready.output() << run.output();
+  const auto listen = [](const std::string& topic, const std::string& how, std::vector<std::string> more) {
+    more.insert(more.begin(), {"topics", how, topic, "--domain", own_domain()});
+    return std::make_unique<Process>("inslab", more);
+  };
+  const auto nav = listen("inslab/nav", "echo", {"--count", "5"});
+  const auto imu = listen("inslab/imu/0", "echo", {"--count", "5"});
+  const auto truth = listen("inslab/truth", "hz", {"--count", "20", "--seconds", "60"});
+  const auto stopped = listen("inslab/imu/0", "echo", {});
+  for (const auto* each : {&nav, &imu, &truth, &stopped}) {
+    ASSERT_TRUE((*each)->prints("its writer is there and sends none", seconds(60))) << (*each)->output();
+  }
+  stopped->send(SIGSTOP);
+  ASSERT_EQ(singles.matched_writers(), 1);
+  Process resume("inslab", {"resume", "--domain", own_domain(), "--timeout", "60"});
+  ASSERT_EQ(resume.wait(seconds(60)), 0) << resume.output() << run.output();
+  EXPECT_EQ(run.wait(seconds(90)), 0) << run.output();
+  EXPECT_THAT(run.output(), Not(HasSubstr("no longer waits")));
+  EXPECT_EQ(nav->wait(seconds(10)), 0) << nav->output();
+  EXPECT_THAT(nav->output(), HasSubstr("imu_sequence: 4\n"));
+  EXPECT_EQ(imu->wait(seconds(10)), 0) << imu->output();
+  EXPECT_THAT(imu->output(), HasSubstr("header.sequence_number: 4\n"));
+  EXPECT_EQ(truth->wait(seconds(10)), 0) << truth->output();
+  EXPECT_THAT(truth->output(), HasSubstr(" Hz over 19 intervals"));
+  EXPECT_EQ(came_singly, 0) << "for listeners alone, which would cost each service a message for each sample";
 }
 
 TEST(ReferenceNav, SaysHowFarItIs) {

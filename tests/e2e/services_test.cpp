@@ -75,7 +75,7 @@ TEST_F(Services, KilledInjectorTakesNobodyDownAndStatusNamesIt) {
   EXPECT_THAT(asking.output(), testing::ContainsRegex("inslab-imu-injector +0  MISSING"));
   EXPECT_THAT(asking.output(), testing::ContainsRegex("inslab-imu-injector +3  running"));
 
-  EXPECT_EQ(truth->wait(seconds(30)), 0) << truth->output();
+  EXPECT_EQ(truth->wait(seconds(60)), 0) << truth->output();
   EXPECT_EQ(gnss->wait(seconds(20)), 0) << gnss->output();
   EXPECT_EQ(imu3->wait(seconds(20)), 0) << imu3->output();
   EXPECT_EQ(log->wait(seconds(20)), 1) << log->output();  // it says that samples are missing
@@ -112,7 +112,7 @@ TEST_F(Services, KilledLoggerLeavesALogUpToTheLastSecond) {
   const auto samples = samples_of<TruthState>(log_, "inslab/truth");
   EXPECT_GE(samples.size(), 400u);
   for (std::size_t i = 0; i < samples.size(); ++i) ASSERT_EQ(samples[i].header.sequence_number, i);
-  EXPECT_EQ(truth->wait(seconds(30)), 0) << truth->output();
+  EXPECT_EQ(truth->wait(seconds(60)), 0) << truth->output();
 }
 
 TEST_F(Services, FullDiskIsSaidAndStopsNoStream) {

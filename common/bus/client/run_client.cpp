@@ -32,19 +32,22 @@ RunClient::RunClient(dds::Participant& participant, const app::Identity& own)
       command_(participant, dds::topics::sim_command()),
       status_reader_(participant, dds::topics::sim_status(),
                      writers_.only(dds::topics::sim_status(),
-                                   [this](const SimStatus& status, const dds::SampleOrigin&) { hear(status); })),
+                                   [this](const SimStatus& status, const dds::SampleOrigin& origin) {
+                                     hear(status, dds::participant_of(origin));
+                                   })),
       ack_reader_(participant, dds::topics::profile_ack(),
                   writers_.only(dds::topics::profile_ack(), [this](const ProfileAck& ack, const dds::SampleOrigin&) {
                     const std::lock_guard<std::mutex> lock(mutex_);
                     acks_[ack.request_id].push_back(ack);
                   })) {}
 
-void RunClient::hear(const SimStatus& status) {
+void RunClient::hear(const SimStatus& status, const dds::ParticipantKey& server) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool has_left = !of_one_run_ && status_ && has_ended(status_->state);
   if (run_id_ == RunId{} || has_left) run_id_ = status.run_id;
   if (status.run_id == run_id_) {
     status_ = status;
+    server_ = server;
     ++statuses_;
   } else if (other_run_.empty()) {
     other_run_ = "another run, " + app::run_id_text(status.run_id) + " of '" + text::shown(status.scenario) +
@@ -58,7 +61,16 @@ std::string RunClient::other_run() const {
   return other_run_;
 }
 
-bool RunClient::connected() const { return requests_.are_matched() && command_.matched_readers() > 0; }
+bool RunClient::connected() const {
+  constexpr int kOfTheServer = 2;  // a dds::OpenReader
+  dds::ParticipantKey server;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!status_) return false;
+    server = server_;
+  }
+  return requests_.least_readers_of(server) >= kOfTheServer && command_.matched_readers_of(server) >= kOfTheServer;
+}
 
 bool RunClient::send(const AnyProfile& request) {
   return std::visit([this](const auto& one) { return requests_.send(one); }, request);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -26,7 +27,8 @@ class RunClient {
   /// Of the set that has this process's scenario and run, and of no other run.
   RunClient(dds::Participant& participant, const app::Identity& own);
 
-  /// Whether a trajectory server listens to requests.
+  /// Whether the run's trajectory server listens to every kind of request: both of its readers, the reliable one too.
+  /// Others read requests as well; one that is sent to them alone is lost.
   bool connected() const;
   /// False when the request could not be sent.
   bool send(const AnyProfile& request);
@@ -45,7 +47,7 @@ class RunClient {
   std::vector<ProfileAck> acks(std::uint64_t request_id) const;
 
  private:
-  void hear(const SimStatus& status);
+  void hear(const SimStatus& status, const dds::ParticipantKey& server);
 
   /// A writer of the requests for each kind of profile.
   template <class... Profile>
@@ -57,8 +59,9 @@ class RunClient {
     bool send(const One& request) {
       return static_cast<dds::Writer<One>&>(*this).write(request);
     }
-    bool are_matched() const {
-      return ((static_cast<const dds::Writer<Profile>&>(*this).matched_readers() > 0) && ...);
+    /// How many readers of that participant each kind has at least.
+    int least_readers_of(const dds::ParticipantKey& participant) const {
+      return std::min({static_cast<const dds::Writer<Profile>&>(*this).matched_readers_of(participant)...});
     }
   };
 
@@ -69,6 +72,7 @@ class RunClient {
   dds::Writer<SimCommand> command_;
   mutable std::mutex mutex_;
   std::optional<SimStatus> status_;
+  dds::ParticipantKey server_{};  ///< who says it
   std::uint64_t statuses_ = 0;
   std::string other_run_;
   std::map<std::uint64_t, std::vector<ProfileAck>> acks_;

@@ -17,7 +17,9 @@ struct TappedMessage {
   std::int64_t received_realtime_ns;
 };
 
-/// Listens to one of the product's topics by its name, as a best-effort reader, which costs the set nothing.
+/// Listens to one of the product's topics by its name, to a stream also where it comes in blocks. Its readers are
+/// best-effort ones: what they miss nobody sends again. The participant looks on (dds::ParticipantOptions), so that a
+/// producer takes them for no app that it has to serve.
 class TopicTap {
  public:
   /// The callback runs in a thread of Fast DDS. Throws std::invalid_argument, naming the topics there are, when the
@@ -29,7 +31,8 @@ class TopicTap {
   int matched_writers() const { return matched_writers_(); }
 
  private:
-  std::shared_ptr<void> reader_;
+  std::shared_ptr<void> samples_;
+  std::shared_ptr<void> blocks_;
   std::function<int()> matched_writers_;
 };
 

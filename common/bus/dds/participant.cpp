@@ -187,8 +187,9 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options,
     if (!options.discovery_server.empty()) set_discovery_server(qos, options.discovery_server);
   }
   guard_transports(qos, options.security.empty() ? Protection::Open : Protection::Secured, refused);
+  mend_the_lease_check();
   qos.name(options.name);
-  qos.user_data().data_vec(options.user_data);
+  qos.user_data().data_vec(options.looks_on ? onlooker_announcement() : options.user_data);
   if (!options.security.empty()) set_security(qos, options.security, options.role);
   return qos;
 }

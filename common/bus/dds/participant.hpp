@@ -39,6 +39,7 @@ struct ParticipantOptions {
   std::string security;                         ///< folder of keys, see dds/security.hpp; empty: none
   std::string role;                             ///< whose keys
   std::vector<std::uint8_t> user_data;          ///< what it says of itself in its announcement
+  bool looks_on = false;                        ///< it says instead that its readers count for nobody
 };
 
 /// A writer or reader of one of our topics whose type is of another version than ours: it will never match.

@@ -2,8 +2,17 @@
 
 #include <iomanip>
 #include <sstream>
+#include <string_view>
 
 namespace inslab::dds {
+
+namespace {
+constexpr std::string_view kOnlooker = "inslab onlooker 1";
+}
+
+std::vector<std::uint8_t> onlooker_announcement() { return {kOnlooker.begin(), kOnlooker.end()}; }
+
+bool looks_on(const Peer& peer) { return peer.user_data == onlooker_announcement(); }
 
 std::string words_of(const Peer& peer) {
   std::ostringstream words;

@@ -21,6 +21,10 @@ struct Peer {
   std::vector<std::uint8_t> user_data;  ///< what it says of itself
 };
 
+/// What one that only looks on says of itself: its readers count for nobody (dds/writer.hpp).
+std::vector<std::uint8_t> onlooker_announcement();
+bool looks_on(const Peer& peer);
+
 /// "'name', GUID 01.0f.9a.3c..., at 192.168.1.7"
 std::string words_of(const Peer& peer);
 

@@ -2,9 +2,14 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <cstdint>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
+#include <mutex>
+#include <set>
 
 #include "inslab/bus/dds/endpoint.hpp"
 
@@ -12,25 +17,77 @@ namespace inslab::dds {
 
 namespace efd = eprosima::fastdds::dds;
 
+/// Knows the readers of a writer, and which of them count: not those of onlookers. A reader may be matched a little
+/// before its participant's announcement has been heard here; until then it counts for nobody.
 struct UntypedWriter::Listener : efd::DataWriterListener {
-  explicit Listener(std::string topic_name) : topic(std::move(topic_name)) {}
+  Listener(const Participant& participant, std::string topic_name)
+      : peers(participant.peers()), own(participant.key()), topic(std::move(topic_name)) {}
 
   void on_publication_matched(efd::DataWriter*, const efd::PublicationMatchedStatus& status) override {
-    matched.store(status.current_count);
+    ReaderKey reader{};
+    for (std::size_t i = 0; i < reader.size(); ++i) reader[i] = status.last_subscription_handle.value[i];
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (status.current_count_change < 0) {
+      readers.erase(reader);
+    } else {
+      readers.insert(reader);
+    }
+    count();
   }
   void on_offered_incompatible_qos(efd::DataWriter*, const efd::OfferedIncompatibleQosStatus& status) override {
     spdlog::warn("a reader of {} cannot match our writer: {} at fault; 'inslab doctor' says more", topic,
                  policy_name(static_cast<int>(status.last_policy_id)));
   }
 
-  std::string topic;
-  std::atomic<int> matched{0};
+  int matched() {
+    if (some_unknown) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      count();
+    }
+    return counted;
+  }
+  int matched_of(const ParticipantKey& participant) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return static_cast<int>(std::count_if(readers.begin(), readers.end(), [&participant](const ReaderKey& reader) {
+      return participant_of(reader) == participant;
+    }));
+  }
+
+ private:
+  using ReaderKey = std::array<std::uint8_t, 16>;  ///< its GUID
+
+  static ParticipantKey participant_of(const ReaderKey& reader) {
+    ParticipantKey key{};
+    std::copy_n(reader.begin(), key.size(), key.begin());
+    return key;
+  }
+  void count() {
+    int that_count = 0;
+    bool unknown = false;
+    for (const ReaderKey& reader : readers) {
+      const ParticipantKey participant = participant_of(reader);
+      const auto peer = peers.find(participant);
+      const bool is_own = participant == own;
+      if (is_own || (peer && !looks_on(*peer))) ++that_count;
+      if (!is_own && !peer) unknown = true;
+    }
+    counted = that_count;
+    some_unknown = unknown;
+  }
+
+  const Peers& peers;
+  const ParticipantKey own;
+  const std::string topic;
+  std::mutex mutex;
+  std::set<ReaderKey> readers;
+  std::atomic<int> counted{0};
+  std::atomic<bool> some_unknown{false};
 };
 
 UntypedWriter::UntypedWriter(Participant& participant, efd::Topic& topic, const efd::DataWriterQos& qos)
-    : publisher_(participant.publisher()), listener_(std::make_unique<Listener>(topic.get_name())) {
+    : publisher_(participant.publisher()), listener_(std::make_unique<Listener>(participant, topic.get_name())) {
   writer_ = publisher_.create_datawriter(&topic, qos, listener_.get());
-  if (writer_ == nullptr) throw std::runtime_error("Fast DDS makes no writer of " + listener_->topic);
+  if (writer_ == nullptr) throw std::runtime_error("Fast DDS makes no writer of " + topic.get_name());
 }
 
 UntypedWriter::~UntypedWriter() { publisher_.delete_datawriter(writer_); }
@@ -43,7 +100,10 @@ bool UntypedWriter::write(const void* sample) {
   return false;
 }
 
-int UntypedWriter::matched_readers() const { return listener_->matched.load(); }
+int UntypedWriter::matched_readers() const { return listener_->matched(); }
+int UntypedWriter::matched_readers_of(const ParticipantKey& participant) const {
+  return listener_->matched_of(participant);
+}
 
 bool UntypedWriter::wait_for_acknowledgments(std::chrono::nanoseconds timeout) {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(timeout);

@@ -22,6 +22,7 @@ class UntypedWriter {
 
   bool write(const void* sample);
   int matched_readers() const;
+  int matched_readers_of(const ParticipantKey& participant) const;
   bool wait_for_acknowledgments(std::chrono::nanoseconds timeout);
 
  private:
@@ -44,7 +45,10 @@ class Writer {
   /// are made. False when all fail: the sample was not sent.
   bool write(const T& sample) { return untyped_.write(&sample); }
 
+  /// How many readers it has, without those of onlookers: nobody waits for them, and nothing is sent for them alone.
   int matched_readers() const { return untyped_.matched_readers(); }
+  /// How many of them are one participant's.
+  int matched_readers_of(const ParticipantKey& participant) const { return untyped_.matched_readers_of(participant); }
 
   /// Waits until all matched reliable readers have acknowledged everything; false after `timeout`.
   bool wait_for_acknowledgments(std::chrono::nanoseconds timeout) { return untyped_.wait_for_acknowledgments(timeout); }

@@ -35,9 +35,10 @@ class StreamOutput {
   static constexpr std::size_t kBlockSamples = 32;
   static constexpr std::uint64_t kWindowSamples = 128;
 
-  /// Samples that a logger that is killed in real time may still ask for when it is back: those of ten seconds.
-  static std::size_t ten_seconds(double rate_hz) {
-    return static_cast<std::size_t>(std::clamp(10.0 * rate_hz, 2.0 * kWindowSamples, 20'000.0));
+  /// Samples that a logger that is killed in real time may still ask for when it is back: those of half a minute, which
+  /// it may need on a host that is busy with starting others too.
+  static std::size_t half_a_minute(double rate_hz) {
+    return static_cast<std::size_t>(std::clamp(30.0 * rate_hz, 2.0 * kWindowSamples, 30'000.0));
   }
 
   struct Settings {
@@ -111,13 +112,15 @@ class StreamOutput {
     if (lockstep_) leave_behind();
     if (lockstep_) window_.forget_before(ledger_.lowest().value_or(0));
     if (!credit.resend || credit.next_sequence >= next_ || window_.empty()) return;
+    if (is_on_its_way(credit.next_sequence)) return;
     flush_block();
-    std::uint64_t from = credit.next_sequence;
+    resent_from_ = resent_until_ = credit.next_sequence;
+    resent_at_ = monotonic_now();
     for (std::uint64_t sent = 0; sent < kWindowSamples;) {
-      const Block<Sample> block = window_.from(from, kBlockSamples);
+      const Block<Sample> block = window_.from(resent_until_, kBlockSamples);
       if (block.samples.empty()) break;
       blocks_.write(block);
-      from = block.samples.back().header.sequence_number + 1;
+      resent_until_ = block.samples.back().header.sequence_number + 1;
       sent += block.samples.size();
     }
   }
@@ -147,6 +150,13 @@ class StreamOutput {
   }
 
  private:
+  /// Whether a sample has just been sent again. Every consumer gets what one asks for; if each of sixteen that begin
+  /// together had it sent again for itself, all of them would drown in it. What is lost once more is asked for again.
+  bool is_on_its_way(std::uint64_t sequence) const {
+    const time::Nanoseconds lately = lockstep_ ? std::chrono::milliseconds(150) : std::chrono::milliseconds(10);
+    return sequence >= resent_from_ && sequence < resent_until_ && monotonic_now() - resent_at_ < lately;
+  }
+
   /// Of consumers that nobody expected, those that hold up the run: our own say every 200 ms how far they are.
   void leave_behind() {
     const std::string names = ledger_.leave_behind(next_, monotonic_now());
@@ -175,6 +185,9 @@ class StreamOutput {
   std::uint64_t ahead_ = 0;  ///< how far beyond next_ a credit may be
   CreditLedger ledger_;
   SentWindow<Sample> window_;
+  std::uint64_t resent_from_ = 0;
+  std::uint64_t resent_until_ = 0;
+  time::Nanoseconds resent_at_{0};  ///< CLOCK_MONOTONIC
   Block<Sample> gathered_;
   StreamMonitor sent_;
   dds::Writer<Sample> samples_;

@@ -87,7 +87,7 @@ void TruthFollower::handle(Message message) {
     waiting_since_ = monotonic_now();
   } else if (auto* credit = std::get_if<Credit>(&message)) {
     if (credit->consumer == kNavApp) credit->run_id = run_id_;
-    consumer_.take(*credit);
+    if (!log_word_.take(*credit)) consumer_.take(*credit);
   } else {
     handle(std::get<SimStatus>(message));
   }
@@ -281,9 +281,31 @@ std::string TruthFollower::lost() const {
 bool TruthFollower::finished() const {
   if (!run_ended_) return false;
   // What has not come some seconds after the end, asked for again and again, will not come. A logger that is killed at
-  // the end is back by then, and asks for what it lacks.
-  const bool delivered = clock_ == ClockMode::RealTime ? consumer_.outputs_logged() : marks_.empty();
-  return (next_ >= truth_samples_of_run_ && delivered) || monotonic_now() - run_ended_at_ > seconds(8);
+  // the end asks for what it lacks when it is back.
+  const bool logged = consumer_.outputs_logged() || log_word_.is_closed(run_id_);
+  const bool delivered = clock_ == ClockMode::RealTime ? logged : marks_.empty();
+  const time::Nanoseconds patience = logged ? seconds(8) : kTimeToComeBack;
+  return (next_ >= truth_samples_of_run_ && delivered) || monotonic_now() - run_ended_at_ > patience;
+}
+
+void TruthFollower::tell_the_wait() {
+  if (told_wait_ || !run_ended_ || monotonic_now() - run_ended_at_ < seconds(2)) return;
+  told_wait_ = true;
+  spdlog::info("waits until the logger has closed its log, at most {} s",
+               std::chrono::duration_cast<seconds>(kTimeToComeBack).count());
+}
+
+/// A logger that was killed has what came before, and hears the last word of this service when it is back. One that was
+/// told to end, and one that has left the run before its end, have no time for that.
+void TruthFollower::stay_for_the_log() {
+  if (!run_ended_ || next_ == 0) return;
+  const time::Nanoseconds deadline = run_ended_at_ + kTimeToComeBack;
+  while (!log_word_.is_closed(run_id_) && !shutdown_requested() && monotonic_now() < deadline) {
+    auto message = mailbox_.take(milliseconds(50));
+    if (message && std::holds_alternative<Credit>(*message)) handle(std::move(*message));
+    tell_the_wait();
+    board_.tick();
+  }
 }
 
 int TruthFollower::run() {
@@ -313,6 +335,7 @@ int TruthFollower::follow() {
       const std::string waits_for = missing();
       board_.enter(waits_for.empty() ? ServiceState::Ready : ServiceState::Starting, waits_for);
     }
+    tell_the_wait();
     board_.tick();
   }
   return end();
@@ -340,6 +363,7 @@ int TruthFollower::end() {
     board_.enter(ServiceState::Finished);
   }
   board_.flush(seconds(2));
+  stay_for_the_log();
   checkpoint_.forget();
   const bool good = (complete && context_.writers().fault().empty()) || left_no_run;
   return after_the_last_word(good ? kOk : kFailed);

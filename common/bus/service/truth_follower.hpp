@@ -7,6 +7,7 @@
 
 #include "inslab/bus/dds/reader.hpp"
 #include "inslab/bus/service/checkpoint.hpp"
+#include "inslab/bus/service/log_word.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "inslab/bus/service/set_reader.hpp"
 #include "inslab/bus/service/status_board.hpp"
@@ -108,6 +109,8 @@ class TruthFollower {
   bool can_process();
   std::string missing() const;
   bool finished() const;
+  void tell_the_wait();
+  void stay_for_the_log();
   std::string lost() const;
   int follow();
   int fail(const std::string& reason);
@@ -139,6 +142,8 @@ class TruthFollower {
   std::string fault_;  ///< why the run ended as a fault; empty: it did not
   std::uint64_t truth_samples_of_run_ = 0;
   time::Nanoseconds run_ended_at_{0};
+  LogWord log_word_;
+  bool told_wait_ = false;  ///< for the logger at the end
   StopGrace grace_;
   StatusBoard board_;
   dds::Writer<Credit> credits_;

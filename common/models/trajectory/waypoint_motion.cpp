@@ -48,6 +48,9 @@ class AttitudeLaw {
   /// Whether two attitudes at these instants are too far apart.
   virtual bool far(const PathPiece& piece, time::Nanoseconds t0, const nav::Quaternion& q0, time::Nanoseconds t1,
                    const nav::Quaternion& q1) = 0;
+  /// Whether neighbouring intervals must be of like length. Where the law's angular acceleration jumps, at the ends of
+  /// a ramp, a spline swings beside it; in a long interval beside a short one it would swing far.
+  virtual bool is_graded() const { return false; }
 
  protected:
   static bool waits(const PathPiece& piece) {
@@ -101,6 +104,8 @@ class ClassAttitude final : public AttitudeLaw {
     const double shortest_s = std::min(attitude_.roll_period_s, attitude_.pitch_period_s);
     if (sways()) farthest_ = std::min(farthest_, time::from_seconds(shortest_s / kPointsOfPeriod));
   }
+
+  bool is_graded() const override { return true; }
 
   bool rests(const PathPiece& piece) const override {
     return waits(piece) && !sways() && !yaw_.turns_between(piece.start, piece.end);
@@ -163,22 +168,53 @@ class AttitudeSampler {
   explicit AttitudeSampler(AttitudeLaw& law) : law_(law) {}
 
   void add(const PathPiece& piece) {
-    if (times_.empty()) keep(piece.start, law_.q_ev(piece, piece.start));
+    pieces_.push_back(piece);
+    if (knots_.empty()) keep(piece.start, law_.q_ev(piece, piece.start));
     if (law_.rests(piece)) {
       add_wait(piece);
     } else {
-      halve(piece, piece.start, q_ev_.back(), piece.end, law_.q_ev(piece, piece.end));
+      halve(piece, piece.start, knots_.back().q_ev, piece.end, law_.q_ev(piece, piece.end));
     }
   }
 
   std::unique_ptr<const AttitudeCurve> take() {
-    return std::make_unique<AttitudeCurve>(std::move(times_), std::move(q_ev_));
+    while (law_.is_graded() && halve_beside_shorter()) continue;
+    std::vector<time::Nanoseconds> times;
+    std::vector<nav::Quaternion> q_ev;
+    for (const Knot& knot : knots_) {
+      times.push_back(knot.instant);
+      q_ev.push_back(knot.q_ev);
+    }
+    return std::make_unique<AttitudeCurve>(std::move(times), std::move(q_ev));
   }
 
  private:
+  struct Knot {
+    time::Nanoseconds instant;
+    nav::Quaternion q_ev;
+    std::size_t piece;  ///< that leads to it
+  };
+
   void keep(time::Nanoseconds instant, const nav::Quaternion& q_ev) {
-    times_.push_back(instant);
-    q_ev_.push_back(q_ev);
+    knots_.push_back({instant, q_ev, pieces_.size() - 1});
+  }
+
+  /// Halves each interval that is more than twice as long as one beside it; false when there is none.
+  bool halve_beside_shorter() {
+    const auto length = [this](std::size_t k) { return knots_[k].instant - knots_[k - 1].instant; };
+    std::vector<Knot> finer{knots_.front()};
+    for (std::size_t k = 1; k < knots_.size(); ++k) {
+      const bool before = k > 1 && length(k) > 2 * length(k - 1);
+      const bool after = k + 1 < knots_.size() && length(k) > 2 * length(k + 1);
+      if (before || after) {
+        const time::Nanoseconds middle = knots_[k - 1].instant + length(k) / 2;
+        finer.push_back({middle, law_.q_ev(pieces_[knots_[k].piece], middle), knots_[k].piece});
+      }
+      finer.push_back(knots_[k]);
+    }
+    const bool is_finer = finer.size() > knots_.size();
+    knots_ = std::move(finer);
+    return is_finer;
   }
 
   /// Keeps what is needed between two instants, and the second.
@@ -205,7 +241,7 @@ class AttitudeSampler {
 
   /// Intervals that grow from both ends: what is left of the motion's rate dies away within the first few.
   void add_wait(const PathPiece& piece) {
-    const nav::Quaternion q_ev = q_ev_.back();
+    const nav::Quaternion q_ev = knots_.back().q_ev;
     std::vector<time::Nanoseconds> from_end;
     const time::Nanoseconds half = (piece.end - piece.start) / 2;
     for (time::Nanoseconds t = kFirstOfWait; t < half; t *= 2) {
@@ -217,8 +253,8 @@ class AttitudeSampler {
   }
 
   AttitudeLaw& law_;
-  std::vector<time::Nanoseconds> times_;
-  std::vector<nav::Quaternion> q_ev_;
+  std::vector<PathPiece> pieces_;
+  std::vector<Knot> knots_;
 };
 
 std::unique_ptr<AttitudeLaw> law_of(const scenario::Trajectory& trajectory, const scenario::WaypointRoute& route,

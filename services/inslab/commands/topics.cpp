@@ -66,9 +66,8 @@ struct Message {
 };
 
 std::string why_nothing(const TopicTap& tap, const TopicsOptions& options) {
-  return tap.matched_writers() == 0
-             ? "it has no writer on " + options.network.words() + ": is the set running there?"
-             : "its writer is there and sends none (in lockstep the samples of a stream travel in blocks)";
+  return tap.matched_writers() == 0 ? "it has no writer on " + options.network.words() + ": is the set running there?"
+                                    : "its writer is there and sends none";
 }
 
 /// Hands every message of the topic to `each` until the time is over, `count` have come, or a signal; the number of
@@ -76,7 +75,9 @@ std::string why_nothing(const TopicTap& tap, const TopicsOptions& options) {
 std::uint64_t listen(const TopicsOptions& options, const std::function<void(const Message&)>& each) {
   const app::OwnEnding leaves_the_domain(app::OwnEnding::Then::CodeStands);
   app::Mailbox<Message> mailbox;
-  dds::Participant participant(app::participant_options(options.network, "inslab-topics"));
+  dds::ParticipantOptions onlooker = app::participant_options(options.network, "inslab-topics");
+  onlooker.looks_on = true;
+  dds::Participant participant(onlooker);
   const TopicTap tap(participant, options.topic, [&mailbox](const TappedMessage& message) {
     mailbox.put({&message.type, message.cdr, message.received_realtime_ns});
   });

@@ -19,19 +19,14 @@ using std::chrono::seconds;
 
 namespace {
 
-/// This process, as the one that has the set, with a run of its own.
-app::Identity identity_for(const RunOptions& options, const scenario::LoadedScenario& loaded) {
+/// This process, as the one that has the set, with a run of its own. What proves to others that they have the same
+/// scenario is what its files say, as each service reads them: the clock of the loaded one may be the command line's.
+app::Identity identity_for(const RunOptions& options) {
   app::ServiceOptions own;
   own.network = options.network;
   own.run_id = app::random_run_id();
-  return app::identity_of("inslab-run", own, loaded);
-}
-
-/// Its services are known by their run. The clock of this scenario may be the command line's, so that its hash is not
-/// theirs.
-app::Identity known_by_run(app::Identity identity) {
-  identity.scenario_hash.clear();
-  return identity;
+  return app::identity_of("inslab-run", own,
+                          scenario::load(options.scenario, options.network.unit, scenario::TrajectoryRows::LeaveOut));
 }
 
 bool in_progress(const SimStatus& status) {
@@ -43,9 +38,9 @@ bool in_progress(const SimStatus& status) {
 LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& loaded)
     : options_(options),
       loaded_(loaded),
-      identity_(identity_for(options, loaded)),
+      identity_(identity_for(options)),
       participant_(app::participant_options(options.network, identity_)),
-      client_(participant_, known_by_run(identity_)),
+      client_(participant_, identity_),
       service_status_(
           participant_, dds::topics::service_status(),
           client_.writers().only(dds::topics::service_status(),
@@ -195,12 +190,19 @@ std::string LiveRun::when() const {
   return fmt::format(", at about {:.3f} s of sim time", static_cast<double>(status->sim_time_ns) * 1e-9);
 }
 
-/// Whether a service has said that its work is done: then it was on its way out.
+/// Whether a service has said that its work is done, and the logger has heard it: then it was on its way out. The
+/// trajectory server could not say it again.
 bool LiveRun::has_done(const ChildProcesses::Ended& ended) const {
   if (ended.program == app::kTruthLogger) return false;  // it says so before its log is closed
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = said_.find({ended.program, ended.sensor});
-  return found != said_.end() && found->second == ServiceState::Finished;
+  const auto said = [this](const app::ServiceKey& service, ServiceState state) {
+    const auto found = said_.find(service);
+    return found != said_.end() && found->second == state;
+  };
+  const app::ServiceKey logger{app::kTruthLogger, 0u};
+  const bool is_heard = children_.has_ended(app::kTruthLogger) || said(logger, ServiceState::Finished) ||
+                        said(logger, ServiceState::Fault) || ended.program == app::kTrajectoryServer;
+  return said({ended.program, ended.sensor}, ServiceState::Finished) && is_heard;
 }
 
 bool LiveRun::starts_again(ChildProcesses::Ended& ended) {

@@ -127,7 +127,28 @@ TEST(LookAhead, SaysWhenTheReferenceFilterBeginsOrWhatToSet) {
   EXPECT_FALSE(lost.filter->begins_s.has_value());
   EXPECT_NE(lost.filter->why_not.find("heading unsure"), std::string::npos) << lost.filter->why_not;
   EXPECT_NE(lost.filter->why_not.find("velocity changed"), std::string::npos) << lost.filter->why_not;
-  EXPECT_NE(text_of(lost).find("initial.attitude"), std::string::npos);
+  EXPECT_NE(text_of(lost).find("initial.attitude 'levelled' and the yaw, or 'given' and all three angles"),
+            std::string::npos)
+      << text_of(lost);
+}
+
+TEST(LookAhead, OffersALevelledBeginningOnlyToAVehicleThatRests) {
+  scenario::LoadedScenario steady = turning();
+  steady.scenario.trajectory.segments.clear();
+  scenario::LoadedGnss receiver;
+  receiver.rate = time::Rate(10.0);
+  receiver.errors.target.kind = receiver.installation.target.kind = receiver.nominal_installation.target.kind =
+      SensorKind::Gnss;
+  receiver.errors.position_sigma_ned_m.setConstant(0.05);
+  receiver.errors.velocity_sigma_ned_m_per_s.setConstant(0.05);
+  steady.gnss.push_back(receiver);
+  const LookAhead ahead = look_ahead(steady, 100.0);
+  ASSERT_TRUE(ahead.filter.has_value());
+  EXPECT_FALSE(ahead.filter->begins_s.has_value());
+  EXPECT_NE(ahead.filter->why_not.find("the receiver says that it moves"), std::string::npos) << ahead.filter->why_not;
+  const std::string said = text_of(ahead);
+  EXPECT_EQ(said.find("levelled"), std::string::npos) << said;
+  EXPECT_NE(said.find("initial.attitude 'given' and all three angles"), std::string::npos) << said;
 }
 
 }  // namespace look_ahead_test

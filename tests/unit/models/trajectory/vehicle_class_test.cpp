@@ -193,9 +193,12 @@ TEST(Multirotor, FeelsItsThrustAlongMinusZAndNothingElseButDrag) {
     off_axis_m_per_s2 = std::max(off_axis_m_per_s2, std::hypot(thrust.x(), thrust.y()));
     tilt_rad = std::max(tilt_rad, std::acos(nav::matrix_from_quaternion(sample.q_nv)(2, 2)));
   }
-  // Where it is probed the arc between two attitudes leaves the law by 2e-5 rad at most; but the law has a kink at the
-  // ends of a ramp, which the smooth curve rounds, by up to 4e-4 rad, of 12 m/s^2.
-  EXPECT_LT(off_axis_m_per_s2, 5e-4 * 12.0);
+  // Where it is probed the arc between two attitudes leaves the law by 2e-5 rad at most, of 12 m/s^2. At the ends of a
+  // ramp the law's angular acceleration jumps, by 0.5 rad/s^2, from where on the arc over h leaves it by 0.5 h^2/8: h
+  // is 0.018 s there. The spline swings beside it by about as much again, and in intervals that grow by no more than
+  // two.
+  RecordProperty("off_axis_m_per_s2", std::to_string(off_axis_m_per_s2));
+  EXPECT_LT(off_axis_m_per_s2, 5e-5 * 12.0);
   EXPECT_GT(tilt_rad, 12.0 * units::kDeg);
   EXPECT_LT(tilt_rad, 30.0 * units::kDeg);
 }

@@ -1,0 +1,93 @@
+#include "inslab/bus/client/run_client.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <memory>
+#include <thread>
+
+#include "inslab/bus/service/service.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/scenario/service_names.hpp"
+
+namespace inslab::cli {
+namespace run_client_test {
+
+using std::chrono::seconds;
+
+template <class Condition>
+bool eventually(Condition condition, seconds patience = seconds(20)) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::yield();
+  }
+  return true;
+}
+
+/// Reads every kind of request, as the trajectory server does, and the logger.
+struct RequestReaders {
+  template <class Profile>
+  using Reader = dds::OpenReader<Profile>;
+
+  explicit RequestReaders(dds::Participant& participant)
+      : imu_error(participant, dds::topics::request<ImuErrorProfile>(), count<ImuErrorProfile>()),
+        vibration(participant, dds::topics::request<VibrationProfile>(), count<VibrationProfile>()),
+        installation(participant, dds::topics::request<InstallationProfile>(), count<InstallationProfile>()),
+        gnss_error(participant, dds::topics::request<GnssErrorProfile>(), count<GnssErrorProfile>()),
+        fault(participant, dds::topics::request<FaultProfile>(), count<FaultProfile>()) {}
+
+  template <class Profile>
+  std::function<void(const Profile&, const dds::SampleOrigin&)> count() {
+    return [this](const Profile&, const dds::SampleOrigin&) { ++came; };
+  }
+  bool are_matched() const {
+    return imu_error.matched_writers() > 0 && vibration.matched_writers() > 0 && installation.matched_writers() > 0 &&
+           gnss_error.matched_writers() > 0 && fault.matched_writers() > 0;
+  }
+
+  std::atomic<int> came{0};
+  Reader<ImuErrorProfile> imu_error;
+  Reader<VibrationProfile> vibration;
+  Reader<InstallationProfile> installation;
+  Reader<GnssErrorProfile> gnss_error;
+  Reader<FaultProfile> fault;
+};
+
+app::Identity identity_of(const char* service) {
+  app::Identity identity;
+  identity.service = service;
+  identity.host = app::host_name();
+  identity.process_space = app::process_space();
+  identity.pid = app::process_id();
+  identity.started_ticks = app::started_ticks(identity.pid).value_or(0);
+  return identity;
+}
+
+/// On a busy host the server's readers are known some time after the logger's, and after its status.
+TEST(RunClient, IsConnectedOnlyOnceTheTrajectoryServerItselfHearsEveryKindOfRequest) {
+  app::NetworkOptions network;
+  network.domain = 40 + static_cast<std::uint32_t>(getpid() % 150);
+  dds::Participant of_logger(app::participant_options(network, identity_of(app::kTruthLogger)));
+  dds::Participant of_server(app::participant_options(network, identity_of(app::kTrajectoryServer)));
+  dds::Participant own(app::participant_options(network, "inslab-follow"));
+  const RequestReaders logger(of_logger);
+  const dds::OpenReader<SimCommand> commands(of_server, dds::topics::sim_command(),
+                                             [](const SimCommand&, const dds::SampleOrigin&) {});
+  dds::Writer<SimStatus> statuses(of_server, dds::topics::sim_status());
+  RunClient client(own);
+  SimStatus status;
+  status.run_id = app::random_run_id();
+  ASSERT_TRUE(statuses.write(status));
+  ASSERT_TRUE(eventually([&] { return client.status() && logger.are_matched() && commands.matched_writers() > 0; }));
+  EXPECT_FALSE(eventually([&] { return client.connected(); }, seconds(2))) << "only the logger hears requests";
+
+  const RequestReaders server(of_server);
+  ASSERT_TRUE(eventually([&] { return client.connected(); }));
+  ASSERT_TRUE(client.send(AnyProfile(InstallationProfile())));
+  EXPECT_TRUE(eventually([&] { return server.came == 1 && logger.came == 1; }));
+}
+
+}  // namespace run_client_test
+}  // namespace inslab::cli
