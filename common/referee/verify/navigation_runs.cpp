@@ -65,10 +65,13 @@ class Scored {
     if (!begun_) return;
     if (!setup_.gnss_velocity) fix.velocity_sigma_ned_m_per_s.setZero();
     filter_.add(fix);
-    for (const ref::FixResult& result : filter_.take_fix_results()) {
-      run_.innovations.push_back(result.position_nis);
-      if (setup_.gnss_velocity) run_.innovations.push_back(result.velocity_nis);
-      if (!result.position_accepted || (setup_.gnss_velocity && !result.velocity_accepted)) ++run_.rejected;
+    for (const ref::UpdateResult& result : filter_.take_results()) {
+      bool rejected = false;
+      for (const ref::MeasurementResult& m : result.measurements) {
+        run_.innovations.push_back(m.nis);
+        rejected = rejected || !m.accepted;
+      }
+      if (rejected) ++run_.rejected;
     }
   }
   NavigationRun result() const {
