@@ -7,6 +7,7 @@
 #include "inslab/data/samples/nav_state.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"
+#include "inslab/models/navigation/processes.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/noise/random/stream.hpp"
 #include "inslab/referee/verify/catalogue.hpp"
