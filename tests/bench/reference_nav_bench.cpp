@@ -46,7 +46,7 @@ void filter_epochs(benchmark::State& state, double covariance_interval_s, double
       fix.header.sim_time_ns = sample.header.sim_time_ns;
       filter.add(fix);
     }
-    if (k % 4000 == 0) filter.take_fix_results();
+    if (k % 4000 == 0) filter.take_results();
   }
   if (filter.filter() == nullptr) state.SkipWithError("the filter was lost");
   state.SetItemsProcessed(state.iterations());

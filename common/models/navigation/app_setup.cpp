@@ -9,9 +9,14 @@ AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::Ref
   const scenario::LoadedImu& imu = scenario.sensor<catalog::Imu>(app.imu);
   const scenario::LoadedGnss& gnss = scenario.sensor<catalog::Gnss>(app.gnss);
   if (!app.parameters.empty()) {
-    return {read_parameters((scenario.file.parent_path() / app.parameters).string()), scenario.gravity()};
+    return {read_parameters((scenario.file.parent_path() / app.parameters).string()), scenario.gravity(), {}};
   }
-  return {matching_parameters(imu.errors, imu.nominal_installation, gnss.nominal_installation), scenario.gravity()};
+  AppSetup setup{
+      matching_parameters(imu.errors, imu.nominal_installation, gnss.nominal_installation), scenario.gravity(), {}};
+  for (const AnyProfile& profile : {AnyProfile(imu.errors), AnyProfile(imu.vibration), AnyProfile(gnss.errors)}) {
+    for (const std::string& name : left_out_of_matching(profile)) setup.left_out.push_back(name);
+  }
+  return setup;
 }
 
 }  // namespace inslab::reference_nav

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "inslab/models/navigation/parameters.hpp"
 #include "inslab/scenario/load.hpp"
 
@@ -9,6 +12,8 @@ namespace inslab::reference_nav {
 struct AppSetup {
   NavigationParameters parameters;
   nav::Gravity gravity;
+  /// Names of what the sensors' profiles set and parameters that match them leave out; none when a file gave them.
+  std::vector<std::string> left_out;
 };
 
 /// For the sensors of a scenario: from the scenario's file of parameters, or those that match the sensors' profiles as

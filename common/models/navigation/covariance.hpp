@@ -1,52 +1,41 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "inslab/models/navigation/state_layout.hpp"
 
 namespace inslab::reference_nav {
 
-/// Where each error stands in the state of 21: three of each, the estimate less the truth.
-enum StateIndex : Eigen::Index {
-  kPosition = 0,    ///< m, north east down
-  kVelocity = 3,    ///< m/s, n
-  kAttitude = 6,    ///< phi, rad, n: the computed C_nb is (I - [phi x]) C_nb
-  kGyroBias = 9,    ///< rad/s, b
-  kAccelBias = 12,  ///< m/s^2, b
-  kGyroScale = 15,  ///< 1, b
-  kAccelScale = 18,
-};
-inline constexpr Eigen::Index kStates = 21;
-inline constexpr Eigen::Index kNavStates = 9;
-inline constexpr Eigen::Index kSensorStates = 12;
-
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
-using Matrix9x12 = Eigen::Matrix<double, 9, 12>;
-using Vector12 = Eigen::Matrix<double, 12, 1>;
-using Vector21 = Eigen::Matrix<double, 21, 1>;
-using Matrix21 = Eigen::Matrix<double, 21, 21>;
+/// Columns, or entries, for the chosen blocks.
+using NavByChosen = Eigen::Matrix<double, 9, Eigen::Dynamic, 0, 9, kMaxChosenStates>;
+using ChosenVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxChosenStates, 1>;
 
-/// How errors go on over a step: nav' = nav_by_nav nav + nav_by_sensor sensor, sensor' = sensor_decay sensor, and the
-/// variance that comes in. The sensor errors are Gauss-Markov, each for itself, so theirs is a diagonal.
+/// How errors go on over a step: nav' = nav_by_nav nav + nav_by_chosen chosen, chosen' = decay chosen, and the variance
+/// that comes in. The chosen errors are Gauss-Markov, each for itself, so theirs is a diagonal.
 struct Transition {
   Matrix9 nav_by_nav;
-  Matrix9x12 nav_by_sensor;
-  Vector12 sensor_decay;
+  NavByChosen nav_by_chosen;
+  ChosenVector decay;
   Eigen::Matrix3d velocity_noise;  ///< (m/s)^2, n
   Eigen::Matrix3d attitude_noise;  ///< rad^2, n
-  Vector12 sensor_noise;           ///< variances
+  ChosenVector chosen_noise;       ///< variances
 };
 
-/// The covariance of the 21 errors. Symmetric to the bit after every function.
+/// The covariance of the errors of a layout. Symmetric to the bit after every function.
+///
+/// The size is the layout's, the memory that of the largest, so nothing is allocated. Sizes in common use are compiled
+/// as such (covariance.cpp): the compiler unrolls what it knows.
 class Covariance {
  public:
-  explicit Covariance(const Vector21& sigmas) : P_(sigmas.cwiseAbs2().asDiagonal()) {}
+  explicit Covariance(const StateVector& sigmas) : P_(sigmas.cwiseAbs2().asDiagonal()) {}
   /// Of errors that know of each other; made symmetric.
-  static Covariance of(const Matrix21& matrix) {
-    Covariance covariance(Vector21::Zero());
+  static Covariance of(const StateMatrix& matrix) {
+    Covariance covariance(StateVector::Zero(matrix.rows()));
     covariance.P_ = 0.5 * (matrix + matrix.transpose());
     return covariance;
   }
 
-  const Matrix21& matrix() const { return P_; }
+  const StateMatrix& matrix() const { return P_; }
+  Eigen::Index size() const { return P_.rows(); }
 
   /// P <- Phi (P + Q/2) Phi^T + Q/2: half the noise comes in at the step's beginning, half at its end.
   void propagate(const Transition& transition);
@@ -54,16 +43,16 @@ class Covariance {
   /// One scalar measurement of variance `variance` whose error is `h` times the state: corrects `x` by the
   /// `innovation` (predicted less measured, before any correction in x) and P. Several uncorrelated measurements, one
   /// after the other, give what all at once would.
-  void update(const Vector21& h, double variance, double innovation, Vector21& x);
+  void update(const StateVector& h, double variance, double innovation, StateVector& x);
 
   /// Adds a variance to three errors that were not in the model.
-  void add(StateIndex first, const Eigen::Matrix3d& variance) { P_.block<3, 3>(first, first) += variance; }
+  void add(Eigen::Index first, const Eigen::Matrix3d& variance) { P_.block<3, 3>(first, first) += variance; }
 
   /// Forgets what is known of three errors and gives them new, uncorrelated variances.
-  void forget(StateIndex first, const Eigen::Vector3d& variances);
+  void forget(Eigen::Index first, const Eigen::Vector3d& variances);
 
  private:
-  Matrix21 P_;
+  StateMatrix P_;
 };
 
 }  // namespace inslab::reference_nav

@@ -1,8 +1,11 @@
 #include "inslab/models/navigation/inertial_filter.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/models/navigation/processes.hpp"
+#include "inslab/models/navigation/zero_velocity_update.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/error_model.hpp"
 #include "inslab/nav/symmetric.hpp"
@@ -36,21 +39,26 @@ constexpr double kMemory_s = 10.0;
 
 }  // namespace
 
-InertialFilter::Noise InertialFilter::noise_of(const NavigationParameters& p) {
+InertialFilter::Noise InertialFilter::noise_of(const NavigationParameters& p, const StateLayout& layout) {
   Noise noise;
   noise.gyro_density = (units::kDegPerSqrtH * p.gyro.arw_deg_per_sqrt_h).cwiseAbs2();
   noise.accel_density = (units::kMPerSPerSqrtH * p.accel.vrw_m_per_s_per_sqrt_h).cwiseAbs2();
-  noise.sigma << units::kDegPerH * p.gyro.bias_sigma_deg_per_h, units::kMGal * p.accel.bias_sigma_mgal,
-      units::kPpm * p.gyro.scale_factor_sigma_ppm, units::kPpm * p.accel.scale_factor_sigma_ppm;
-  noise.decay_rate << decay_rates(p.gyro.bias_correlation_time_s), decay_rates(p.accel.bias_correlation_time_s),
-      decay_rates(p.gyro.scale_factor_correlation_time_s), decay_rates(p.accel.scale_factor_correlation_time_s);
+  noise.sigma.resize(layout.chosen_size());
+  noise.decay_rate.resize(layout.chosen_size());
+  layout.for_each_chosen([&](Block block) {
+    const Process process = process_of(block, p);
+    const Eigen::Index first = layout.first(block) - kNavStates, size = size_of(block);
+    noise.sigma.segment(first, size) = process.sigma.head(size);
+    noise.decay_rate.segment(first, size) = decay_rates(process.correlation_time_s).head(size);
+  });
   return noise;
 }
 
 InertialFilter::InertialFilter(const NavigationParameters& parameters, const nav::Gravity& gravity,
-                               const nav::NavState& start, const SensorErrors& errors, const Covariance& covariance,
+                               const nav::NavState& start, const Estimates& errors, const Covariance& covariance,
                                std::int64_t time_ns, const std::optional<nav::ImuIncrements>& before)
-    : noise_(noise_of(parameters)),
+    : layout_(parameters.states),
+      noise_(noise_of(parameters, layout_)),
       lever_arm_b_m_(parameters.lever_arm_b_m),
       innovation_test_(parameters.innovation_test),
       zero_velocity_(parameters.zero_velocity),
@@ -59,15 +67,17 @@ InertialFilter::InertialFilter(const NavigationParameters& parameters, const nav
       gravity_(gravity),
       strapdown_(start, gravity, kFullRotation, before),
       covariance_(covariance),
-      sensor_errors_(errors),
       newest_(before.value_or(nav::ImuIncrements{})),
       time_ns_(time_ns),
-      last_accepted_ns_(time_ns) {}
+      last_accepted_ns_(time_ns) {
+  if (covariance.size() != layout_.size()) throw std::invalid_argument("the covariance is of another state");
+  layout_.for_each_chosen([&](Block block) { estimates_[block] = errors[block]; });
+}
 
 nav::ImuIncrements InertialFilter::corrected(const nav::ImuIncrements& raw) const {
-  const SensorErrors& e = sensor_errors_;
-  return {(raw.dtheta_b - raw.dt_s * e.gyro_bias).cwiseQuotient(Vector3::Ones() + e.gyro_scale),
-          (raw.dv_b - raw.dt_s * e.accel_bias).cwiseQuotient(Vector3::Ones() + e.accel_scale), raw.dt_s};
+  const Estimates& e = estimates_;
+  return {(raw.dtheta_b - raw.dt_s * e[Block::GyroBias]).cwiseQuotient(Vector3::Ones() + e[Block::GyroScale]),
+          (raw.dv_b - raw.dt_s * e[Block::AccelBias]).cwiseQuotient(Vector3::Ones() + e[Block::AccelScale]), raw.dt_s};
 }
 
 void InertialFilter::advance(const ImuInterval& interval) {
@@ -112,24 +122,25 @@ Transition InertialFilter::transition() const {
   const Vector3 v_n = 0.5 * (sums_.v_n_start + strapdown_.v_n());
   const Vector3 f_n = sums_.C_nb_dv.rowwise().sum() / dt_s;
   const Matrix9 A = dt_s * nav::error_dynamics(strapdown_.position(), v_n, f_n, gravity_);
-  const Vector3 gyro_gain = (Vector3::Ones() + sensor_errors_.gyro_scale).cwiseInverse();
-  const Vector3 accel_gain = (Vector3::Ones() + sensor_errors_.accel_scale).cwiseInverse();
-  Matrix9x12 B = Matrix9x12::Zero();
-  B.block<3, 3>(kAttitude, kGyroBias - kNavStates) = sums_.C_nb_dt * gyro_gain.asDiagonal();
-  B.block<3, 3>(kAttitude, kGyroScale - kNavStates) = sums_.C_nb_dtheta * gyro_gain.asDiagonal();
-  B.block<3, 3>(kVelocity, kAccelBias - kNavStates) = -sums_.C_nb_dt * accel_gain.asDiagonal();
-  B.block<3, 3>(kVelocity, kAccelScale - kNavStates) = -sums_.C_nb_dv * accel_gain.asDiagonal();
+  const Vector3 gyro_gain = (Vector3::Ones() + estimates_[Block::GyroScale]).cwiseInverse();
+  const Vector3 accel_gain = (Vector3::Ones() + estimates_[Block::AccelScale]).cwiseInverse();
+  NavByChosen B = NavByChosen::Zero(9, layout_.chosen_size());
+  const auto block = [&](Eigen::Index row, Block by) { return B.block<3, 3>(row, layout_.first(by) - kNavStates); };
+  if (layout_.has(Block::GyroBias)) block(kAttitude, Block::GyroBias) = sums_.C_nb_dt * gyro_gain.asDiagonal();
+  if (layout_.has(Block::GyroScale)) block(kAttitude, Block::GyroScale) = sums_.C_nb_dtheta * gyro_gain.asDiagonal();
+  if (layout_.has(Block::AccelBias)) block(kVelocity, Block::AccelBias) = -sums_.C_nb_dt * accel_gain.asDiagonal();
+  if (layout_.has(Block::AccelScale)) block(kVelocity, Block::AccelScale) = -sums_.C_nb_dv * accel_gain.asDiagonal();
 
   Transition t;
   t.nav_by_nav = Matrix9::Identity() + A + 0.5 * A.lazyProduct(A);
-  t.nav_by_sensor = B + 0.5 * (A.lazyProduct(B) - B * (dt_s * noise_.decay_rate).asDiagonal());
-  t.sensor_decay = (-dt_s * noise_.decay_rate).array().exp();
+  t.nav_by_chosen = B + 0.5 * (A.lazyProduct(B) - B * (dt_s * noise_.decay_rate).asDiagonal());
+  t.decay = (-dt_s * noise_.decay_rate).array().exp();
   const Matrix3 C_nb = sums_.C_nb_dt / dt_s;
   t.attitude_noise = C_nb * (dt_s * noise_.gyro_density).asDiagonal() * C_nb.transpose() + sums_.attitude_noise;
   t.velocity_noise = C_nb * (dt_s * noise_.accel_density).asDiagonal() * C_nb.transpose() + sums_.velocity_noise;
   // Half comes in before the decay and half after it; together they are sigma^2 (1 - decay^2).
-  const Eigen::Array<double, 12, 1> decay_squared = t.sensor_decay.array().square();
-  t.sensor_noise = 2.0 * noise_.sigma.cwiseAbs2().array() * (1.0 - decay_squared) / (1.0 + decay_squared);
+  const auto decay_squared = t.decay.array().square();
+  t.chosen_noise = 2.0 * noise_.sigma.cwiseAbs2().array() * (1.0 - decay_squared) / (1.0 + decay_squared);
   return t;
 }
 
@@ -139,79 +150,72 @@ void InertialFilter::settle() {
   sums_ = Sums{};
 }
 
-InertialFilter::Antenna InertialFilter::antenna(const GnssFix& fix) const {
-  const nav::Geodetic position = strapdown_.position();
-  const Matrix3 C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
-  const Vector3 arm_n = C_nb * lever_arm_b_m_;
-  const Vector3 omega_ib_b = newest_.dt_s > 0.0 ? Vector3(newest_.dtheta_b / newest_.dt_s) : Vector3(Vector3::Zero());
-  const Vector3 omega_ie_n = nav::omega_ie_n(position.latitude_rad);
-  const Vector3 turning_n = C_nb * omega_ib_b.cross(lever_arm_b_m_);
-  const Matrix3 rate_to_velocity = C_nb * nav::skew(lever_arm_b_m_);
-
-  Antenna a;
-  const nav::Geodetic predicted = nav::displaced(position, arm_n);
-  a.innovation.head<3>() = nav::ned_from({fix.latitude_rad, fix.longitude_rad, fix.height_m}, predicted);
-  a.innovation.tail<3>() = strapdown_.v_n() + turning_n - omega_ie_n.cross(arm_n) - fix.v_n;
-  a.H.setZero();
-  a.H.block<3, 3>(0, kPosition).setIdentity();
-  a.H.block<3, 3>(0, kAttitude) = nav::skew(arm_n);
-  a.H.block<3, 3>(3, kVelocity).setIdentity();
-  a.H.block<3, 3>(3, kAttitude) = nav::skew(turning_n) - nav::skew(omega_ie_n) * nav::skew(arm_n);
-  const Vector3 gain = (Vector3::Ones() + sensor_errors_.gyro_scale).cwiseInverse();
-  a.H.block<3, 3>(3, kGyroBias) = rate_to_velocity * gain.asDiagonal();
-  a.H.block<3, 3>(3, kGyroScale) = rate_to_velocity * omega_ib_b.cwiseProduct(gain).asDiagonal();
-  return a;
+Situation InertialFilter::situation() const {
+  Situation at;
+  at.position = strapdown_.position();
+  at.v_n = strapdown_.v_n();
+  at.C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
+  if (newest_.dt_s > 0.0) at.omega_ib_b = newest_.dtheta_b / newest_.dt_s;
+  at.rate_by_measured = (Vector3::Ones() + estimates_[Block::GyroScale]).cwiseInverse();
+  return at;
 }
 
-FixResult InertialFilter::update(const GnssFix& fix) {
-  settle();
-  FixResult result;
-  result.time_ns = time_ns_;
-  const Antenna a = antenna(fix);
-  Eigen::Matrix<double, 6, 1> variances;
-  variances << fix.position_sigma_ned_m.cwiseAbs2(), fix.velocity_sigma_ned_m_per_s.cwiseAbs2();
-  const bool has_velocity = variances.tail<3>().minCoeff() > 0.0;
-  if (zero_velocity_.use) hear_at_rest(fix, a);
+double InertialFilter::squared_normalised(const Measurement& m) const {
+  Eigen::MatrixXd S = nav::carried(m.H(layout_), covariance_.matrix());
+  S.diagonal() += m.R;
+  return nav::squared_normalised(S, m.innovation);
+}
 
-  const Eigen::Matrix<double, 6, 6> S = nav::carried(a.H, covariance_.matrix());
-  const Matrix3 S_position = S.topLeftCorner<3, 3>() + Matrix3(variances.head<3>().asDiagonal());
-  const Matrix3 S_velocity = S.bottomRightCorner<3, 3>() + Matrix3(variances.tail<3>().asDiagonal());
-  result.position_nis = nav::squared_normalised(S_position, a.innovation.head<3>());
-  result.position_accepted = result.position_nis <= innovation_test_.limit;
-  if (has_velocity) {
-    result.velocity_nis = nav::squared_normalised(S_velocity, a.innovation.tail<3>());
-    result.velocity_accepted = result.velocity_nis <= innovation_test_.limit;
+/// Row by row: the noise of each is its own.
+void InertialFilter::take(const Measurement& m, StateVector& x) {
+  for (Eigen::Index i = 0; i < m.rows(); ++i) covariance_.update(m.row(i, layout_), m.R[i], m.innovation[i], x);
+}
+
+UpdateResult InertialFilter::update(const std::vector<Measurement>& measurements) {
+  settle();
+  UpdateResult result;
+  result.time_ns = time_ns_;
+  const Measurement *position = nullptr, *velocity = nullptr;
+  bool has_place = false;
+  for (const Measurement& m : measurements) {
+    if (zero_velocity_.use) hear_at_rest(m);
+    const double nis = squared_normalised(m);
+    result.measurements.push_back({m.name, m.rows(), nis, nis <= m.gate});
+    if (m.says == Measurement::Says::Velocity) velocity = &m;
+    if (m.says != Measurement::Says::Position) continue;
+    position = &m;
+    has_place = nis <= m.gate;
   }
-  if (!result.position_accepted && ++rejections_ > innovation_test_.rejections_before_recovery) {
-    recover(a, variances);
-    result.recovered = result.position_accepted = true;
-    result.velocity_accepted = has_velocity;
+  if (position != nullptr && !has_place && ++rejections_ > innovation_test_.rejections_before_recovery) {
+    recover(*position, velocity);
+    result.recovered = has_place = true;
+    for (MeasurementResult& m : result.measurements) {
+      m.accepted = m.name == position->name || (velocity != nullptr && m.name == velocity->name);
+    }
   } else {
-    Vector21 x = Vector21::Zero();
-    for (Eigen::Index i = 0; i < 6; ++i) {
-      if (i < 3 ? result.position_accepted : result.velocity_accepted) {
-        covariance_.update(a.H.row(i).transpose(), variances[i], a.innovation[i], x);
-      }
+    StateVector x = StateVector::Zero(layout_.size());
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
+      if (result.measurements[i].accepted) take(measurements[i], x);
     }
     correct(x);
   }
-  if (result.position_accepted) {
+  if (has_place) {
     rejections_ = 0;
     last_accepted_ns_ = time_ns_;
   }
   return result;
 }
 
-/// The filter is lost: position and velocity become the fix's, attitude is doubted by how far they were off.
-void InertialFilter::recover(const Antenna& a, const Eigen::Matrix<double, 6, 1>& variances) {
-  const bool has_velocity = variances.tail<3>().minCoeff() > 0.0;
-  Vector21 x = Vector21::Zero();
-  x.segment<3>(kPosition) = a.innovation.head<3>();
-  if (has_velocity) x.segment<3>(kVelocity) = a.innovation.tail<3>();
+/// The filter is lost: position and velocity become the receiver's, attitude is doubted by how far they were off.
+void InertialFilter::recover(const Measurement& position, const Measurement* velocity) {
+  StateVector x = StateVector::Zero(layout_.size());
+  x.segment<3>(kPosition) = position.innovation;
+  if (velocity != nullptr) x.segment<3>(kVelocity) = velocity->innovation;
   const double arm_m = lever_arm_b_m_.norm();
-  const double unknown_speed = has_velocity ? 0.0 : strapdown_.v_n().norm() + 1.0;
-  covariance_.forget(kPosition, (variances.head<3>().array() + arm_m * arm_m).matrix());
-  covariance_.forget(kVelocity, (variances.tail<3>().array() + unknown_speed * unknown_speed + 0.01).matrix());
+  const double unknown_speed = velocity != nullptr ? 0.0 : strapdown_.v_n().norm() + 1.0;
+  const Vector3 velocity_variance = velocity != nullptr ? Vector3(velocity->R) : Vector3(Vector3::Zero());
+  covariance_.forget(kPosition, (position.R.array() + arm_m * arm_m).matrix());
+  covariance_.forget(kVelocity, (velocity_variance.array() + unknown_speed * unknown_speed + 0.01).matrix());
   covariance_.add(kAttitude, Matrix3::Identity() * (1e-2 * units::kDeg * units::kDeg));
   correct(x);
 }
@@ -219,30 +223,32 @@ void InertialFilter::recover(const Antenna& a, const Eigen::Matrix<double, 6, 1>
 /// Whether the forces of a time change the velocity by more than their errors can.
 bool InertialFilter::gains_velocity(const Vector3& gain_n, double span_s) const {
   const Matrix3 C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
-  Eigen::Matrix<double, 3, kStates> H = Eigen::Matrix<double, 3, kStates>::Zero();
-  H.block<3, 3>(0, kAttitude) = span_s * nav::skew(-gravity_.g_n(strapdown_.position()));
-  H.block<3, 3>(0, kAccelBias) = -span_s * C_nb;
   const double least = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
-  Matrix3 S = nav::carried(H, covariance_.matrix());
-  S.diagonal().array() += least + span_s * noise_.accel_density.maxCoeff();
-  return nav::squared_normalised(S, gain_n) > kRestLimit;
+  Measurement gain;
+  gain.innovation = gain_n;
+  gain.R = Vector3::Constant(least + span_s * noise_.accel_density.maxCoeff());
+  gain.by(Block::Attitude, span_s * nav::skew(-gravity_.g_n(strapdown_.position())));
+  gain.by(Block::AccelBias, -span_s * C_nb);
+  return squared_normalised(gain) > kRestLimit;
 }
 
-/// What a fix says of the IMU's velocity and of its displacement, whatever the filter believes: zero velocities that
-/// were taken make it sure of itself, and their errors are all alike.
-void InertialFilter::hear_at_rest(const GnssFix& fix, const Antenna& a) {
-  const Vector3 position_variance = fix.position_sigma_ned_m.cwiseAbs2();
-  const nav::Geodetic place = nav::displaced(strapdown_.position(), -a.innovation.head<3>());
-  if (!rest_.first_place) {
-    rest_.first_place = place;
-    rest_.first_variance = position_variance;
+/// What a receiver says of the IMU's velocity and of its displacement, whatever the filter believes: zero velocities
+/// that were taken make it sure of itself, and their errors are all alike.
+void InertialFilter::hear_at_rest(const Measurement& m) {
+  if (m.says == Measurement::Says::Position) {
+    const Vector3 variance = m.R;
+    const nav::Geodetic place = nav::displaced(strapdown_.position(), -m.innovation);
+    if (!rest_.first_place) {
+      rest_.first_place = place;
+      rest_.first_variance = variance;
+    }
+    const Vector3 way_n = nav::ned_from(*rest_.first_place, place);
+    rest_.displacement = way_n.cwiseAbs2().cwiseQuotient(variance + rest_.first_variance).sum();
+  } else if (m.says == Measurement::Says::Velocity) {
+    const Vector3 information = m.R.cwiseInverse();
+    rest_.information += information;
+    rest_.weighted_v_n += information.cwiseProduct(strapdown_.v_n() - m.innovation);
   }
-  const Vector3 way_n = nav::ned_from(*rest_.first_place, place);
-  rest_.displacement = way_n.cwiseAbs2().cwiseQuotient(position_variance + rest_.first_variance).sum();
-  if (fix.velocity_sigma_ned_m_per_s.minCoeff() <= 0.0) return;
-  const Vector3 information = fix.velocity_sigma_ned_m_per_s.cwiseAbs2().cwiseInverse();
-  rest_.information += information;
-  rest_.weighted_v_n += information.cwiseProduct(strapdown_.v_n() - a.innovation.tail<3>());
 }
 
 /// A gentle pull-away feels like rest: what the filter knows of its velocity, what the forces do to it and what the
@@ -293,15 +299,13 @@ void InertialFilter::rest() {
   if (rest_.doubted_s > 0.0) return;
   rest_.updates = std::min(zero_velocity_.windows_alike, rest_.updates + 1.0);
   const double variance = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
-  Vector21 x = Vector21::Zero();
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    covariance_.update(Vector21::Unit(kVelocity + i), rest_.updates * variance, strapdown_.v_n()[i], x);
-  }
+  StateVector x = StateVector::Zero(layout_.size());
+  take(ZeroVelocityUpdate::of(strapdown_.v_n(), rest_.updates * variance), x);
   correct(x);
 }
 
 /// Takes the errors out of the estimates. The mechanization begins anew from there and keeps its two-sample terms.
-void InertialFilter::correct(const Vector21& x) {
+void InertialFilter::correct(const StateVector& x) {
   nav::NavState state = strapdown_.state();
   const double s = std::sin(state.position.latitude_rad);
   const double m = nav::wgs84::meridian_radius_from_sine_m(s) + state.position.height_m;
@@ -313,10 +317,8 @@ void InertialFilter::correct(const Vector21& x) {
   state.position.height_m += r.z();
   state.v_n -= x.segment<3>(kVelocity);
   state.q_nb = nav::quaternion_from_rotation_vector(x.segment<3>(kAttitude)) * state.q_nb;
-  sensor_errors_.gyro_bias -= x.segment<3>(kGyroBias);
-  sensor_errors_.accel_bias -= x.segment<3>(kAccelBias);
-  sensor_errors_.gyro_scale -= x.segment<3>(kGyroScale);
-  sensor_errors_.accel_scale -= x.segment<3>(kAccelScale);
+  layout_.for_each_chosen(
+      [&](Block block) { estimates_[block].head(size_of(block)) -= x.segment(layout_.first(block), size_of(block)); });
   strapdown_ =
       nav::Strapdown(state, gravity_, kFullRotation, newest_.dt_s > 0.0 ? std::optional(newest_) : std::nullopt);
 }

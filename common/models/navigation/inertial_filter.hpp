@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/models/navigation/covariance.hpp"
+#include "inslab/models/navigation/measurement.hpp"
 #include "inslab/models/navigation/parameters.hpp"
 #include "inslab/nav/strapdown.hpp"
 
@@ -21,54 +21,41 @@ struct ImuInterval {
   bool moves = false;              ///< it ends one that is no rest
 };
 
-/// What became of a fix: squared innovations over their covariance, chi-square with 3 degrees of freedom when the
-/// filter is honest.
-struct FixResult {
-  std::int64_t time_ns = 0;
-  double position_nis = 0.0;
-  double velocity_nis = 0.0;
-  bool position_accepted = false;
-  bool velocity_accepted = false;
-  bool recovered = false;  ///< the filter's own position and velocity were given up for the fix's
-};
-
-/// Estimates of the sensor errors.
-struct SensorErrors {
-  Vector3 gyro_bias = Vector3::Zero();    ///< rad/s
-  Vector3 accel_bias = Vector3::Zero();   ///< m/s^2
-  Vector3 gyro_scale = Vector3::Zero();   ///< 1
-  Vector3 accel_scale = Vector3::Zero();  ///< 1
-};
-
 /// Mechanization and error-state Kalman filter at one instant. A value: a copy goes on as the original does, which is
-/// how fixes from the past are taken in (NavigationFilter).
+/// how measurements from the past are taken in (NavigationFilter).
 class InertialFilter {
  public:
-  /// `errors` are the sensor errors that the start knows of, `before` is the last corrected interval, for the
-  /// mechanization's two-sample terms. Throws as nav::Strapdown does.
+  /// `errors` are those that the start knows of (of blocks that the state lacks they are dropped), `before` is the last
+  /// corrected interval, for the mechanization's two-sample terms. Throws as nav::Strapdown does, and
+  /// std::invalid_argument unless the covariance is of the layout that the parameters choose.
   InertialFilter(const NavigationParameters& parameters, const nav::Gravity& gravity, const nav::NavState& start,
-                 const SensorErrors& errors, const Covariance& covariance, std::int64_t time_ns,
+                 const Estimates& errors, const Covariance& covariance, std::int64_t time_ns,
                  const std::optional<nav::ImuIncrements>& before);
   /// Without knowledge of sensor errors, each error for itself.
   InertialFilter(const NavigationParameters& parameters, const nav::Gravity& gravity, const nav::NavState& start,
-                 const Vector21& sigmas, std::int64_t time_ns, const std::optional<nav::ImuIncrements>& before)
-      : InertialFilter(parameters, gravity, start, SensorErrors{}, Covariance(sigmas), time_ns, before) {}
+                 const StateVector& sigmas, std::int64_t time_ns, const std::optional<nav::ImuIncrements>& before)
+      : InertialFilter(parameters, gravity, start, Estimates(), Covariance(sigmas), time_ns, before) {}
 
   /// Goes on over one interval, which begins where the last ended.
   void advance(const ImuInterval& interval);
 
-  /// Takes in a fix that is valid at time_ns().
-  FixResult update(const GnssFix& fix);
+  /// What measurements that are valid at time_ns() are predicted from.
+  Situation situation() const;
+
+  /// Takes in what was measured at time_ns(), predicted from situation(). Each measurement is refused when it is beyond
+  /// its gate, by the state before any of them; those that pass correct the state together.
+  UpdateResult update(const std::vector<Measurement>& measurements);
 
   /// Brings the covariance up to the state's time; advance() does it every covariance interval.
   void settle();
 
   std::int64_t time_ns() const { return time_ns_; }
   nav::NavState state() const { return strapdown_.state(); }
-  const SensorErrors& sensor_errors() const { return sensor_errors_; }
+  const Estimates& estimates() const { return estimates_; }
+  const StateLayout& layout() const { return layout_; }
   /// At the last settle().
   const Covariance& covariance() const { return covariance_; }
-  /// Of the newest fix whose position was accepted; the start's time before any.
+  /// Of the newest receiver's position that was accepted; the start's time before any.
   std::int64_t last_accepted_ns() const { return last_accepted_ns_; }
 
   /// The transition that the next settle() would make, for tests.
@@ -76,10 +63,10 @@ class InertialFilter {
 
  private:
   struct Noise {
-    Vector3 gyro_density;   ///< rad^2/s
-    Vector3 accel_density;  ///< (m/s)^2/s
-    Vector12 sigma;         ///< of the sensor states
-    Vector12 decay_rate;    ///< 1/T, 1/s; 0: constant
+    Vector3 gyro_density;     ///< rad^2/s
+    Vector3 accel_density;    ///< (m/s)^2/s
+    ChosenVector sigma;       ///< of the chosen states
+    ChosenVector decay_rate;  ///< 1/T, 1/s; 0: constant
   };
   /// Integrals over the time since the covariance was settled.
   struct Sums {
@@ -108,24 +95,20 @@ class InertialFilter {
     double doubted_s = 0.0;                    ///< for so long yet nothing may speak against it
   };
 
-  /// Six rows of a measurement of the antenna: position, velocity.
-  struct Antenna {
-    Eigen::Matrix<double, 6, kStates> H;
-    Eigen::Matrix<double, 6, 1> innovation;
-  };
-
-  static Noise noise_of(const NavigationParameters& parameters);
+  static Noise noise_of(const NavigationParameters& parameters, const StateLayout& layout);
   nav::ImuIncrements corrected(const nav::ImuIncrements& increments) const;
-  Antenna antenna(const GnssFix& fix) const;
+  double squared_normalised(const Measurement& measurement) const;
+  void take(const Measurement& measurement, StateVector& x);
   void rest();
   bool is_contradicted() const;
   void doubt_rest();
-  void hear_at_rest(const GnssFix& fix, const Antenna& antenna);
+  void hear_at_rest(const Measurement& measurement);
   bool gains_velocity(const Vector3& gain_n, double span_s) const;
-  void correct(const Vector21& x);
-  void recover(const Antenna& antenna, const Eigen::Matrix<double, 6, 1>& variances);
+  void correct(const StateVector& x);
+  void recover(const Measurement& position, const Measurement* velocity);
 
   // The parts of the parameters that every step needs.
+  StateLayout layout_;
   Noise noise_;
   Vector3 lever_arm_b_m_;
   InnovationTest innovation_test_;
@@ -136,7 +119,7 @@ class InertialFilter {
   nav::Gravity gravity_;
   nav::Strapdown strapdown_;
   Covariance covariance_;
-  SensorErrors sensor_errors_;
+  Estimates estimates_;
   nav::ImuIncrements newest_;  ///< corrected
   Sums sums_;
   Rest rest_;

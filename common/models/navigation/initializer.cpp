@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/models/navigation/processes.hpp"
 #include "inslab/nav/alignment.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/geodesy.hpp"
@@ -18,20 +19,11 @@ constexpr double kMostHeading_rad = 20.0 * units::kDeg;
 constexpr double kBetweenTurns_s = 0.25;
 
 /// At least these sigmas of three errors; what is added is for itself.
-void raise_variances(Matrix21& P, StateIndex first, const Vector3& least) {
+void raise_variances(StateMatrix& P, Eigen::Index first, const Vector3& least) {
   P.diagonal().segment<3>(first) = P.diagonal().segment<3>(first).cwiseMax(least.cwiseAbs2());
 }
 
 }  // namespace
-
-Vector21 initial_sigmas(const NavigationParameters& p) {
-  Vector21 sigmas;
-  sigmas << p.initial.position_sigma_ned_m, p.initial.velocity_sigma_ned_m_per_s,
-      units::kDeg * p.initial.attitude_sigma_ned_deg, units::kDegPerH * p.gyro.bias_sigma_deg_per_h,
-      units::kMGal * p.accel.bias_sigma_mgal, units::kPpm * p.gyro.scale_factor_sigma_ppm,
-      units::kPpm * p.accel.scale_factor_sigma_ppm;
-  return sigmas;
-}
 
 Vector3 alignment_sigmas(const NavigationParameters& p, double span_s, double latitude_rad, double gravity_m_per_s2) {
   const double vrw = units::kMPerSPerSqrtH * p.accel.vrw_m_per_s_per_sqrt_h.maxCoeff();
@@ -44,7 +36,7 @@ Vector3 alignment_sigmas(const NavigationParameters& p, double span_s, double la
 }
 
 Initializer::Initializer(const NavigationParameters& parameters, const nav::Gravity& gravity)
-    : parameters_(parameters), gravity_(gravity), motion_(parameters, gravity) {}
+    : parameters_(parameters), layout_(parameters.states), gravity_(gravity), motion_(parameters, gravity) {}
 
 void Initializer::add(const GnssFix& fix) {
   fix_ = fix;
@@ -133,7 +125,7 @@ std::optional<Matrix3> Initializer::attitude() {
 /// u = C_nb (delta b_a + f delta s_a), w = C_nb (delta b_g + omega delta s_g). A turn of the vehicle shows them apart.
 /// Its sigmas are at least what the alignment can be: parameters that promise more would have honest fixes refused. A
 /// heading that was given is as sure as the parameters say.
-void Initializer::doubt_attitude(const Matrix3& C_nb, Matrix21& P) const {
+void Initializer::doubt_attitude(const Matrix3& C_nb, StateMatrix& P) const {
   const InitialState& initial = parameters_.initial;
   if (initial.attitude == InitialAttitude::Given) return;
   const bool finds_heading = initial.attitude == InitialAttitude::StaticAlignment;
@@ -148,15 +140,24 @@ void Initializer::doubt_attitude(const Matrix3& C_nb, Matrix21& P) const {
     by_rate(2, 1) = -1.0 / omega_n.x();
   }
   const Vector3 f_b = -C_nb.transpose() * g_n, omega_b = C_nb.transpose() * omega_n;
-  Eigen::Matrix<double, 3, kSensorStates> J;
-  J << by_rate * C_nb, by_force * C_nb, by_rate * C_nb * omega_b.asDiagonal(), by_force * C_nb * f_b.asDiagonal();
-  const Eigen::Matrix<double, 3, kSensorStates> cross =
-      J.lazyProduct(P.bottomRightCorner<kSensorStates, kSensorStates>());
-  P.block<3, kSensorStates>(kAttitude, kGyroBias) = cross;
-  P.block<kSensorStates, 3>(kGyroBias, kAttitude) = cross.transpose();
+  // Of each sensor error three columns, which stay 0 where it is left out.
+  using SensorColumns = Eigen::Matrix<double, 3, 12>;
+  SensorColumns J = SensorColumns::Zero(), cross = SensorColumns::Zero();
+  const auto errs_by = [&](Eigen::Index column, Block block, const Matrix3& by_error) {
+    if (!layout_.has(block)) return;
+    const Eigen::Index first = layout_.first(block);
+    J.middleCols<3>(column) = by_error;
+    cross.middleCols<3>(column) = by_error * P.diagonal().segment<3>(first).asDiagonal();  // each is still for itself
+    P.block<3, 3>(kAttitude, first) = cross.middleCols<3>(column);
+    P.block<3, 3>(first, kAttitude) = cross.middleCols<3>(column).transpose();
+  };
+  errs_by(0, Block::GyroBias, by_rate * C_nb);
+  errs_by(3, Block::AccelBias, by_force * C_nb);
+  errs_by(6, Block::GyroScale, by_rate * C_nb * omega_b.asDiagonal());
+  errs_by(9, Block::AccelScale, by_force * C_nb * f_b.asDiagonal());
+  const Matrix3 known = cross.lazyProduct(J.transpose());
   Vector3 least = static_sigmas();
   if (!finds_heading) least.z() = 0.0;
-  const Matrix3 known = cross.lazyProduct(J.transpose());
   const Vector3 variances = P.diagonal().segment<3>(kAttitude).cwiseMax(least.cwiseAbs2());
   P.block<3, 3>(kAttitude, kAttitude) = known;
   P.diagonal().segment<3>(kAttitude) = known.diagonal().cwiseMax(variances);
@@ -203,16 +204,23 @@ Beginning Initializer::in_motion(const ImuSample& sample, const MotionAlignment:
   beginning.time_ns = sample.header.sim_time_ns;
   beginning.state.q_nb = nav::quaternion_from_matrix(result.C_nb);
   beginning.state.v_n = result.v_n;
-  beginning.errors.gyro_bias = result.gyro_bias;
-  beginning.errors.accel_bias = result.accel_bias;
+  beginning.errors[Block::GyroBias] = result.gyro_bias;
+  beginning.errors[Block::AccelBias] = result.accel_bias;
   const double age_s = static_cast<double>(beginning.time_ns - fix_->header.sim_time_ns) * 1e-9;
   const Vector3 way_n = age_s * 0.5 * (fix_->v_n + result.v_n);
   beginning.state.position = nav::displaced({fix_->latitude_rad, fix_->longitude_rad, fix_->height_m},
                                             way_n - result.C_nb * parameters_.lever_arm_b_m);
-  const Vector21 sigmas = initial_sigmas(parameters_);
-  Matrix21& P = beginning.covariance;
+  const StateVector sigmas = initial_sigmas(parameters_);
+  StateMatrix& P = beginning.covariance;
   P = sigmas.cwiseAbs2().asDiagonal();
-  P.block<12, 12>(kVelocity, kVelocity) = result.covariance;
+  const std::array<Block, 4> found{Block::Velocity, Block::Attitude, Block::GyroBias, Block::AccelBias};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    for (std::size_t j = 0; j < found.size(); ++j) {
+      if (!layout_.has(found[i]) || !layout_.has(found[j])) continue;
+      P.block<3, 3>(layout_.first(found[i]), layout_.first(found[j])) =
+          result.covariance.block<3, 3>(3 * static_cast<Eigen::Index>(i), 3 * static_cast<Eigen::Index>(j));
+    }
+  }
   raise_variances(P, kPosition, fix_->position_sigma_ned_m);
   raise_variances(P, kVelocity, sigmas.segment<3>(kVelocity));
   raise_variances(P, kAttitude, sigmas.segment<3>(kAttitude));

@@ -15,12 +15,9 @@ namespace inslab::reference_nav {
 struct Beginning {
   std::int64_t time_ns = 0;
   nav::NavState state;
-  SensorErrors errors;
-  Matrix21 covariance = Matrix21::Zero();
+  Estimates errors;
+  StateMatrix covariance;  ///< of the layout that the parameters choose
 };
-
-/// Standard deviations of the state at the beginning: what the parameters say.
-Vector21 initial_sigmas(const NavigationParameters& parameters);
 
 /// Standard deviations of the attitude that `span_s` of rest gives at a latitude, rad about north, east, down: tilts
 /// are accelerometer errors over gravity, heading is the error of the east gyro over the Earth's horizontal rate,
@@ -57,12 +54,13 @@ class Initializer {
   std::optional<Matrix3> attitude();
   double sway_rad() const;
   Vector3 static_sigmas() const;
-  void doubt_attitude(const Matrix3& C_nb, Matrix21& P) const;
+  void doubt_attitude(const Matrix3& C_nb, StateMatrix& P) const;
   Beginning at_rest(const ImuSample& sample, const Matrix3& C_nb) const;
   Beginning in_motion(const ImuSample& sample, const MotionAlignment::Result& result) const;
   void refuse(const std::string& reason);
 
   NavigationParameters parameters_;
+  StateLayout layout_;
   nav::Gravity gravity_;
   MotionAlignment motion_;
   std::optional<GnssFix> fix_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/models/navigation/matching_uses.hpp"
 #include "inslab/nav/attitude.hpp"
 
 namespace inslab::reference_nav {
@@ -72,6 +73,20 @@ NavigationParameters matching_parameters(const ImuErrorProfile& imu, const Insta
   const Matrix3 C_vb = nav::matrix_from_rpy({rpy_rad.x(), rpy_rad.y(), rpy_rad.z()});
   p.lever_arm_b_m = C_vb.transpose() * (antenna_place.lever_arm_v_m - imu_place.lever_arm_v_m);
   return p;
+}
+
+std::vector<std::string> left_out_of_matching(const AnyProfile& profile) {
+  struct Visitor {
+    using Names = std::vector<std::string>;
+    Names operator()(const ImuErrorProfile& p) const { return profiles::names_left_out(matching::kImuErrorUses, p); }
+    Names operator()(const GnssErrorProfile& p) const { return profiles::names_left_out(matching::kGnssErrorUses, p); }
+    Names operator()(const InstallationProfile& p) const {
+      return profiles::names_left_out(matching::kInstallationUses, p);
+    }
+    Names operator()(const VibrationProfile& p) const { return profiles::names_left_out(matching::kVibrationUses, p); }
+    Names operator()(const FaultProfile& p) const { return profiles::names_left_out(matching::kFaultUses, p); }
+  };
+  return std::visit(Visitor(), profile);
 }
 
 }  // namespace inslab::reference_nav

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "inslab/data/profiles/imu_error_profile.hpp"
-#include "inslab/data/profiles/installation_profile.hpp"
+#include <string>
+#include <vector>
+
+#include "inslab/data/profiles/any_profile.hpp"
 #include "inslab/models/navigation/parameters.hpp"
 
 namespace inslab::reference_nav {
@@ -12,10 +14,12 @@ namespace inslab::reference_nav {
 /// random walk, what the course of the temperature does at most, and for gyros what 1 g does, whichever way it points;
 /// with the Gauss-Markov term's correlation time (a constant where the profile has none). Scale factor likewise, with
 /// the non-linearity, asymmetry and cross-axis terms, which a filter of 21 states has no other place for. The lever arm
-/// leads from the IMU to the antenna in the IMU's axes. All else keeps its default. Left out are quantization,
-/// bandwidth, and what the temperature does to a scale factor: a fraction of the terms beside them in every profile of
-/// config.
+/// leads from the IMU to the antenna in the IMU's axes. All else keeps its default. What is left out, and
+/// why, is declared in matching_uses.hpp.
 NavigationParameters matching_parameters(const ImuErrorProfile& imu, const InstallationProfile& imu_place,
                                          const InstallationProfile& antenna_place);
+
+/// Names of what a profile of the unit sets and the matching parameters leave out.
+std::vector<std::string> left_out_of_matching(const AnyProfile& profile);
 
 }  // namespace inslab::reference_nav

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "inslab/foundation/time/gps_time.hpp"
+#include "inslab/models/navigation/processes.hpp"
 
 namespace inslab::reference_nav {
 
@@ -12,13 +13,6 @@ namespace {
 
 constexpr std::int64_t kRounding_ns = 1000;  // times of text files are rounded
 constexpr double kKeepEvery_s = 0.02;
-
-bool usable(const GnssFix& fix) {
-  const auto is_sigma = [](const Vector3& sigma) { return sigma.allFinite() && sigma.minCoeff() >= 0.0; };
-  return fix.fix_type != FixType::None && fix.v_n.allFinite() && is_sigma(fix.velocity_sigma_ned_m_per_s) &&
-         is_sigma(fix.position_sigma_ned_m) && fix.position_sigma_ned_m.minCoeff() > 0.0 &&
-         nav::in_domain({fix.latitude_rad, fix.longitude_rad, fix.height_m});
-}
 
 /// Splits off the first part of an interval, up to `time_ns`; `interval` becomes the rest.
 ImuInterval split_off(ImuInterval& interval, std::int64_t begin_ns, std::int64_t time_ns) {
@@ -43,7 +37,7 @@ NavigationFilter::NavigationFilter(const NavigationParameters& parameters, const
     : parameters_(parameters), gravity_(gravity), initializer_(parameters, gravity), rest_(parameters.zero_velocity) {}
 
 void NavigationFilter::start(const nav::NavState& state, std::int64_t time_ns) {
-  begin({time_ns, state, {}, initial_sigmas(parameters_).cwiseAbs2().asDiagonal()}, std::nullopt);
+  begin({time_ns, state, {}, StateMatrix(initial_sigmas(parameters_).cwiseAbs2().asDiagonal())}, std::nullopt);
 }
 
 void NavigationFilter::begin(const Beginning& beginning, const std::optional<nav::ImuIncrements>& before) {
@@ -51,8 +45,8 @@ void NavigationFilter::begin(const Beginning& beginning, const std::optional<nav
                   beginning.time_ns, before);
   past_.clear();
   intervals_.clear();
-  const auto waits = [&](const KeptFix& kept) { return kept.fix.header.sim_time_ns > beginning.time_ns; };
-  fixes_.erase(fixes_.begin(), std::find_if(fixes_.begin(), fixes_.end(), waits));
+  const auto waits = [&](const Kept& kept) { return kept.valid_at_ns > beginning.time_ns; };
+  observations_.erase(observations_.begin(), std::find_if(observations_.begin(), observations_.end(), waits));
 }
 
 void NavigationFilter::restart() {
@@ -60,7 +54,7 @@ void NavigationFilter::restart() {
   filter_.reset();
   past_.clear();
   intervals_.clear();
-  fixes_.clear();
+  observations_.clear();
   initializer_ = Initializer(parameters_, gravity_);
   rest_.restart();
 }
@@ -154,14 +148,14 @@ void NavigationFilter::go_on(const ImuInterval& interval) {
   forget_old();
 }
 
-/// One interval, with the fixes that fall into it at their own times.
+/// One interval, with the observations that fall into it at their own times.
 void NavigationFilter::run(ImuInterval interval) {
   const auto next = [this] {
-    return std::find_if(fixes_.begin(), fixes_.end(),
-                        [this](const KeptFix& kept) { return kept.fix.header.sim_time_ns > filter_->time_ns(); });
+    return std::find_if(observations_.begin(), observations_.end(),
+                        [this](const Kept& kept) { return kept.valid_at_ns > filter_->time_ns(); });
   };
-  for (auto kept = next(); kept != fixes_.end() && kept->fix.header.sim_time_ns <= interval.end_ns; ++kept) {
-    const std::int64_t time_ns = kept->fix.header.sim_time_ns;
+  for (auto kept = next(); kept != observations_.end() && kept->valid_at_ns <= interval.end_ns; ++kept) {
+    const std::int64_t time_ns = kept->valid_at_ns;
     if (time_ns > filter_->time_ns() && time_ns < interval.end_ns) {
       filter_->advance(split_off(interval, filter_->time_ns(), time_ns));
     } else if (time_ns == interval.end_ns && filter_->time_ns() < time_ns) {
@@ -172,22 +166,22 @@ void NavigationFilter::run(ImuInterval interval) {
   if (filter_->time_ns() < interval.end_ns) filter_->advance(interval);
 }
 
-void NavigationFilter::take_in(KeptFix& kept) {
-  const FixResult result = filter_->update(kept.fix);
-  if (!kept.reported) results_.push_back(result);
+void NavigationFilter::take_in(Kept& kept) {
+  UpdateResult result = filter_->update(measurements_of(kept.observation, filter_->situation(), parameters_));
+  if (!kept.reported) results_.push_back(std::move(result));
   kept.reported = true;
 }
 
-void NavigationFilter::add(const GnssFix& fix) {
-  if (!usable(fix)) {
+void NavigationFilter::add(const Observation& observation) {
+  if (!usable(observation)) {
     ++counts_.fixes_not_used;
     return;
   }
   if (!filter_) {
-    initializer_.add(fix);
+    if (const auto* fix = std::get_if<GnssFix>(&observation)) initializer_.add(*fix);
     return;
   }
-  const std::int64_t time_ns = fix.header.sim_time_ns;
+  const std::int64_t time_ns = valid_at_ns(observation);
   if (time::to_seconds(time_ns - filter_->time_ns()) > kMaxAhead_s) {
     ++counts_.fixes_too_early;
     return;
@@ -196,9 +190,9 @@ void NavigationFilter::add(const GnssFix& fix) {
     ++counts_.fixes_too_old;
     return;
   }
-  const auto after = std::find_if(fixes_.begin(), fixes_.end(),
-                                  [&](const KeptFix& kept) { return kept.fix.header.sim_time_ns > time_ns; });
-  const auto kept = fixes_.insert(after, {fix, false});
+  const auto after = std::find_if(observations_.begin(), observations_.end(),
+                                  [&](const Kept& kept) { return kept.valid_at_ns > time_ns; });
+  const auto kept = observations_.insert(after, {observation, time_ns, false});
   try {
     if (time_ns == filter_->time_ns()) {
       take_in(*kept);
@@ -210,9 +204,9 @@ void NavigationFilter::add(const GnssFix& fix) {
   }
 }
 
-/// Back to the newest kept state before the fix, and forward again with all fixes.
-void NavigationFilter::repeat_from(std::int64_t fix_time_ns) {
-  while (past_.back().time_ns() >= fix_time_ns) past_.pop_back();
+/// Back to the newest kept state before the observation, and forward again with all of them.
+void NavigationFilter::repeat_from(std::int64_t valid_at_ns) {
+  while (past_.back().time_ns() >= valid_at_ns) past_.pop_back();
   filter_ = past_.back();
   for (const ImuInterval& interval : intervals_) {
     if (interval.end_ns <= filter_->time_ns()) continue;
@@ -232,11 +226,11 @@ void NavigationFilter::forget_old() {
     past_.pop_front();
   const std::int64_t oldest_ns = past_.empty() ? now_ns : past_.front().time_ns();
   while (!intervals_.empty() && intervals_.front().end_ns <= oldest_ns) intervals_.pop_front();
-  while (!fixes_.empty() && fixes_.front().fix.header.sim_time_ns <= oldest_ns) fixes_.pop_front();
+  while (!observations_.empty() && observations_.front().valid_at_ns <= oldest_ns) observations_.pop_front();
 }
 
-std::vector<FixResult> NavigationFilter::take_fix_results() {
-  std::vector<FixResult> results;
+std::vector<UpdateResult> NavigationFilter::take_results() {
+  std::vector<UpdateResult> results;
   results.swap(results_);
   return results;
 }
@@ -253,7 +247,7 @@ NavSolution NavigationFilter::solution(const ImuSample& sample) const {
     return solution;
   }
   const nav::NavState state = filter_->state();
-  const Vector21 sigmas = filter_->covariance().matrix().diagonal().cwiseMax(0.0).cwiseSqrt();
+  const StateVector sigmas = filter_->covariance().matrix().diagonal().cwiseMax(0.0).cwiseSqrt();
   const bool coasts = time::to_seconds(filter_->time_ns() - filter_->last_accepted_ns()) > parameters_.coasting_after_s;
   solution.mode = coasts ? NavMode::Coasting : NavMode::Navigating;
   solution.latitude_rad = state.position.latitude_rad;

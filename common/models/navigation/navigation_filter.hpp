@@ -8,23 +8,26 @@
 #include "inslab/data/samples/nav_solution.hpp"
 #include "inslab/models/navigation/inertial_filter.hpp"
 #include "inslab/models/navigation/initializer.hpp"
+#include "inslab/models/navigation/measurements.hpp"
 #include "inslab/models/navigation/rest_detector.hpp"
 
 namespace inslab::reference_nav {
 
-/// The navigation app as a pure model: IMU samples and fixes in, a solution for every IMU sample out.
+/// The navigation app as a pure model: IMU samples and observations of any kind in measurements.hpp, such as fixes, in,
+/// a solution for every IMU sample out.
 ///
-/// Samples come in the order in which an app gets them. A fix that is valid in the past is taken in at its own time:
-/// the filter goes back to a kept state before it and repeats what followed, so the answer is, to the bit, that of a
-/// fix without latency. A fix between two IMU samples splits the interval, its increments in proportion. A fix valid in
-/// the future waits. Sim time is read from the headers; nothing else of them is used.
+/// Samples come in the order in which an app gets them. An observation that is valid in the past is taken in at its own
+/// time: the filter goes back to a kept state before it and repeats what followed, IMU intervals and observations, so
+/// the answer is, to the bit, that of one without latency. One between two IMU samples splits the interval, its
+/// increments in proportion. One valid in the future waits. Sim time is read from the headers; nothing else of them is
+/// used.
 ///
 /// IMU samples that are not valid (flag, or a number that is none) are bridged with the last valid rate or force and a
 /// covariance to match, missing ones likewise up to coasting.max_gap_s; after a longer gap, or when the solution leaves
 /// the valid domain, the filter begins anew with the next fix.
 class NavigationFilter {
  public:
-  /// How much was not used, and why.
+  /// How much was not used, and why; a fix here is an observation of any kind.
   struct Counts {
     std::uint64_t imu_out_of_order = 0;  ///< not after the one before, or without an interval
     std::uint64_t imu_not_valid = 0;     ///< held over, in whole or in part
@@ -45,10 +48,11 @@ class NavigationFilter {
   /// the mode is initializing or aligning and the rest is 0.
   std::optional<NavSolution> add(const ImuSample& sample);
 
-  void add(const GnssFix& fix);
+  /// A fix, or any other sample that measurements are made of. Before the filter has begun, fixes alone are used.
+  void add(const Observation& observation);
 
-  /// What became of the fixes since the last call, in the order in which they were taken in, each once.
-  std::vector<FixResult> take_fix_results();
+  /// What became of the observations since the last call, in the order in which they were taken in, each once.
+  std::vector<UpdateResult> take_results();
 
   const Counts& counts() const { return counts_; }
   const std::string& alignment_refusal() const { return initializer_.refusal(); }
@@ -58,8 +62,9 @@ class NavigationFilter {
   const InertialFilter* filter() const { return filter_ ? &*filter_ : nullptr; }
 
  private:
-  struct KeptFix {
-    GnssFix fix;
+  struct Kept {
+    Observation observation;
+    std::int64_t valid_at_ns = 0;
     bool reported = false;
   };
 
@@ -67,8 +72,8 @@ class NavigationFilter {
   void bridge(std::int64_t to_ns);
   void go_on(const ImuInterval& interval);
   void run(ImuInterval interval);
-  void take_in(KeptFix& kept);
-  void repeat_from(std::int64_t fix_time_ns);
+  void take_in(Kept& kept);
+  void repeat_from(std::int64_t valid_at_ns);
   void keep_state();
   void forget_old();
   void begin(const Beginning& beginning, const std::optional<nav::ImuIncrements>& before);
@@ -80,10 +85,10 @@ class NavigationFilter {
   Initializer initializer_;
   RestDetector rest_;
   std::optional<InertialFilter> filter_;
-  std::deque<InertialFilter> past_;    ///< in order of time, each with every fix up to its own time
+  std::deque<InertialFilter> past_;    ///< in order of time, each with every observation up to its own time
   std::deque<ImuInterval> intervals_;  ///< since the oldest of `past_`
-  std::deque<KeptFix> fixes_;          ///< in order of time: since the oldest of `past_`, and those that wait
-  std::vector<FixResult> results_;
+  std::deque<Kept> observations_;      ///< in order of time: since the oldest of `past_`, and those that wait
+  std::vector<UpdateResult> results_;
   Counts counts_;
   Vector3 last_rate_b_ = Vector3::Zero();   ///< as measured, rad/s
   Vector3 last_force_b_ = Vector3::Zero();  ///< as measured, m/s^2

@@ -9,9 +9,9 @@
 
 namespace inslab::reference_nav {
 
-/// The filter fed in the order in which a flight computer would have its inputs: of a fix and an IMU sample, the one
-/// that is available first comes first, whatever the order in which they are handed over here. So a run gives the same
-/// solutions in lockstep, offline and from its log.
+/// The filter fed in the order in which a flight computer would have its inputs: of an observation
+/// (measurements.hpp; a fix, for one) and an IMU sample, the one that is available first comes first, whatever the
+/// order in which they are handed over here. So a run gives the same solutions in lockstep, offline and from its log.
 ///
 /// Who cannot know whether an earlier fix is still on its way leaves fixes_complete_up_to() at its default: each sample
 /// then goes in at once, with the fixes that have come.
@@ -26,9 +26,9 @@ class Navigator {
 
   /// The samples of one IMU, in their order.
   void add(const ImuSample& sample) { samples_.push_back(sample); }
-  void add(const GnssFix& fix) { fixes_.emplace(fix.available_sim_time_ns, fix); }
+  void add(const Observation& observation) { observations_.emplace(available_at_ns(observation), observation); }
 
-  /// Every fix that is available at or before this sim time has been added.
+  /// Every fix, and whatever else is observed, that is available at or before this sim time has been added.
   void fixes_complete_up_to(std::int64_t sim_time_ns) { complete_up_to_ns_ = sim_time_ns; }
 
   /// Takes in the next IMU sample whose turn has come, and says its sequence number and the solution, which there is
@@ -45,7 +45,8 @@ class Navigator {
  private:
   NavigationFilter filter_;
   std::deque<ImuSample> samples_;
-  std::multimap<std::int64_t, GnssFix> fixes_;  ///< by the time they are available; of one time in their order
+  std::multimap<std::int64_t, Observation>
+      observations_;  ///< by the time they are available; of one time in their order
   std::int64_t complete_up_to_ns_ = kEver;
 };
 

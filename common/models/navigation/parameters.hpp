@@ -70,6 +70,23 @@ struct InitialState {
   static void fields(Self& self, Visitor& visit);
 };
 
+/// Which sensor errors the filter estimates beside position, velocity and attitude: what is left out has no place in
+/// its state, and is taken for 0.
+struct EstimatedErrors {
+  bool gyro_bias = true;
+  bool accel_bias = true;
+  bool gyro_scale_factor = true;
+  bool accel_scale_factor = true;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("gyro_bias", "three states"), self.gyro_bias);
+    visit(Field("accel_bias", "three states"), self.accel_bias);
+    visit(Field("gyro_scale_factor", "three states"), self.gyro_scale_factor);
+    visit(Field("accel_scale_factor", "three states"), self.accel_scale_factor);
+  }
+};
+
 /// When the IMU is taken to be at rest, and what is made of it.
 struct ZeroVelocity {
   bool use = true;
@@ -143,6 +160,7 @@ struct NavigationParameters {
   std::string source;
   GyroModel gyro;
   AccelModel accel;
+  EstimatedErrors states;
   Vector3 lever_arm_b_m = Vector3::Zero();
   InitialState initial;
   InnovationTest innovation_test;
@@ -158,6 +176,7 @@ struct NavigationParameters {
     visit(Field("source", "where the figures come from").at_most(512), self.source);
     visit(Field("gyro", "gyro triad"), self.gyro);
     visit(Field("accel", "accelerometer triad"), self.accel);
+    visit(Field("states", "sensor errors that are estimated; position, velocity and attitude always are"), self.states);
     visit(Field("lever_arm_b_m", "from the IMU's centre to the antenna, in the IMU's axes").in(-1000.0, 1000.0),
           self.lever_arm_b_m);
     visit(Field("initial", "how the filter begins"), self.initial);

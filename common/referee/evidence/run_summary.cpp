@@ -1,6 +1,7 @@
 #include "inslab/referee/evidence/run_summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <set>
 
@@ -142,6 +143,7 @@ void print_swap(std::size_t number, const SwapEvidence& swap, bool of_the_scenar
   verdict.require(!ack.requested_in_the_past || !of_the_scenario,
                   fmt::format("{}: late: asked for {:.3f} s, in effect from {:.3f} s", what,
                               seconds_of(ack.requested_time_ns), seconds_of(ack.apply_time_ns)));
+  if (!swap.left_out.empty()) tell("  not weighed: {}\n", fmt::join(swap.left_out, ", "));
   verdict.require(swap.first_sample_holds, what + ": the acknowledged sample is not the first with that revision");
   if (swap.lines.empty()) {
     tell("  nothing measured: {}\n", swap.why_nothing);

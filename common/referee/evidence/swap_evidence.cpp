@@ -9,6 +9,7 @@
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/referee/evidence/imu_promise.hpp"
+#include "inslab/referee/evidence/profile_uses.hpp"
 #include "inslab/referee/evidence/swap_window.hpp"
 
 namespace inslab::cli {
@@ -341,6 +342,7 @@ std::vector<SwapEvidence> weigh_swaps(const io::McapReader& log, const LogSummar
     SwapEvidence weighed;
     weighed.ack = swap.ack;
     weighed.profile_name = name_of(*swap.profile);
+    weighed.left_out = evidence::names_left_out(*swap.profile);
     weighed.first_sample_holds = swap.first_sequence_seen == swap.ack.first_sequence;
     const Weigher weigher(summary, swap);
     weighed.why_nothing = weigher.why_nothing();

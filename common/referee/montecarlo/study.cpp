@@ -44,6 +44,7 @@ Json description_of(const Study& study, const std::string& version) {
     description["swaps"].push_back(std::visit([](const auto& profile) { return config::to_json(profile); }, swap));
   }
   description["filter"] = config::to_json(study.app.parameters);
+  description["filter_left_out"] = study.app.left_out;
   description["draw_start"] = study.draw_start;
   return description;
 }

@@ -5,6 +5,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/imu/temperature.hpp"
 #include "inslab/nav/attitude.hpp"
+#include "inslab/referee/predict/profile_uses.hpp"
 
 namespace inslab::predict {
 namespace {
@@ -30,11 +31,19 @@ SolutionErrors errors_of(const GnssErrorProfile& profile, const GnssFix& fix) {
   return reported;
 }
 
-bool shakes_the_output(const AnyProfile& profile) {
-  const auto* vibration = std::get_if<VibrationProfile>(&profile);
-  return vibration != nullptr && vibration->domain == VibrationDomain::Sensor &&
-         !(vibration->linear.empty() && vibration->angular.empty() && vibration->linear_random.empty() &&
-           vibration->angular_random.empty());
+std::vector<std::string> names_left_out(const AnyProfile& profile) {
+  struct Visitor {
+    using Names = std::vector<std::string>;
+    Names operator()(const ImuErrorProfile& p) const { return terms_left_out(p); }
+    Names operator()(const GnssErrorProfile& p) const { return profiles::names_left_out(kGnssErrorUses, p); }
+    Names operator()(const InstallationProfile& p) const { return profiles::names_left_out(kInstallationUses, p); }
+    Names operator()(const FaultProfile& p) const { return profiles::names_left_out(kFaultUses, p); }
+    Names operator()(const VibrationProfile& p) const {
+      if (p.domain == VibrationDomain::Motion) return {};
+      return profiles::names_left_out(kSensorVibrationUses, p);
+    }
+  };
+  return std::visit(Visitor(), profile);
 }
 
 bool is_disturbed(const nav::Gravity& gravity) {
@@ -107,11 +116,7 @@ std::vector<std::string> ExpectedErrors::left_out() const {
   for (const AnyProfile& profile : profiles_) {
     const bool of_imu = target_of(profile) == imu_;
     if (!of_imu && !(gnss_ && target_of(profile) == *gnss_)) continue;
-    if (const auto* errors = std::get_if<ImuErrorProfile>(&profile)) {
-      for (const std::string& name : terms_left_out(*errors)) add(name);
-    }
-    if (std::holds_alternative<FaultProfile>(profile)) add("faults");
-    if (shakes_the_output(profile)) add("vibration of the output");
+    for (const std::string& name : names_left_out(profile)) add(name);
   }
   return names;
 }

@@ -2,6 +2,7 @@
 
 #include "inslab/models/imu/triad_parameters.hpp"
 #include "inslab/noise/random/flicker.hpp"
+#include "inslab/referee/predict/profile_uses.hpp"
 
 namespace inslab::predict {
 namespace {
@@ -114,18 +115,7 @@ Vector3 effect(const SensorTerm& term, const SensedMotion& motion) {
 }
 
 std::vector<std::string> terms_left_out(const ImuErrorProfile& profile) {
-  std::vector<std::string> names;
-  const auto add = [&names](bool is_there, const char* name) {
-    if (is_there) names.emplace_back(name);
-  };
-  const GyroErrors& gyro = profile.gyro;
-  const AccelErrors& accel = profile.accel;
-  add(!gyro.bandwidth_hz.isZero(0.0) || !accel.bandwidth_hz.isZero(0.0), "bandwidth");
-  add(!gyro.full_scale_deg_per_s.isZero(0.0) || !accel.full_scale_g.isZero(0.0), "full scale");
-  add(!gyro.quantization_arcsec.isZero(0.0) || !accel.quantization_m_per_s.isZero(0.0), "quantization");
-  add(profile.latency_s > 0.0, "latency");
-  add(profile.drop_probability > 0.0, "dropped samples");
-  return names;
+  return profiles::names_left_out(kImuErrorUses, profile);
 }
 
 }  // namespace inslab::predict

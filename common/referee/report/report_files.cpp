@@ -148,6 +148,16 @@ Json worst_json(const LogScore& score, const LogSummary& summary) {
           {"words", worst_words(score, summary)}};
 }
 
+/// What no figure of a swap's evidence weighs, by its profile's name.
+Json not_weighed_json(const std::vector<SwapEvidence>& swaps) {
+  Json all = Json::array();
+  for (const SwapEvidence& swap : swaps) {
+    all.push_back(
+        {{"profile", swap.profile_name}, {"kind", std::string(enum_name(swap.ack.kind))}, {"left_out", swap.left_out}});
+  }
+  return all;
+}
+
 Json intervals_json(const LogSummary& summary) {
   const SwapIntervals intervals(summary);
   Json names = Json::array();
@@ -219,6 +229,7 @@ Json report_json(const ReportData& data) {
   report["verdict"] = verdict_words(data.score, data.summary);
   report["worst"] = worst_json(data.score, data.summary);
   report["swap_intervals"] = intervals_json(data.summary);
+  report["swaps_not_weighed"] = not_weighed_json(data.swaps);
   report["expected"] = expectation_json(data);
   return report;
 }

@@ -205,9 +205,10 @@ PageTable swaps_table(const std::vector<SwapEvidence>& swaps) {
   std::size_t number = 0;
   for (const SwapEvidence& swap : swaps) {
     const std::string name =
-        fmt::format("{}: {} '{}' for {} from {:.3f} s on{}", ++number, enum_name(swap.ack.kind), swap.profile_name,
+        fmt::format("{}: {} '{}' for {} from {:.3f} s on{}{}", ++number, enum_name(swap.ack.kind), swap.profile_name,
                     sensor_name(swap.ack.target), time::to_seconds(swap.ack.apply_time_ns),
-                    swap.first_sample_holds ? "" : "; its first sample is not the acknowledged one");
+                    swap.first_sample_holds ? "" : "; its first sample is not the acknowledged one",
+                    swap.left_out.empty() ? "" : fmt::format("; not weighed: {}", fmt::join(swap.left_out, ", ")));
     const Cell first{name, swap.first_sample_holds ? Tone::Plain : Tone::Bad};
     if (swap.lines.empty()) table.rows.push_back({first, "nothing measured: " + swap.why_nothing, "", "", "", "", ""});
     for (const EvidenceLine& line : swap.lines) {

@@ -7,6 +7,7 @@
 #include "inslab/data/samples/nav_state.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"
+#include "inslab/models/navigation/processes.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/noise/random/stream.hpp"
 #include "inslab/referee/verify/catalogue.hpp"
@@ -65,10 +66,13 @@ class Scored {
     if (!begun_) return;
     if (!setup_.gnss_velocity) fix.velocity_sigma_ned_m_per_s.setZero();
     filter_.add(fix);
-    for (const ref::FixResult& result : filter_.take_fix_results()) {
-      run_.innovations.push_back(result.position_nis);
-      if (setup_.gnss_velocity) run_.innovations.push_back(result.velocity_nis);
-      if (!result.position_accepted || (setup_.gnss_velocity && !result.velocity_accepted)) ++run_.rejected;
+    for (const ref::UpdateResult& result : filter_.take_results()) {
+      bool rejected = false;
+      for (const ref::MeasurementResult& m : result.measurements) {
+        run_.innovations.push_back(m.nis);
+        rejected = rejected || !m.accepted;
+      }
+      if (rejected) ++run_.rejected;
     }
   }
   NavigationRun result() const {

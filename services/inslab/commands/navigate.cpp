@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -43,7 +44,11 @@ reference_nav::AppSetup setup_of(const NavigateOptions& options) {
     app.gnss = options.gnss_number;
     setup = reference_nav::setup_for(loaded, app);
   }
-  if (!options.parameters.empty()) setup.parameters = reference_nav::read_parameters(options.parameters);
+  if (!options.parameters.empty()) {
+    setup.parameters = reference_nav::read_parameters(options.parameters);
+    setup.left_out.clear();
+  }
+  if (!setup.left_out.empty()) tell("left out of the filter's parameters: {}\n", fmt::join(setup.left_out, ", "));
   return setup;
 }
 

@@ -4,6 +4,7 @@
 
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/navigation/inertial_filter.hpp"
+#include "inslab/models/navigation/measurements.hpp"
 #include "inslab/nav/attitude.hpp"
 
 /// The filter at rest, one thing uncertain at a time, against what a Kalman filter of two states or least squares give
@@ -15,6 +16,10 @@ constexpr double kDt_s = 0.01;
 constexpr std::int64_t kDt_ns = 10'000'000;
 constexpr double kLatitude_rad = 0.5;
 const nav::Gravity kGravity;
+
+// Of the default layout, which has all blocks.
+constexpr Eigen::Index kStates = 21, kGyroBias = 9, kAccelBias = 12, kAccelScale = 18;
+using Vector21 = Eigen::Matrix<double, kStates, 1>;
 
 /// Sensors without any error or noise, and an antenna at the IMU.
 NavigationParameters perfect() {
@@ -33,7 +38,7 @@ NavigationParameters perfect() {
 class AtRest {
  public:
   AtRest(const NavigationParameters& parameters, const Vector21& sigmas)
-      : filter_(parameters, kGravity, state(), sigmas, 0, std::nullopt) {}
+      : parameters_(parameters), filter_(parameters, kGravity, state(), sigmas, 0, std::nullopt) {}
 
   /// Goes on by whole samples; `at_rest`: the last one ends a window of rest.
   void advance(double seconds, bool at_rest = false, const Vector3& accel_bias_b = Vector3::Zero()) {
@@ -56,9 +61,9 @@ class AtRest {
     fix.height_m = state().position.height_m;
     fix.position_sigma_ned_m.setConstant(position_sigma_m);
     fix.velocity_sigma_ned_m_per_s.setConstant(velocity_sigma_m_per_s);
-    filter_.update(fix);
+    filter_.update(measurements_of(fix, filter_.situation(), parameters_));
   }
-  const Matrix21& settled() {
+  const StateMatrix& settled() {
     filter_.settle();
     return filter_.covariance().matrix();
   }
@@ -66,6 +71,7 @@ class AtRest {
 
  private:
   static nav::NavState state() { return {{kLatitude_rad, 1.0, 0.0}, Vector3::Zero(), nav::Quaternion::Identity()}; }
+  NavigationParameters parameters_;
   InertialFilter filter_;
 };
 
@@ -140,7 +146,7 @@ TEST(ClosedForms, AConstantAccelerometerBiasIsFoundAsByLeastSquares) {
   const double prior = 1e6;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     expect_relative(imu.settled()(kAccelBias + axis, kAccelBias + axis), 1.0 / (prior + information), 5e-4);
-    EXPECT_NEAR(imu.filter().sensor_errors().accel_bias[axis], bias[axis] * information / (prior + information),
+    EXPECT_NEAR(imu.filter().estimates()[Block::AccelBias][axis], bias[axis] * information / (prior + information),
                 5e-4 * 2e-3);
   }
 }
@@ -208,7 +214,7 @@ std::vector<Vector21> sigmas_with_steps_of(double covariance_interval_s) {
     fix.longitude_rad = antenna.longitude_rad;
     fix.height_m = antenna.height_m;
     fix.position_sigma_ned_m.setConstant(0.02);
-    filter.update(fix);
+    filter.update(measurements_of(fix, filter.situation(), p));
   }
   return found;
 }

@@ -6,6 +6,7 @@
 
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/navigation/initializer.hpp"
+#include "inslab/models/navigation/measurements.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/wgs84.hpp"
 
@@ -15,6 +16,15 @@ namespace inertial_filter_test {
 constexpr double kDt_s = 0.0025;
 constexpr std::int64_t kDt_ns = 2'500'000;
 const nav::Gravity kGravity;
+
+// Of the default layout, which has all blocks.
+constexpr Eigen::Index kStates = 21, kGyroBias = 9, kAccelBias = 12, kGyroScale = 15, kAccelScale = 18;
+using Vector21 = Eigen::Matrix<double, kStates, 1>;
+using Matrix21 = Eigen::Matrix<double, kStates, kStates>;
+
+UpdateResult take_in(InertialFilter& filter, const GnssFix& fix, const NavigationParameters& p) {
+  return filter.update(measurements_of(fix, filter.situation(), p));
+}
 
 nav::NavState start_state() {
   return {{0.53, 2.0, 50.0}, {15.0, -9.0, 0.5}, nav::quaternion_from_rotation_vector({0.1, -0.2, 0.7})};
@@ -107,8 +117,8 @@ Matrix21 filter_transition(int steps) {
     filter.settle();
     Matrix21 Phi = Matrix21::Zero();
     Phi.topLeftCorner<9, 9>() = t.nav_by_nav;
-    Phi.topRightCorner<9, 12>() = t.nav_by_sensor;
-    Phi.bottomRightCorner<12, 12>() = t.sensor_decay.asDiagonal();
+    Phi.topRightCorner<9, 12>() = t.nav_by_chosen;
+    Phi.bottomRightCorner<12, 12>() = t.decay.asDiagonal();
     product = (Phi * product).eval();
   }
   return product;
@@ -159,8 +169,9 @@ TEST(InertialFilter, FixesOfAnAntennaOnALeverArmLeaveATrueStateAsItIs) {
   filter.advance(raw_interval(0));
   const nav::NavState before = filter.state();
   const Vector3 omega = raw_interval(0).increments.dtheta_b / kDt_s;
-  const FixResult result = filter.update(fix_of(before, omega, p.lever_arm_b_m));
-  EXPECT_TRUE(result.position_accepted && result.velocity_accepted);
+  const UpdateResult result = take_in(filter, fix_of(before, omega, p.lever_arm_b_m), p);
+  ASSERT_EQ(result.measurements.size(), 2U);
+  EXPECT_TRUE(result.of("gnss_position")->accepted && result.of("gnss_velocity")->accepted);
   EXPECT_LT(nav::ned_from(before.position, filter.state().position).norm(), 1e-7);
   EXPECT_LT((filter.state().v_n - before.v_n).norm(), 1e-9);
   EXPECT_LT(nav::angle_between(filter.state().q_nb, before.q_nb), 1e-9);
@@ -192,12 +203,13 @@ TEST(InertialFilter, AFixTakesAwayEachErrorThatItSees) {
     GnssFix fix = fix_of(truth, true_omega, p.lever_arm_b_m);
     fix.position_sigma_ned_m.setConstant(1e-4);
     fix.velocity_sigma_ned_m_per_s.setConstant(1e-5);
-    filter.update(fix);
+    take_in(filter, fix, p);
     if (state < 9) {
       EXPECT_LT(std::abs(difference(filter.state(), truth)[state]), 2e-3 * sizes[state]) << state;
     } else {
-      const SensorErrors& e = filter.sensor_errors();
-      const double estimate = state >= kGyroScale ? e.gyro_scale[state - kGyroScale] : e.gyro_bias[state - kGyroBias];
+      const Estimates& e = filter.estimates();
+      const double estimate =
+          state >= kGyroScale ? e[Block::GyroScale][state - kGyroScale] : e[Block::GyroBias][state - kGyroBias];
       EXPECT_NEAR(estimate, -sizes[state], 2e-2 * sizes[state]) << state;
     }
   }

@@ -84,6 +84,8 @@ NavigationFilter begun(const Circling& truth, const NavigationParameters& p = {}
   return filter;
 }
 
+NavSolution run(NavigationFilter& filter, Circling& truth, double seconds, double shift_m);
+
 bool is_fix_time(const Circling& truth) { return truth.time_ns() % 200'000'000 == 0; }
 
 TEST(NavigationFilter, FollowsAVehicleWithAnAntennaOnALeverArm) {
@@ -159,7 +161,69 @@ TEST(NavigationFilter, FixesThatOvertakeEachOtherGiveTheSameBitsAsFixesInTime) {
   EXPECT_EQ(a->position_sigma_ned_m, b->position_sigma_ned_m);
   EXPECT_EQ(a->attitude_sigma_rad, b->attitude_sigma_rad);
   EXPECT_EQ(shuffled.counts().fixes_too_old, 0U);
-  EXPECT_EQ(shuffled.take_fix_results().size(), 50U);
+  EXPECT_EQ(shuffled.take_results().size(), 50U);
+}
+
+// An odometer that says late that the wheels stand still, and fixes that are late otherwise, some between two samples.
+TEST(NavigationFilter, ObservationsOfAllKindsThatComeLateGiveTheSameBitsAsInTime) {
+  NavigationParameters p;
+  p.zero_velocity.use = false;
+  Circling truth(0.0, 0.0);
+  NavigationFilter in_time = begun(truth, p), late = begun(truth, p), without = begun(truth, p);
+  std::multimap<std::int64_t, Observation> on_their_way;
+  std::optional<NavSolution> a, b, c;
+  for (int k = 0; k < 2400; ++k) {
+    ImuSample sample = truth.next();
+    sample.dv_b += kDt_s * Vector3(2e-3, 0.0, 0.0);
+    a = in_time.add(sample);
+    b = late.add(sample);
+    c = without.add(sample);
+    if (truth.time_ns() > 10'000'000'000) {
+      // Whatever is still on its way comes.
+    } else if (k % 30 == 7) {
+      Standstill standstill;
+      standstill.header.sim_time_ns = truth.time_ns() - (k % 2) * 1'700'000;
+      in_time.add(standstill);
+      on_their_way.emplace(truth.time_ns() + 310'000'000, standstill);
+    } else if (k % 200 == 50) {
+      in_time.add(truth.fix());
+      without.add(truth.fix());
+      on_their_way.emplace(truth.time_ns() + 120'000'000, truth.fix());
+    }
+    while (!on_their_way.empty() && on_their_way.begin()->first <= truth.time_ns()) {
+      late.add(on_their_way.begin()->second);
+      on_their_way.erase(on_their_way.begin());
+    }
+  }
+  EXPECT_EQ(a->latitude_rad, b->latitude_rad);
+  EXPECT_EQ(a->height_m, b->height_m);
+  EXPECT_EQ(a->v_n, b->v_n);
+  EXPECT_EQ(a->q_n_body.coeffs(), b->q_n_body.coeffs());
+  EXPECT_EQ(a->velocity_sigma_ned_m_per_s, b->velocity_sigma_ned_m_per_s);
+  EXPECT_EQ(a->attitude_sigma_rad, b->attitude_sigma_rad);
+  EXPECT_LT(b->velocity_sigma_ned_m_per_s.x(), 0.9 * c->velocity_sigma_ned_m_per_s.x()) << "they say something";
+  std::map<std::string_view, int> accepted;
+  for (const UpdateResult& result : late.take_results()) {
+    for (const MeasurementResult& m : result.measurements) accepted[m.name] += m.accepted ? 1 : 0;
+  }
+  EXPECT_EQ(accepted["zero_velocity"], 67);
+  EXPECT_EQ(accepted["gnss_position"], 10);
+  EXPECT_EQ(accepted["gnss_velocity"], 10);
+}
+
+TEST(NavigationFilter, AStandstillThatItsOwnVelocityContradictsIsRefused) {
+  Circling truth;
+  NavigationFilter filter = begun(truth);
+  const NavSolution before = run(filter, truth, 2.0, 0.0);
+  filter.take_results();
+  Standstill wrong;
+  wrong.header.sim_time_ns = truth.time_ns() - 50'000'000;
+  filter.add(wrong);
+  const std::vector<UpdateResult> results = filter.take_results();
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_FALSE(results.front().of("zero_velocity")->accepted);
+  EXPECT_EQ(results.front().of("gnss_position"), nullptr);
+  EXPECT_NEAR(filter.add(truth.next())->v_n.norm(), before.v_n.norm(), 0.01);
 }
 
 TEST(NavigationFilter, AFixBetweenTwoSamplesIsTakenInAtItsOwnTime) {
@@ -175,10 +239,10 @@ TEST(NavigationFilter, AFixBetweenTwoSamplesIsTakenInAtItsOwnTime) {
   filter.add(fix);
   const auto solution = filter.add(truth.next());
   EXPECT_LT(error_m(*solution, truth), 1e-6);
-  const std::vector<FixResult> results = filter.take_fix_results();
+  const std::vector<UpdateResult> results = filter.take_results();
   ASSERT_EQ(results.size(), 1U);
   EXPECT_EQ(results.front().time_ns, kDt_ns + kDt_ns / 2);
-  EXPECT_LT(results.front().position_nis, 1e-8);
+  EXPECT_LT(results.front().of("gnss_position")->nis, 1e-8);
 }
 
 TEST(NavigationFilter, FixesBeyondTheLatencyKeptAreCountedAndDropped) {
@@ -191,7 +255,7 @@ TEST(NavigationFilter, FixesBeyondTheLatencyKeptAreCountedAndDropped) {
   old.header.sim_time_ns -= 300'000'000;
   filter.add(old);
   EXPECT_EQ(filter.counts().fixes_too_old, 1U);
-  EXPECT_TRUE(filter.take_fix_results().empty());
+  EXPECT_TRUE(filter.take_results().empty());
 }
 
 /// Runs for `seconds` with fixes at 5 Hz, each shifted by `shift_m` to the north.
@@ -214,9 +278,9 @@ TEST(NavigationFilter, RefusesASpoofedPositionAndGoesOn) {
   Circling truth;
   NavigationFilter filter = begun(truth);
   run(filter, truth, 20.0, 0.0);
-  filter.take_fix_results();
+  filter.take_results();
   const NavSolution solution = run(filter, truth, 2.0, 50.0);
-  for (const FixResult& result : filter.take_fix_results()) EXPECT_FALSE(result.position_accepted);
+  for (const UpdateResult& result : filter.take_results()) EXPECT_FALSE(result.of("gnss_position")->accepted);
   EXPECT_LT(error_m(solution, truth), 0.05);
 }
 
@@ -224,10 +288,10 @@ TEST(NavigationFilter, BelievesTheReceiverAfterManyRefusalsInARow) {
   Circling truth;
   NavigationFilter filter = begun(truth);
   run(filter, truth, 20.0, 0.0);
-  filter.take_fix_results();
+  filter.take_results();
   const NavSolution solution = run(filter, truth, 10.0, 50.0);
   std::size_t recovered = 0, refused_before = 0;
-  for (const FixResult& result : filter.take_fix_results()) {
+  for (const UpdateResult& result : filter.take_results()) {
     recovered += result.recovered ? 1 : 0;
     refused_before += recovered == 0 ? 1 : 0;
   }
@@ -299,7 +363,7 @@ TEST(NavigationFilter, FixesWithoutASolutionOrANumberAreCountedAndChangeNothing)
   sure.position_sigma_ned_m.setZero();
   for (const GnssFix& fix : {none, not_finite, sure}) filter.add(fix);
   EXPECT_EQ(filter.counts().fixes_not_used, 3U);
-  EXPECT_TRUE(filter.take_fix_results().empty());
+  EXPECT_TRUE(filter.take_results().empty());
 }
 
 TEST(NavigationFilter, AlignsAtRestAndThenNavigates) {

@@ -40,7 +40,7 @@ Navigator begun() {
 /// Steps until no sample's turn has come; the fixes that were taken in meanwhile.
 std::size_t fixes_taken_in(Navigator& navigator) {
   while (navigator.step()) continue;
-  return navigator.filter().take_fix_results().size();
+  return navigator.filter().take_results().size();
 }
 
 TEST(Navigator, AnswersEachSampleAtOnceWhenNobodySaysWhichFixesAreComplete) {
@@ -98,7 +98,7 @@ TEST(Navigator, GivesTheSameSolutionsInWhateverOrderTheInputsAreHandedOver) {
     ASSERT_EQ(a->solution->height_m, b->solution->height_m) << k;
     ASSERT_EQ(a->solution->position_sigma_ned_m, b->solution->position_sigma_ned_m) << k;
   }
-  EXPECT_EQ(fixes_first.filter().take_fix_results().size(), 5u);
+  EXPECT_EQ(fixes_first.filter().take_results().size(), 5u);
 }
 
 }  // namespace navigator_test

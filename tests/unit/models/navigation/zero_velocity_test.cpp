@@ -82,7 +82,7 @@ Worst worst_of(const NavigationParameters& p, CastingOff truth, double seconds, 
     if (truth.time_s() < last_fix_s) filter.add(truth.fix());
     InertialFilter now = *filter.filter();
     now.settle();
-    const Matrix21& P = now.covariance().matrix();
+    const StateMatrix& P = now.covariance().matrix();
     const Vector3 dr = nav::ned_from(truth.state().position, now.state().position);
     const Vector3 dv = now.state().v_n - truth.state().v_n;
     const Matrix3 P_r = P.block<3, 3>(kPosition, kPosition), P_v = P.block<3, 3>(kVelocity, kVelocity);

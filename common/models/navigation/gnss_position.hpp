@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "inslab/data/samples/gnss_fix.hpp"
+#include "inslab/models/navigation/measurement.hpp"
+#include "inslab/nav/attitude.hpp"
+
+namespace inslab::reference_nav {
+
+/// A fix's position of the antenna, r_n + C_nb l_b.
+struct GnssPosition {
+  using Sample = GnssFix;
+  static constexpr std::string_view name = "gnss_position";
+
+  static bool usable(const GnssFix& fix) {
+    return fix.fix_type != FixType::None && fix.position_sigma_ned_m.allFinite() &&
+           fix.position_sigma_ned_m.minCoeff() > 0.0 &&
+           nav::in_domain({fix.latitude_rad, fix.longitude_rad, fix.height_m});
+  }
+
+  static void add_to(std::vector<Measurement>& measurements, const GnssFix& fix, const Situation& at,
+                     const NavigationParameters& p) {
+    const nav::Vector3 arm_n = at.C_nb * p.lever_arm_b_m;
+    Measurement& m = measurements.emplace_back();
+    m.name = name;
+    m.says = Measurement::Says::Position;
+    m.gate = p.innovation_test.limit;
+    m.innovation =
+        nav::ned_from({fix.latitude_rad, fix.longitude_rad, fix.height_m}, nav::displaced(at.position, arm_n));
+    m.R = fix.position_sigma_ned_m.cwiseAbs2();
+    m.by(Block::Position, nav::Matrix3::Identity());
+    m.by(Block::Attitude, nav::skew(arm_n));
+  }
+};
+
+}  // namespace inslab::reference_nav

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "inslab/models/navigation/parameters.hpp"
+
+namespace inslab::reference_nav {
+
+/// What the filter's state is made of, in its order: blocks of errors, each the estimate less the truth. The first
+/// three are always there; of the others the parameters choose (`states`). A new one is a line here and in kBlocks, a
+/// key of EstimatedErrors, and what it does by itself in processes.cpp.
+enum class Block : std::uint8_t {
+  Position,    ///< m, north east down
+  Velocity,    ///< m/s, n
+  Attitude,    ///< phi, rad, n: the computed C_nb is (I - [phi x]) C_nb
+  GyroBias,    ///< rad/s, b
+  AccelBias,   ///< m/s^2, b
+  GyroScale,   ///< 1, b
+  AccelScale,  ///< 1, b
+};
+
+struct BlockFacts {
+  std::string_view name;
+  Eigen::Index size;  ///< errors
+};
+inline constexpr std::array<BlockFacts, 7> kBlocks{{{"position", 3},
+                                                    {"velocity", 3},
+                                                    {"attitude", 3},
+                                                    {"gyro_bias", 3},
+                                                    {"accel_bias", 3},
+                                                    {"gyro_scale_factor", 3},
+                                                    {"accel_scale_factor", 3}}};
+inline constexpr std::size_t kFirstChosenBlock = 3;
+inline constexpr Eigen::Index kLargestBlock = 3;
+
+inline constexpr Eigen::Index size_of(Block block) { return kBlocks[static_cast<std::size_t>(block)].size; }
+
+namespace detail {
+constexpr Eigen::Index size_of_blocks(std::size_t from, std::size_t to) {
+  Eigen::Index size = 0;
+  for (std::size_t i = from; i < to; ++i) size += kBlocks[i].size;
+  return size;
+}
+}  // namespace detail
+
+/// Of the blocks that are always there, which stand first: at 0, 3 and 6.
+inline constexpr Eigen::Index kNavStates = detail::size_of_blocks(0, kFirstChosenBlock);
+inline constexpr Eigen::Index kPosition = 0, kVelocity = 3, kAttitude = 6;
+/// Of the others, if all are chosen. No state is larger, so none of these allocates.
+inline constexpr Eigen::Index kMaxChosenStates = detail::size_of_blocks(kFirstChosenBlock, kBlocks.size());
+inline constexpr Eigen::Index kMaxStates = kNavStates + kMaxChosenStates;
+
+using StateVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxStates, 1>;
+using StateMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxStates, kMaxStates>;
+
+/// Which blocks there are, and where each begins: those that the parameters leave out take no place.
+class StateLayout {
+ public:
+  explicit StateLayout(const EstimatedErrors& chosen) {
+    const bool is_there[kBlocks.size()] = {
+        true, true, true, chosen.gyro_bias, chosen.accel_bias, chosen.gyro_scale_factor, chosen.accel_scale_factor};
+    for (std::size_t i = 0; i < kBlocks.size(); ++i) {
+      first_[i] = is_there[i] ? size_ : kAbsent;
+      if (is_there[i]) size_ += kBlocks[i].size;
+    }
+  }
+
+  Eigen::Index size() const { return size_; }
+  /// Of the blocks behind position, velocity and attitude.
+  Eigen::Index chosen_size() const { return size_ - kNavStates; }
+  bool has(Block block) const { return first_[static_cast<std::size_t>(block)] != kAbsent; }
+  /// Only of a block that is there.
+  Eigen::Index first(Block block) const { return first_[static_cast<std::size_t>(block)]; }
+
+  /// Calls `use(block)` for each chosen block behind the nine, in order.
+  template <class Use>
+  void for_each_chosen(const Use& use) const {
+    for (std::size_t i = kFirstChosenBlock; i < kBlocks.size(); ++i) {
+      if (first_[i] != kAbsent) use(static_cast<Block>(i));
+    }
+  }
+
+ private:
+  static constexpr Eigen::Index kAbsent = -1;
+
+  std::array<Eigen::Index, kBlocks.size()> first_{};
+  Eigen::Index size_ = 0;
+};
+
+/// Estimates of the errors behind position, velocity and attitude; 0 where a block is left out.
+class Estimates {
+ public:
+  Estimates() { values_.fill(Vector3::Zero()); }
+
+  /// The first size_of(block) numbers are the block's.
+  Vector3& operator[](Block block) { return values_[static_cast<std::size_t>(block) - kFirstChosenBlock]; }
+  const Vector3& operator[](Block block) const { return values_[static_cast<std::size_t>(block) - kFirstChosenBlock]; }
+
+ private:
+  std::array<Vector3, kBlocks.size() - kFirstChosenBlock> values_;
+};
+
+}  // namespace inslab::reference_nav
