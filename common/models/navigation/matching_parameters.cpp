@@ -76,17 +76,11 @@ NavigationParameters matching_parameters(const ImuErrorProfile& imu, const Insta
 }
 
 std::vector<std::string> left_out_of_matching(const AnyProfile& profile) {
-  struct Visitor {
-    using Names = std::vector<std::string>;
-    Names operator()(const ImuErrorProfile& p) const { return profiles::names_left_out(matching::kImuErrorUses, p); }
-    Names operator()(const GnssErrorProfile& p) const { return profiles::names_left_out(matching::kGnssErrorUses, p); }
-    Names operator()(const InstallationProfile& p) const {
-      return profiles::names_left_out(matching::kInstallationUses, p);
-    }
-    Names operator()(const VibrationProfile& p) const { return profiles::names_left_out(matching::kVibrationUses, p); }
-    Names operator()(const FaultProfile& p) const { return profiles::names_left_out(matching::kFaultUses, p); }
-  };
-  return std::visit(Visitor(), profile);
+  return std::visit(
+      [](const auto& one) {
+        return profiles::names_left_out(matching::uses_of(Tag<std::decay_t<decltype(one)>>{}), one);
+      },
+      profile);
 }
 
 }  // namespace inslab::reference_nav

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/models/navigation/parameters.hpp"
 
 namespace inslab::reference_nav {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/profiles/profile_uses.hpp"
 
 /// What the evidence of a swap weighs of each field of the swapped profile; SwapEvidence::left_out shows the rest.
@@ -166,17 +166,18 @@ inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("outage", "faults", "a fault promises no figure; its samples and their flags show it"),
 };
 
+/// Of each kind of profile.
+constexpr const auto& uses_of(Tag<ImuErrorProfile>) { return kImuErrorUses; }
+constexpr const auto& uses_of(Tag<GnssErrorProfile>) { return kGnssErrorUses; }
+constexpr const auto& uses_of(Tag<InstallationProfile>) { return kInstallationUses; }
+constexpr const auto& uses_of(Tag<VibrationProfile>) { return kVibrationUses; }
+constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
+
 /// Of a swapped profile.
 inline std::vector<std::string> names_left_out(const AnyProfile& profile) {
-  struct Visitor {
-    using Names = std::vector<std::string>;
-    Names operator()(const ImuErrorProfile& p) const { return profiles::names_left_out(kImuErrorUses, p); }
-    Names operator()(const GnssErrorProfile& p) const { return profiles::names_left_out(kGnssErrorUses, p); }
-    Names operator()(const InstallationProfile& p) const { return profiles::names_left_out(kInstallationUses, p); }
-    Names operator()(const VibrationProfile& p) const { return profiles::names_left_out(kVibrationUses, p); }
-    Names operator()(const FaultProfile& p) const { return profiles::names_left_out(kFaultUses, p); }
-  };
-  return std::visit(Visitor(), profile);
+  return std::visit(
+      [](const auto& one) { return profiles::names_left_out(uses_of(Tag<std::decay_t<decltype(one)>>{}), one); },
+      profile);
 }
 
 }  // namespace inslab::cli::evidence

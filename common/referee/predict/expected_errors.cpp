@@ -32,18 +32,11 @@ SolutionErrors errors_of(const GnssErrorProfile& profile, const GnssFix& fix) {
 }
 
 std::vector<std::string> names_left_out(const AnyProfile& profile) {
-  struct Visitor {
-    using Names = std::vector<std::string>;
-    Names operator()(const ImuErrorProfile& p) const { return terms_left_out(p); }
-    Names operator()(const GnssErrorProfile& p) const { return profiles::names_left_out(kGnssErrorUses, p); }
-    Names operator()(const InstallationProfile& p) const { return profiles::names_left_out(kInstallationUses, p); }
-    Names operator()(const FaultProfile& p) const { return profiles::names_left_out(kFaultUses, p); }
-    Names operator()(const VibrationProfile& p) const {
-      if (p.domain == VibrationDomain::Motion) return {};
-      return profiles::names_left_out(kSensorVibrationUses, p);
-    }
-  };
-  return std::visit(Visitor(), profile);
+  const auto* vibration = std::get_if<VibrationProfile>(&profile);
+  if (vibration != nullptr && vibration->domain == VibrationDomain::Motion) return {};  // part of the true motion
+  return std::visit(
+      [](const auto& one) { return profiles::names_left_out(uses_of(Tag<std::decay_t<decltype(one)>>{}), one); },
+      profile);
 }
 
 bool is_disturbed(const nav::Gravity& gravity) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/catalog/profile_kinds.hpp"
 #include "inslab/data/profiles/profile_uses.hpp"
 
 /// What the prediction makes of each field of the profiles; ExpectedErrors::left_out() shows what it leaves out.
@@ -109,5 +110,12 @@ inline constexpr profiles::FieldUse kSensorVibrationUses[] = {
 
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("", "faults", "a fault is no error that a filter is told of")};
+
+/// Of each kind of profile.
+constexpr const auto& uses_of(Tag<ImuErrorProfile>) { return kImuErrorUses; }
+constexpr const auto& uses_of(Tag<GnssErrorProfile>) { return kGnssErrorUses; }
+constexpr const auto& uses_of(Tag<InstallationProfile>) { return kInstallationUses; }
+constexpr const auto& uses_of(Tag<VibrationProfile>) { return kSensorVibrationUses; }
+constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
 
 }  // namespace inslab::predict

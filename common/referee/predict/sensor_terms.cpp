@@ -2,7 +2,6 @@
 
 #include "inslab/models/imu/triad_parameters.hpp"
 #include "inslab/noise/random/flicker.hpp"
-#include "inslab/referee/predict/profile_uses.hpp"
 
 namespace inslab::predict {
 namespace {
@@ -112,10 +111,6 @@ Vector3 effect(const SensorTerm& term, const SensedMotion& motion) {
       return along(i / 3, motion.accel.x[i % 3]);
   }
   return Vector3::Zero();
-}
-
-std::vector<std::string> terms_left_out(const ImuErrorProfile& profile) {
-  return profiles::names_left_out(kImuErrorUses, profile);
 }
 
 }  // namespace inslab::predict

@@ -68,7 +68,4 @@ struct SensedMotion {
 /// The error in b, rad/s | m/s^2, of a state of 1.
 Vector3 effect(const SensorTerm& term, const SensedMotion& motion);
 
-/// Terms of a profile that have no linear form along the motion, by their names in profile_uses.hpp.
-std::vector<std::string> terms_left_out(const ImuErrorProfile& profile);
-
 }  // namespace inslab::predict

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "inslab/data/profiles/any_profile.hpp"
+#include "inslab/data/catalog/profile_kinds.hpp"
 
 namespace inslab::cli::evidence {
 namespace profile_uses_test {
@@ -11,11 +11,9 @@ namespace profile_uses_test {
 // A new term of a profile is handled, or it is named as left out: there is no third.
 TEST(WeighedProfiles, SaysOfEveryFieldOfEveryProfileWhatBecomesOfIt) {
   const std::string file = "common/referee/evidence/profile_uses.hpp";
-  EXPECT_EQ(profiles::faults_of<ImuErrorProfile>(kImuErrorUses, file), "");
-  EXPECT_EQ(profiles::faults_of<GnssErrorProfile>(kGnssErrorUses, file), "");
-  EXPECT_EQ(profiles::faults_of<InstallationProfile>(kInstallationUses, file), "");
-  EXPECT_EQ(profiles::faults_of<VibrationProfile>(kVibrationUses, file), "");
-  EXPECT_EQ(profiles::faults_of<FaultProfile>(kFaultUses, file), "");
+  for_each(catalog::ProfileKinds{}, [&file](auto kind) {
+    EXPECT_EQ(profiles::faults_of<typename decltype(kind)::type>(uses_of(kind), file), "");
+  });
 }
 
 TEST(WeighedProfiles, NameWhatIsSetAndNoLineWeighs) {
