@@ -11,6 +11,7 @@
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/models/navigation/app_setup.hpp"
 #include "inslab/referee/evidence/run_summary.hpp"
+#include "inslab/referee/evidence/tell.hpp"
 #include "inslab/scenario/service_names.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 #include "inslab/services/inslab/commands/judge.hpp"
@@ -82,9 +83,11 @@ void add_summary(CLI::App& app, std::function<int()>& action) {
   command->add_option("log", *log, "log (MCAP)")->required();
   command->callback([log, &action] {
     action = [log] {
-      const app::Outcome outcome = print_run_summary(*log, {});
-      std::printf("%s\n", outcome.words().c_str());
-      return outcome.code;
+      const io::McapReader reader(*log);
+      const LogSummary summary = summarize(reader);
+      const RunSummary said = run_summary(summary, weigh_swaps(reader, summary), {});
+      tell("{}{}\n", said.text, said.outcome.words());
+      return said.outcome.code;
     };
   });
 }
