@@ -2,6 +2,7 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -274,16 +275,19 @@ TEST_F(Report, SaysWhyThereIsNoAllanDeviationAndGoesOn) {
 class Openings {
  public:
   explicit Openings(const std::string& path) : queue_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
-    inotify_add_watch(queue_, path.c_str(), IN_OPEN);
+    // Equal events in a row become one: the reads keep the openings apart.
+    inotify_add_watch(queue_, path.c_str(), IN_OPEN | IN_ACCESS | IN_CLOSE_NOWRITE);
   }
   ~Openings() { ::close(queue_); }
   Openings(const Openings&) = delete;
   Openings& operator=(const Openings&) = delete;
 
   std::size_t count() const {
-    std::array<char, 4096> events{};  // of a watched file they have no name: all have one size
-    const ssize_t bytes = ::read(queue_, events.data(), events.size());
-    return bytes < 0 ? 0 : static_cast<std::size_t>(bytes) / sizeof(inotify_event);
+    std::array<inotify_event, 256> events{};  // of a watched file they have no name: all have one size
+    const ssize_t bytes = ::read(queue_, events.data(), sizeof(events));
+    const auto end = events.begin() + (bytes < 0 ? 0 : bytes / static_cast<ssize_t>(sizeof(inotify_event)));
+    return static_cast<std::size_t>(
+        std::count_if(events.begin(), end, [](const inotify_event& event) { return (event.mask & IN_OPEN) != 0; }));
   }
 
  private:
@@ -312,7 +316,7 @@ TEST_F(Report, OfEveryKindTogetherOpensTheLogOnceAndReadsItTwice) {
   EXPECT_EQ(openings.count(), 1u);
   const auto size = static_cast<double>(std::filesystem::file_size(path));
   EXPECT_GT(read, 1.5 * size);
-  EXPECT_LT(read, 2.5 * size) << "and its index";
+  EXPECT_LT(read, 2.2 * size) << "and its index";
 }
 
 TEST(ReportLimits, EveryMetricHasItsPlaceOnThePage) {
