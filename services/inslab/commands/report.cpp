@@ -7,7 +7,7 @@
 #include "inslab/data/json/json_text.hpp"
 #include "inslab/foundation/files/output_file.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
-#include "inslab/referee/evidence/tell.hpp"
+#include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/referee/report/report_files.hpp"
 #include "inslab/referee/score/score_text.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
