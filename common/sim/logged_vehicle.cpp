@@ -7,6 +7,7 @@
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
 #include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/host/usage_error.hpp"
 
 namespace inslab::cli {
 
@@ -30,6 +31,18 @@ std::vector<UsedVehicleState> logged_vehicle_states(const std::string& log_path)
                         " is missing, so the run cannot be repeated");
   }
   return states;
+}
+
+std::vector<UsedVehicleState> vehicle_states_for(const scenario::LoadedScenario& loaded,
+                                                 const std::string& vehicle_log) {
+  const bool is_live = loaded.scenario.trajectory.source == scenario::TrajectorySource::VehicleState;
+  if (is_live == !vehicle_log.empty()) {
+    return is_live ? logged_vehicle_states(vehicle_log) : std::vector<UsedVehicleState>{};
+  }
+  throw app::UsageError(
+      loaded.file.string() + ": trajectory.source " +
+      (is_live ? "is vehicle_state: to repeat a live run give its log, --vehicle LOG; otherwise it needs inslab run"
+               : "is not vehicle_state; --vehicle is for scenarios that follow a live vehicle"));
 }
 
 }  // namespace inslab::cli

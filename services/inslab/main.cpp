@@ -13,6 +13,7 @@
 #include "inslab/foundation/host/command_ending.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/foundation/host/usage_error.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/services/inslab/commands/command_line.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
@@ -26,6 +27,9 @@ int carried_out(const std::function<int()>& action) {
   try {
     return action();
   } catch (const config::Error& error) {
+    say(error.what());
+    return app::kBadInput;
+  } catch (const app::UsageError& error) {
     say(error.what());
     return app::kBadInput;
   } catch (const app::PlaceTaken& taken) {

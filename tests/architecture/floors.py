@@ -14,6 +14,7 @@ CATALOG = "common/data/catalog"
 # A literal, or a comment, which is passed over.
 LITERAL = re.compile(r'//.*|/\*.*?\*/|R"(\w*)\((?s:.*?)\)\1"|"((?:[^"\\\n]|\\.)*)"|\'(?:[^\'\\]|\\.)\'')
 SERVICE = re.compile(r'\* service = "([^"]+)"|\* k\w+ = "(inslab-[^"]+)"')
+MOST_LINES_OF_A_COMMAND = 100
 FAST_DDS = re.compile(r"(fastdds|fastcdr|fastrtps)/|\w+PubSubTypes\.h")
 
 
@@ -89,6 +90,19 @@ def breach(folder, target, order):
     return None
 
 
+def is_command(folder):
+    return folder == "services/inslab/commands"
+
+
+def breach_of_command(target):
+    """Why a command must not include a file of this folder, or None."""
+    if target == "bus/dds":
+        return "a command is options and printing: what it does on the bus stands in common/bus/client"
+    if floor(target) == "models":
+        return "a command is options and printing: what it does with a model stands in a library"
+    return None
+
+
 def check(tree):
     order = folders_in_order(tree)
     services = services_of(tree)
@@ -101,6 +115,10 @@ def check(tree):
             continue
         if not place.is_relative_to(CATALOG):
             findings += [f"{place}:{number}: {why}" for number, why in named_outside_the_catalogue(path, services)]
+        lines = len(path.read_text(encoding="utf-8").splitlines())
+        if is_command(folder) and lines > MOST_LINES_OF_A_COMMAND:
+            findings.append(f"{place}:{MOST_LINES_OF_A_COMMAND + 1}: a command is options and printing, at most "
+                            f"{MOST_LINES_OF_A_COMMAND} lines; what it does stands in a library")
         for number, is_ours, name in includes(path):
             where = f"{place}:{number}: "
             if FAST_DDS.match(name):
@@ -115,7 +133,7 @@ def check(tree):
                 if not target.startswith("services/") and target not in order:
                     findings.append(f"{where}there is no folder {target}")
                     continue
-                why = breach(folder, target, order)
+                why = breach(folder, target, order) or (breach_of_command(target) if is_command(folder) else None)
                 if why:
                     findings.append(f"{where}{name}: {why}")
             elif floor(folder) in ("noise", "nav") and "/" in name and not name.startswith(("Eigen/", "unsupported/Eigen/")):

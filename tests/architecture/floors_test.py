@@ -26,6 +26,9 @@ BREACHES = {  # what is planted where: (file, include) and what must be said of 
                              "a service includes another service"),
     "a library sees a service": ("common/sim/offline_run.cpp", '"inslab/services/inslab/live/progress.hpp"',
                                  "a library includes a service"),
+    "a command on the bus itself": ("services/inslab/commands/run.cpp", '"inslab/bus/dds/participant.hpp"',
+                                    "common/bus/client"),
+    "a command with a model": ("services/inslab/commands/run.cpp", '"inslab/models/imu/model.hpp"', "stands in a library"),
     "not by its path": ("common/nav/strapdown.cpp", '"geodesy.hpp"', 'ours are included as "inslab/<path>"'),
     "no such folder": ("common/nav/strapdown.cpp", '"inslab/geodesy/wgs84.hpp"', "there is no folder geodesy"),
 }
@@ -87,6 +90,18 @@ class Floors(unittest.TestCase):
         found = self.plant("common/sensors/magnetometer.hpp", '"inslab/nav/geodesy.hpp"')
         self.assertEqual(len(found), 1, found)
         self.assertIn("stands on no floor", found[0])
+
+    def test_finds_a_command_of_more_than_a_hundred_lines(self):
+        tree = self.tree()
+        path = tree / "services/inslab/commands/run.cpp"
+        path.parent.mkdir(parents=True)
+        path.write_text("int x;\n" * 100)
+        self.assertEqual(floors.check(tree), [])
+        path.write_text("int x;\n" * 101)
+        found = floors.check(tree)
+        self.assertEqual(len(found), 1, found)
+        self.assertTrue(found[0].startswith("services/inslab/commands/run.cpp:101: "), found)
+        self.assertIn("at most 100 lines", found[0])
 
     def test_takes_what_keeps_to_the_floors(self):
         for path, include in {

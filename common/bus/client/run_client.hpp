@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "inslab/bus/client/run_link.hpp"
 #include "inslab/bus/dds/reader.hpp"
 #include "inslab/bus/dds/writer.hpp"
 #include "inslab/bus/service/writers.hpp"
 #include "inslab/data/catalog/any_profile.hpp"
-#include "inslab/data/requests/run_control.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
 namespace inslab::cli {
@@ -20,31 +20,23 @@ namespace inslab::cli {
 /// A client of a running set: sends requests for swaps and commands, hears acknowledgements and how the run goes. It
 /// follows one run until that has ended, the first that it hears of its set's trajectory server; what is said of
 /// another one meanwhile, or by somebody else, is left out, and said in the log.
-class RunClient {
+class RunClient : public RunLink {
  public:
   /// Of whatever set is in the participant's unit, and of its next run when one has ended.
   explicit RunClient(dds::Participant& participant);
   /// Of the set that has this process's scenario and run, and of no other run.
   RunClient(dds::Participant& participant, const app::Identity& own);
 
-  /// Whether the run's trajectory server listens to every kind of request: both of its readers, the reliable one too.
-  /// Others read requests as well; one that is sent to them alone is lost.
-  bool connected() const;
-  /// False when the request could not be sent.
-  bool send(const AnyProfile& request);
-  /// False when the command could not be sent; what becomes of it stands in the status.
-  bool send(const SimCommand& command);
+  bool connected() const override;
+  bool send(const AnyProfile& request) override;
+  bool send(const SimCommand& command) override;
+  std::optional<SimStatus> status() const override;
+  std::uint64_t statuses() const override;
+  std::string other_run() const override;
+  std::vector<ProfileAck> acks(std::uint64_t request_id) const override;
 
-  /// The run's latest status; nothing before the first.
-  std::optional<SimStatus> status() const;
-  /// How many statuses have come: whether the server still speaks.
-  std::uint64_t statuses() const;
-  /// Which other run the trajectory server is in since, in words; empty: none.
-  std::string other_run() const;
   /// Who may speak in this set.
   app::Writers& writers() { return writers_; }
-  /// What came back for a request so far.
-  std::vector<ProfileAck> acks(std::uint64_t request_id) const;
 
  private:
   void hear(const SimStatus& status, const dds::ParticipantKey& server);

@@ -11,12 +11,6 @@ constexpr int kPointsPerOctave = 3;
 /// The curve ends where a point has hardly a degree of freedom.
 constexpr std::int64_t kLeastClusters = 8;
 
-struct AxisInput {
-  AxisInput(double dt_s, const std::vector<std::int64_t>& sizes) : record(dt_s), curve(dt_s, sizes) {}
-  allan::Record record;
-  allan::AllanStream curve;
-};
-
 std::vector<CurvePoint> curve_of(const allan::AllanStream& stream, const allan::NoiseModel& model, double dt_s) {
   std::vector<CurvePoint> curve;
   for (const allan::AllanPoint& point : stream.points()) {
@@ -31,12 +25,13 @@ std::vector<CurvePoint> curve_of(const allan::AllanStream& stream, const allan::
   return curve;
 }
 
-AxisAnalysis analyse_axis(std::size_t axis, const AxisInput& input, const AnalysisOptions& options) {
+AxisAnalysis analyse_axis(std::size_t axis, const allan::Record& record, const allan::AllanStream& stream,
+                          const AnalysisOptions& options) {
   AxisAnalysis analysis;
   analysis.axis = axis;
-  analysis.mean = input.record.mean();
-  analysis.span_s = input.record.span_s();
-  const allan::Likelihood likelihood(input.record, options.finest_tau_s);
+  analysis.mean = record.mean();
+  analysis.span_s = record.span_s();
+  const allan::Likelihood likelihood(record, options.finest_tau_s);
   const auto curve = likelihood.rough_curve();
   const bool is_constant =
       std::all_of(curve.begin(), curve.end(), [](const auto& point) { return point.second == 0.0; });
@@ -49,31 +44,39 @@ AxisAnalysis analyse_axis(std::size_t axis, const AxisInput& input, const Analys
                                      allan::likelihood_interval(log, analysis.fit, parameter, kIntervalConfidence)});
     }
   }
-  analysis.curve = curve_of(input.curve, analysis.fit.model, input.record.dt_s());
+  analysis.curve = curve_of(stream, analysis.fit.model, record.dt_s());
   return analysis;
 }
 
 }  // namespace
 
-ImuAnalysis analyse_imu(const std::string& path, const AnalysisOptions& options) {
-  ImuAnalysis analysis;
-  analysis.path = path;
-  analysis.is_error = options.recording.minus_truth;
-  std::vector<AxisInput> inputs;
+void ImuAnalyser::begin(const io::ImuRecordingInfo& info) {
   const auto sizes = allan::octave_cluster_sizes(kLargestCluster, kPointsPerOctave);
-  analysis.recording = io::read_imu_recording(
-      path, options.recording,
-      [&](const io::ImuRecordingInfo& info) { inputs.assign(io::kImuAxes, AxisInput(info.dt_s, sizes)); },
-      [&](const io::ImuIncrements& increments) {
-        for (std::size_t i = 0; i < io::kImuAxes; ++i) {
-          inputs[i].record.add(increments[i]);
-          inputs[i].curve.add(increments[i]);
-        }
-      });
+  records_.assign(io::kImuAxes, allan::Record(info.dt_s));
+  curves_.assign(io::kImuAxes, allan::AllanStream(info.dt_s, sizes));
+}
+
+void ImuAnalyser::add(const io::ImuIncrements& increments) {
   for (std::size_t i = 0; i < io::kImuAxes; ++i) {
-    if (analysis.recording.has_axis[i]) analysis.axes.push_back(analyse_axis(i, inputs[i], options));
+    records_[i].add(increments[i]);
+    curves_[i].add(increments[i]);
+  }
+}
+
+ImuAnalysis ImuAnalyser::finish(const std::string& path, const io::ImuRecordingInfo& recording) const {
+  ImuAnalysis analysis{path, recording, options_.recording.minus_truth, {}};
+  for (std::size_t i = 0; i < io::kImuAxes; ++i) {
+    if (recording.has_axis[i]) analysis.axes.push_back(analyse_axis(i, records_[i], curves_[i], options_));
   }
   return analysis;
+}
+
+ImuAnalysis analyse_imu(const std::string& path, const AnalysisOptions& options) {
+  ImuAnalyser analyser(options);
+  const io::ImuRecordingInfo recording = io::read_imu_recording(
+      path, options.recording, [&](const io::ImuRecordingInfo& info) { analyser.begin(info); },
+      [&](const io::ImuIncrements& increments) { analyser.add(increments); });
+  return analyser.finish(path, recording);
 }
 
 }  // namespace inslab::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "inslab/formats/text/imu_recording.hpp"
+#include "inslab/noise/allan/allan_stream.hpp"
 #include "inslab/noise/allan/fit.hpp"
 
 /// `inslab allan`: what the output of a recorded IMU says of its random errors.
@@ -49,6 +50,24 @@ struct ImuAnalysis {
   io::ImuRecordingInfo recording;
   bool is_error = false;  ///< the truth was taken off
   std::vector<AxisAnalysis> axes;
+};
+
+/// Analyses a recording that somebody else reads, in flat memory.
+class ImuAnalyser {
+ public:
+  explicit ImuAnalyser(AnalysisOptions options) : options_(std::move(options)) {}
+
+  /// Before the first sample.
+  void begin(const io::ImuRecordingInfo& info);
+  void add(const io::ImuIncrements& increments);
+
+  /// Fits each axis that the recording has.
+  ImuAnalysis finish(const std::string& path, const io::ImuRecordingInfo& recording) const;
+
+ private:
+  AnalysisOptions options_;
+  std::vector<allan::Record> records_;
+  std::vector<allan::AllanStream> curves_;
 };
 
 /// Reads the recording once, in flat memory, and fits each axis it has. Throws io::ReadError.

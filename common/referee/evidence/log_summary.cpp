@@ -6,7 +6,6 @@
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/json/json_reader.hpp"
 #include "inslab/data/streams/stream_monitor.hpp"
-#include "inslab/formats/log/log_topic.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/sim/run_log.hpp"
@@ -14,103 +13,6 @@
 namespace inslab::cli {
 
 namespace {
-
-template <class T>
-std::optional<T> decoded(const io::mcap::Message& message) {
-  T value;
-  if (!wire::decode(message.data, message.size, value)) return std::nullopt;
-  return value;
-}
-
-/// What is being gathered while the log is read.
-class Gatherer {
- public:
-  explicit Gatherer(LogSummary& summary) : summary_(summary) {}
-
-  void take(const std::string& topic, const std::string& type, const io::mcap::Message& message) {
-    if (type == wire::WireType<TruthState>::name) {
-      identify(message);
-      return stream<TruthState>(topic, message);
-    }
-    if (sensor_stream(topic, type, message)) return;
-    if (type == wire::WireType<UsedVehicleState>::name) return stream<UsedVehicleState>(topic, message);
-    if (topic == catalog::kNav.name) {
-      ++summary_.nav_solutions;
-    } else if (type == wire::WireType<ProfileAck>::name) {
-      if (auto ack = decoded<ProfileAck>(message)) summary_.acks.push_back(*ack);
-    } else if (type == wire::WireType<SimStatus>::name) {
-      if (auto status = decoded<SimStatus>(message)) summary_.last_status = *status;
-    } else if (type == wire::WireType<VehicleLink>::name) {
-      if (auto link = decoded<VehicleLink>(message)) summary_.vehicle_link = *link;
-    } else if (type == wire::WireType<ServiceStatus>::name) {
-      if (auto status = decoded<ServiceStatus>(message)) services_[{status->service, status->sensor_number}] = *status;
-    } else if (topic.rfind(catalog::kJournal, 0) == 0) {
-      journal(type, message);
-    }
-  }
-
-  void finish() {
-    for (auto& [topic, monitor] : monitors_) summary_.streams[topic].logged = monitor.status();
-    for (const auto& [key, status] : services_) {
-      summary_.services.push_back(status);
-      if (status.state != ServiceState::Finished && status.state != ServiceState::Fault) continue;
-      for (const StreamStatus& stream : status.streams) {
-        if (stream.direction != StreamDirection::Out) continue;
-        summary_.streams[stream.topic].sent = stream.samples;
-        if (stream.topic == catalog::kNav.name) summary_.streams[stream.topic].logged.samples = summary_.nav_solutions;
-      }
-    }
-  }
-
- private:
-  /// From the first sample of the truth.
-  void identify(const io::mcap::Message& message) {
-    RunIdentity& identity = summary_.identity;
-    if (!identity.run_id.empty()) return;
-    const auto truth = decoded<TruthState>(message);
-    if (!truth) return;
-    identity.run_id = app::run_id_text(truth->header.run_id);
-    const std::int64_t sent_ns = truth->header.publish_realtime_ns;
-    if (sent_ns > 0) identity.began_utc = app::utc_words(time::Nanoseconds(sent_ns));
-  }
-
-  /// False when it is none.
-  bool sensor_stream(const std::string& topic, const std::string& type, const io::mcap::Message& message) {
-    bool is_one = false;
-    for_each(catalog::SensorSamples{}, [&](auto sample) {
-      using Sample = typename decltype(sample)::type;
-      if (type != wire::WireType<Sample>::name) return;
-      is_one = true;
-      stream<Sample>(topic, message);
-    });
-    return is_one;
-  }
-
-  template <class T>
-  void stream(const std::string& topic, const io::mcap::Message& message) {
-    const auto sample = decoded<T>(message);
-    if (!sample) return;
-    auto found = monitors_.find(topic);
-    if (found == monitors_.end()) {
-      found = monitors_.emplace(topic, app::StreamMonitor(topic, StreamDirection::In)).first;
-    }
-    found->second.received(sample->header, static_cast<std::int64_t>(message.log_time_ns));
-  }
-
-  void journal(const std::string& type, const io::mcap::Message& message) {
-    for_each(catalog::ProfileKinds{},
-             [&](auto profile) { journal_entry<typename decltype(profile)::type>(type, message); });
-  }
-  template <class Profile>
-  void journal_entry(const std::string& type, const io::mcap::Message& message) {
-    if (type != wire::WireType<Profile>::name) return;
-    if (auto entry = decoded<Profile>(message)) summary_.profiles.push_back({entry->request.apply_at_ns, *entry});
-  }
-
-  LogSummary& summary_;
-  std::map<std::string, app::StreamMonitor> monitors_;
-  std::map<std::pair<std::string, std::uint32_t>, ServiceStatus> services_;
-};
 
 /// What a metadata record holds as JSON. Throws config::Error.
 config::Json json_of(const io::mcap::Metadata& record, const std::string& place) {
@@ -182,23 +84,85 @@ const AnyProfile* LogSummary::in_use(ProfileKind kind, const SensorAddress& sens
   return place ? &profiles[*place].profile : nullptr;
 }
 
-LogSummary summarize(const io::McapReader& log) {
-  LogSummary summary;
-  read_metadata(log, summary);
-  Gatherer gatherer(summary);
-  const auto types = io::channel_types(log);
-  log.for_each([&](const io::mcap::Message& message) {
-    const auto& channel = log.channels().at(message.channel_id);
-    gatherer.take(channel.topic, types.at(message.channel_id), message);
-    return true;
+SummaryOfLog::SummaryOfLog(const io::McapReader& log) {
+  summary_.path = log.path();
+  summary_.closed_properly = log.closed_properly();
+  summary_.ending = log.ending();
+  read_metadata(log, summary_);
+}
+
+void SummaryOfLog::take_part(io::LogWalk& walk) {
+  walk.each<TruthState>([this](const TruthState& truth) { identify(truth); });
+  stream<TruthState>(walk);
+  for_each(catalog::SensorSamples{}, [&](auto sample) { stream<typename decltype(sample)::type>(walk); });
+  stream<UsedVehicleState>(walk);
+  walk.each_message(catalog::kNav.name, [this] { ++summary_.nav_solutions; });
+  walk.each<ProfileAck>([this](const ProfileAck& ack) { summary_.acks.push_back(ack); });
+  walk.each<SimStatus>([this](const SimStatus& status) { summary_.last_status = status; });
+  walk.each<VehicleLink>([this](const VehicleLink& link) { summary_.vehicle_link = link; });
+  walk.each<ServiceStatus>([this](const ServiceStatus& status) {
+    services_[{status.service, status.sensor_number}] = status;
   });
-  gatherer.finish();
+  for_each(catalog::ProfileKinds{}, [&](auto profile) { journal<typename decltype(profile)::type>(walk); });
+}
+
+/// From the first sample of the truth.
+void SummaryOfLog::identify(const TruthState& truth) {
+  RunIdentity& identity = summary_.identity;
+  if (!identity.run_id.empty()) return;
+  identity.run_id = app::run_id_text(truth.header.run_id);
+  const std::int64_t sent_ns = truth.header.publish_realtime_ns;
+  if (sent_ns > 0) identity.began_utc = app::utc_words(time::Nanoseconds(sent_ns));
+}
+
+template <class T>
+void SummaryOfLog::stream(io::LogWalk& walk) {
+  walk.each<T>([this](const T& sample, const io::LogWalk::Place& place) {
+    auto found = monitors_.find(place.topic);
+    if (found == monitors_.end()) {
+      found = monitors_.emplace(place.topic, app::StreamMonitor(place.topic, StreamDirection::In)).first;
+    }
+    found->second.received(sample.header, place.log_time_ns);
+  });
+}
+
+template <class Profile>
+void SummaryOfLog::journal(io::LogWalk& walk) {
+  walk.each<Profile>([this](const Profile& entry, const io::LogWalk::Place& place) {
+    if (place.topic.rfind(catalog::kJournal, 0) == 0) {
+      summary_.profiles.push_back({entry.request.apply_at_ns, entry});
+    }
+  });
+}
+
+LogSummary SummaryOfLog::finish() {
+  for (auto& [topic, monitor] : monitors_) summary_.streams[topic].logged = monitor.status();
+  for (const auto& [key, status] : services_) {
+    summary_.services.push_back(status);
+    if (status.state != ServiceState::Finished && status.state != ServiceState::Fault) continue;
+    for (const StreamStatus& stream : status.streams) {
+      if (stream.direction != StreamDirection::Out) continue;
+      summary_.streams[stream.topic].sent = stream.samples;
+      if (stream.topic == catalog::kNav.name) {
+        summary_.streams[stream.topic].logged.samples = summary_.nav_solutions;
+      }
+    }
+  }
   // Requests of one journal come over a topic for each kind of profile, which keep no order among each other.
-  std::stable_sort(summary.profiles.begin(), summary.profiles.end(), [](const ProfileInUse& a, const ProfileInUse& b) {
-    return request_of(a.profile).journal_number < request_of(b.profile).journal_number;
-  });
-  summary.timeline = ProfileTimeline(summary.profiles);
-  return summary;
+  std::stable_sort(summary_.profiles.begin(), summary_.profiles.end(),
+                   [](const ProfileInUse& a, const ProfileInUse& b) {
+                     return request_of(a.profile).journal_number < request_of(b.profile).journal_number;
+                   });
+  summary_.timeline = ProfileTimeline(summary_.profiles);
+  return std::move(summary_);
+}
+
+LogSummary summarize(const io::McapReader& log) {
+  SummaryOfLog summary(log);
+  io::LogWalk walk(log);
+  summary.take_part(walk);
+  walk.go();
+  return summary.finish();
 }
 
 }  // namespace inslab::cli

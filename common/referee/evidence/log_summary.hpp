@@ -10,7 +10,8 @@
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/data/samples/service_status.hpp"
 #include "inslab/data/samples/vehicle_state.hpp"
-#include "inslab/formats/mcap/mcap_reader.hpp"
+#include "inslab/data/streams/stream_monitor.hpp"
+#include "inslab/formats/log/log_walk.hpp"
 #include "inslab/scenario/scenario.hpp"
 
 namespace inslab::cli {
@@ -57,6 +58,9 @@ struct RunIdentity {
 
 /// What a log says about the run as a whole.
 struct LogSummary {
+  std::string path;
+  bool closed_properly = false;
+  std::string ending;  ///< of one that was not closed, in words
   RunIdentity identity;
   scenario::Scenario scenario;
   std::optional<SimStatus> last_status;
@@ -73,8 +77,33 @@ struct LogSummary {
   const AnyProfile* in_use(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const;
 };
 
-/// Reads a whole log once. Throws io::ReadError, config::Error when what it says of scenario and profiles is no JSON of
-/// ours.
+/// Gathers the summary of a log along a walk.
+class SummaryOfLog {
+ public:
+  /// What the log says of scenario and profiles is there at once. Throws config::Error when that is no JSON of ours.
+  explicit SummaryOfLog(const io::McapReader& log);
+
+  const scenario::Scenario& scenario() const { return summary_.scenario; }
+
+  /// Asks for what it wants to know. It stays where it is until the walk is over.
+  void take_part(io::LogWalk& walk);
+
+  /// When the walk is over; once.
+  LogSummary finish();
+
+ private:
+  void identify(const TruthState& truth);
+  template <class T>
+  void stream(io::LogWalk& walk);
+  template <class Profile>
+  void journal(io::LogWalk& walk);
+
+  LogSummary summary_;
+  std::map<std::string, app::StreamMonitor> monitors_;
+  std::map<std::pair<std::string, std::uint32_t>, ServiceStatus> services_;
+};
+
+/// Reads a whole log once, for its summary alone. Throws io::ReadError, and as SummaryOfLog does.
 LogSummary summarize(const io::McapReader& log);
 
 }  // namespace inslab::cli

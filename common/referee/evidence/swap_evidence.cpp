@@ -4,13 +4,10 @@
 
 #include <algorithm>
 
-#include "inslab/data/catalog/wire_type.hpp"
-#include "inslab/data/wire/cdr.hpp"
-#include "inslab/formats/log/log_topic.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/referee/evidence/imu_promise.hpp"
 #include "inslab/referee/evidence/profile_uses.hpp"
-#include "inslab/referee/evidence/swap_window.hpp"
+#include "inslab/referee/evidence/sample_joiner.hpp"
 
 namespace inslab::cli {
 
@@ -245,81 +242,6 @@ class Weigher {
   const SwapWindows& swap_;
 };
 
-/// Brings together samples that belong together: they come over several topics, in no order among each other.
-class Joiner {
- public:
-  explicit Joiner(SwapWindowsOfLog& windows) : windows_(windows) {}
-
-  void take(std::string_view type, const io::mcap::Message& message) {
-    if (type == wire::WireType<TruthState>::name) keep(message, truths_);
-    if (type == wire::WireType<ImuSample>::name) keep(message, samples_);
-    if (type == wire::WireType<ImuTruth>::name) keep(message, imu_truths_);
-    if (type == wire::WireType<GnssFix>::name) keep(message, fixes_);
-    if (truths_.size() < next_join_) return;
-    join(false);
-    next_join_ = truths_.size() + kPause;
-  }
-  void finish() { join(true); }
-
- private:
-  /// Sensor number and sim time.
-  using Key = std::pair<std::uint32_t, std::int64_t>;
-  static std::uint32_t number_of(const TruthState&) { return 0; }
-  template <class T>
-  static std::uint32_t number_of(const T& sample) {
-    return sample.sensor_number;
-  }
-
-  template <class T>
-  static void keep(const io::mcap::Message& message, std::map<Key, T>& kept) {
-    T sample;
-    if (wire::decode(message.data, message.size, sample)) {
-      kept.emplace(Key{number_of(sample), sample.header.sim_time_ns}, sample);
-    }
-  }
-
-  /// Uses up what is complete; without `all` the last seconds stay, for stragglers of the other topics: what is sent
-  /// again to a logger that was killed comes seconds late.
-  void join(bool all) {
-    if (truths_.empty()) return;
-    const std::int64_t limit = truths_.rbegin()->first.second - (all ? 0 : kStragglers_ns);
-    drain(samples_, limit, [this](const Key& key, const ImuSample& sample) {
-      const auto perfect = imu_truths_.find(key);
-      const auto vehicle = truths_.find({0, key.second});
-      if (perfect != imu_truths_.end() && vehicle != truths_.end()) {
-        windows_.add(sample, perfect->second, vehicle->second);
-      }
-    });
-    drain(fixes_, limit, [this](const Key& key, const GnssFix& fix) {
-      const auto vehicle = truths_.find({0, key.second});
-      if (vehicle != truths_.end()) windows_.add(fix, vehicle->second);
-    });
-    drain(imu_truths_, limit, [](const Key&, const ImuTruth&) {});
-    drain(truths_, limit, [](const Key&, const TruthState&) {});
-  }
-  static constexpr std::int64_t kStragglers_ns = 15'000'000'000;
-
-  template <class T, class Use>
-  static void drain(std::map<Key, T>& kept, std::int64_t limit, const Use& use) {
-    for (auto it = kept.begin(); it != kept.end();) {
-      if (it->first.second <= limit) {
-        use(it->first, it->second);
-        it = kept.erase(it);
-      } else {
-        ++it;
-      }
-    }
-  }
-
-  SwapWindowsOfLog& windows_;
-  static constexpr std::size_t kPause = 4096;  ///< truth samples from one joining to the next
-  std::size_t next_join_ = kPause;
-  std::map<Key, TruthState> truths_;
-  std::map<Key, ImuSample> samples_;
-  std::map<Key, ImuTruth> imu_truths_;
-  std::map<Key, GnssFix> fixes_;
-};
-
 }  // namespace
 
 bool SwapEvidence::holds() const {
@@ -328,28 +250,44 @@ bool SwapEvidence::holds() const {
          });
 }
 
-std::vector<SwapEvidence> weigh_swaps(const io::McapReader& log, const LogSummary& summary) {
-  SwapWindowsOfLog windows(summary);
-  Joiner joiner(windows);
-  const auto types = io::channel_types(log);
-  log.for_each([&](const io::mcap::Message& message) {
-    joiner.take(types.at(message.channel_id), message);
-    return true;
-  });
-  joiner.finish();
+/// The windows, and what brings samples together for them.
+struct SwapWeigher::Gathered {
+  explicit Gathered(const LogSummary& log_summary) : summary(log_summary), windows(log_summary), joiner(windows) {}
+  const LogSummary& summary;
+  SwapWindowsOfLog windows;
+  SampleJoiner joiner;
+};
+
+SwapWeigher::SwapWeigher(const LogSummary& summary) : gathered_(std::make_unique<Gathered>(summary)) {}
+SwapWeigher::~SwapWeigher() = default;
+
+void SwapWeigher::take_part(io::LogWalk& walk) {
+  if (!gathered_->windows.all().empty()) gathered_->joiner.take_part(walk);
+}
+
+std::vector<SwapEvidence> SwapWeigher::finish() {
+  gathered_->joiner.finish();
   std::vector<SwapEvidence> evidence;
-  for (const SwapWindows& swap : windows.all()) {
+  for (const SwapWindows& swap : gathered_->windows.all()) {
     SwapEvidence weighed;
     weighed.ack = swap.ack;
     weighed.profile_name = name_of(*swap.profile);
     weighed.left_out = evidence::names_left_out(*swap.profile);
     weighed.first_sample_holds = swap.first_sequence_seen == swap.ack.first_sequence;
-    const Weigher weigher(summary, swap);
+    const Weigher weigher(gathered_->summary, swap);
     weighed.why_nothing = weigher.why_nothing();
     if (weighed.why_nothing.empty()) weighed.lines = weigher.lines();
     evidence.push_back(weighed);
   }
   return evidence;
+}
+
+std::vector<SwapEvidence> weigh_swaps(const io::McapReader& log, const LogSummary& summary) {
+  SwapWeigher weigher(summary);
+  io::LogWalk walk(log);
+  weigher.take_part(walk);
+  walk.go();
+  return weigher.finish();
 }
 
 }  // namespace inslab::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,10 +36,29 @@ struct SwapEvidence {
   bool holds() const;
 };
 
-/// Weighs every acknowledged swap by the samples up to 20 s before and after it, as far as no other swap of the same
-/// sensor lies between: ImuSample minus what the sensor's bandwidth lets pass of the ImuTruth,
-/// GnssFix minus the truth. What a profile promises is followed through its own bandwidth. The published error budget
-/// is not used. Reads the log once more. Throws io::ReadError.
+/// Weighs every acknowledged swap along a walk, by the samples up to 20 s before and after it, as far as no other swap
+/// of the same sensor lies between: ImuSample minus what the sensor's bandwidth lets pass of the ImuTruth, GnssFix
+/// minus the truth. What a profile promises is followed through its own bandwidth. The published error budget is not
+/// used.
+class SwapWeigher {
+ public:
+  /// `summary` is used until the end.
+  explicit SwapWeigher(const LogSummary& summary);
+  ~SwapWeigher();
+  SwapWeigher(const SwapWeigher&) = delete;
+  SwapWeigher& operator=(const SwapWeigher&) = delete;
+
+  void take_part(io::LogWalk& walk);
+
+  /// When the walk is over; once.
+  std::vector<SwapEvidence> finish();
+
+ private:
+  struct Gathered;
+  std::unique_ptr<Gathered> gathered_;
+};
+
+/// Reads the log once, for its swaps alone. Throws io::ReadError.
 std::vector<SwapEvidence> weigh_swaps(const io::McapReader& log, const LogSummary& summary);
 
 }  // namespace inslab::cli

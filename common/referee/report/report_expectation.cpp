@@ -30,22 +30,7 @@ bool has_topic(const io::McapReader& log, const std::string& topic, std::string_
   return !io::channels_of(log, topic, type).empty();
 }
 
-std::vector<GnssFix> fixes_of(const io::McapReader& log, std::uint32_t number) {
-  std::vector<GnssFix> fixes;
-  const std::string topic = catalog::stream_topic<GnssFix>(number);
-  if (!has_topic(log, topic, wire::WireType<GnssFix>::name)) return fixes;
-  io::for_each_sample<GnssFix>(log, topic, [&](const GnssFix& fix, std::uint64_t) {
-    fixes.push_back(fix);
-    return true;
-  });
-  std::stable_sort(fixes.begin(), fixes.end(),
-                   [](const GnssFix& a, const GnssFix& b) { return a.header.sim_time_ns < b.header.sim_time_ns; });
-  return fixes;
-}
-
 bool is_before(double time_s, const predict::PredictedError& error) { return time_s < error.time_s; }
-
-}  // namespace
 
 predict::PredictedError beginning_of(const score::ScoredSolution& first) {
   const NavSolution& solution = first.solution;
@@ -54,6 +39,8 @@ predict::PredictedError beginning_of(const score::ScoredSolution& first) {
           reported_or_made(solution.velocity_sigma_ned_m_per_s, first.error.velocity_ned_m_per_s),
           reported_or_made(solution.attitude_sigma_rad, first.error.phi_rad)};
 }
+
+}  // namespace
 
 const predict::PredictedError* Expectation::at(double time_s) const {
   const auto next = std::upper_bound(curve.begin(), curve.end(), time_s, is_before);
@@ -66,43 +53,80 @@ const predict::PredictedError* Expectation::before(double time_s) const {
   return next == curve.begin() ? nullptr : &*(next - 1);
 }
 
-Expectation expectation_of(const io::McapReader& log, const LogSummary& summary, const predict::PredictedError& start) {
-  Expectation expectation;
+std::optional<std::uint32_t> receiver_of_app(const scenario::Scenario& scenario) {
+  if (scenario.gnss.empty()) return std::nullopt;
+  return scenario.reference_nav ? scenario.reference_nav->gnss : scenario.gnss.front().number;
+}
+
+ExpectationOfLog::ExpectationOfLog(const io::McapReader& log, const LogSummary& summary, std::vector<GnssFix> fixes)
+    : fixes_(std::move(fixes)) {
   const scenario::Scenario& scenario = summary.scenario;
   if (scenario.imu.empty()) {
-    expectation.missing = "the scenario has no IMU";
-    return expectation;
+    expectation_.missing = "the scenario has no IMU";
+    return;
   }
-  predict::ExpectedErrors::Setup setup;
-  setup.gravity = gravity_of(scenario);
-  const auto& app = scenario.reference_nav;
-  setup.imu_number = app ? app->imu : scenario.imu.front().number;
-  setup.start = start;
-  if (!scenario.gnss.empty()) setup.gnss_number = app ? app->gnss : scenario.gnss.front().number;
-  expectation.of = setup.gnss_number ? fmt::format("the best filter of the fixes of gnss {}", *setup.gnss_number)
-                                     : std::string("free inertial navigation");
-  const std::string topic = catalog::stream_topic<ImuTruth>(setup.imu_number);
-  if (!has_topic(log, topic, wire::WireType<ImuTruth>::name)) {
-    expectation.missing = "the log has no " + topic;
-    return expectation;
-  }
-  std::vector<AnyProfile> profiles;
+  setup_.gravity = gravity_of(scenario);
+  setup_.imu_number = scenario.reference_nav ? scenario.reference_nav->imu : scenario.imu.front().number;
+  setup_.gnss_number = receiver_of_app(scenario);
+  expectation_.of = setup_.gnss_number ? fmt::format("the best filter of the fixes of gnss {}", *setup_.gnss_number)
+                                       : std::string("free inertial navigation");
+  const std::string topic = catalog::stream_topic<ImuTruth>(setup_.imu_number);
+  if (!has_topic(log, topic, wire::WireType<ImuTruth>::name)) expectation_.missing = "the log has no " + topic;
   for (const ProfileInUse& entry : summary.profiles) {
-    profiles.push_back(entry.profile);
-    request_of(profiles.back()).apply_at_ns = entry.apply_at_ns;
+    profiles_.push_back(entry.profile);
+    request_of(profiles_.back()).apply_at_ns = entry.apply_at_ns;
   }
-  predict::ExpectedErrors errors(setup, profiles);
-  const std::vector<GnssFix> fixes = setup.gnss_number ? fixes_of(log, *setup.gnss_number) : std::vector<GnssFix>{};
-  auto fix = fixes.begin();
-  io::for_each_sample<ImuTruth>(log, topic, [&](const ImuTruth& truth, std::uint64_t) {
-    for (; fix != fixes.end() && fix->header.sim_time_ns < truth.header.sim_time_ns; ++fix) errors.add(*fix);
-    errors.add(truth);
-    return true;
+  std::stable_sort(fixes_.begin(), fixes_.end(),
+                   [](const GnssFix& a, const GnssFix& b) { return a.header.sim_time_ns < b.header.sim_time_ns; });
+}
+
+void ExpectationOfLog::take_part(io::LogWalk& walk, std::function<std::int64_t()> judged_until_ns) {
+  if (!expectation_.missing.empty()) return;
+  judged_until_ns_ = std::move(judged_until_ns);
+  walk.each<ImuTruth>([this, topic = catalog::stream_topic<ImuTruth>(setup_.imu_number)](
+                          const ImuTruth& truth, const io::LogWalk::Place& place) {
+    if (place.topic == topic) add(truth);
   });
-  expectation.curve = errors.curve();
-  expectation.left_out = errors.left_out();
-  if (expectation.curve.empty()) expectation.missing = "the log has no " + topic + " after the first solution";
-  return expectation;
+}
+
+void ExpectationOfLog::add(const score::ScoredSolution& scored) {
+  if (begun_) return;
+  begun_ = true;
+  if (!expectation_.missing.empty()) return;
+  setup_.start = beginning_of(scored);
+  errors_.emplace(setup_, std::move(profiles_));
+  for (const ImuTruth& truth : waiting_) follow(truth);
+  waiting_.clear();
+}
+
+void ExpectationOfLog::add(const ImuTruth& truth) {
+  if (errors_) return follow(truth);
+  waiting_.push_back(truth);
+  // What lies before every solution that may still be the first is before its beginning.
+  const std::int64_t judged_until_ns = judged_until_ns_();
+  while (!waiting_.empty() && waiting_.front().header.sim_time_ns < judged_until_ns) waiting_.pop_front();
+}
+
+void ExpectationOfLog::follow(const ImuTruth& truth) {
+  for (; next_fix_ < fixes_.size() && fixes_[next_fix_].header.sim_time_ns < truth.header.sim_time_ns; ++next_fix_) {
+    errors_->add(fixes_[next_fix_]);
+  }
+  errors_->add(truth);
+}
+
+Expectation ExpectationOfLog::finish() {
+  if (!begun_) {
+    expectation_ = {};
+    expectation_.missing = "no solution was scored";
+  }
+  if (!errors_) return std::move(expectation_);
+  expectation_.curve = errors_->curve();
+  expectation_.left_out = errors_->left_out();
+  if (expectation_.curve.empty()) {
+    expectation_.missing =
+        "the log has no " + wire::topic_names::imu_truth(setup_.imu_number) + " after the first solution";
+  }
+  return std::move(expectation_);
 }
 
 }  // namespace inslab::cli

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <deque>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,12 +25,39 @@ struct Expectation {
   const predict::PredictedError* before(double time_s) const;
 };
 
-/// What is known where an app begins: the sigmas that it reports with its first scored solution, and where it reports
-/// none, the error that it has.
-predict::PredictedError beginning_of(const score::ScoredSolution& first);
+/// Follows along a walk what is to be expected, from the first scored solution on.
+class ExpectationOfLog {
+ public:
+  /// `fixes`: of all the log's receivers, or of the app's alone. `summary` is used until the end.
+  ExpectationOfLog(const io::McapReader& log, const LogSummary& summary, std::vector<GnssFix> fixes);
 
-/// Throws io::ReadError.
-Expectation expectation_of(const io::McapReader& log, const LogSummary& summary, const predict::PredictedError& start);
+  /// `judged_until_ns` says before which sim time no first solution can lie any more.
+  void take_part(io::LogWalk& walk, std::function<std::int64_t()> judged_until_ns);
+
+  /// The first is where it begins: with the sigmas that the app reports there, and where it reports none, the error
+  /// that it has. Later ones are passed over.
+  void add(const score::ScoredSolution& scored);
+
+  /// When the walk is over; once.
+  Expectation finish();
+
+ private:
+  void add(const ImuTruth& truth);
+  void follow(const ImuTruth& truth);
+
+  Expectation expectation_;
+  predict::ExpectedErrors::Setup setup_;
+  std::vector<AnyProfile> profiles_;
+  std::vector<GnssFix> fixes_;  ///< in order of sim time
+  std::size_t next_fix_ = 0;
+  bool begun_ = false;
+  std::function<std::int64_t()> judged_until_ns_;
+  std::deque<ImuTruth> waiting_;  ///< for the first scored solution
+  std::optional<predict::ExpectedErrors> errors_;
+};
+
+/// The receiver that the app of a scenario is taken to use; nothing when the scenario has none.
+std::optional<std::uint32_t> receiver_of_app(const scenario::Scenario& scenario);
 
 /// Root mean square of the errors in units of the expected sigmas, over solutions and axes: 1 is as good as the
 /// sensors and fixes allow.

@@ -10,15 +10,12 @@
 #include <utility>
 
 #include "inslab/data/json/json_text.hpp"
-#include "inslab/foundation/files/error.hpp"
 #include "inslab/foundation/files/output_file.hpp"
-#include "inslab/referee/calibrate/analysis.hpp"
 #include "inslab/referee/calibrate/report.hpp"
 #include "inslab/referee/report/report_limits.hpp"
 #include "inslab/referee/report/report_tables.hpp"
 #include "inslab/referee/score/score_json.hpp"
 #include "inslab/referee/score/score_words.hpp"
-#include "inslab/referee/score/swap_intervals.hpp"
 
 namespace inslab::cli {
 
@@ -42,24 +39,16 @@ void add_figure(ReportPage& page, io::Picture picture, const std::string& captio
                           io::drawn(narrowed(picture), io::PictureFormat::Svg), id});
 }
 
-void add_allan(ReportPage& page, const io::McapReader& log, const LogSummary& summary) {
-  if (summary.scenario.imu.empty()) return;
-  AnalysisOptions options;
-  options.recording.sensor_number = summary.scenario.imu.front().number;
-  options.recording.minus_truth = options.recording.over_gaps = true;
-  ImuAnalysis analysis;
-  try {
-    analysis = analyse_imu(log.path(), options);
-  } catch (const io::ReadError& error) {
-    page.notes.push_back(std::string("No Allan deviation: ") + error.what());
-    return;
-  }
-  const SensorAddress imu{SensorKind::Imu, options.recording.sensor_number};
-  const bool was_swapped = std::any_of(
-      summary.profiles.begin(), summary.profiles.end(),
-      [&imu](const ProfileInUse& entry) { return entry.apply_at_ns >= 0 && target_of(entry.profile) == imu; });
+void add_allan(ReportPage& page, const ReportData& data) {
+  if (!data.why_no_imu_errors.empty()) page.notes.push_back("No Allan deviation: " + data.why_no_imu_errors);
+  if (!data.imu_errors) return;
+  const SensorAddress imu{SensorKind::Imu, data.summary.scenario.imu.front().number};
+  const auto& profiles = data.summary.profiles;
+  const bool was_swapped = std::any_of(profiles.begin(), profiles.end(), [&imu](const ProfileInUse& entry) {
+    return entry.apply_at_ns >= 0 && target_of(entry.profile) == imu;
+  });
   add_figure(
-      page, curve_picture(analysis),
+      page, curve_picture(*data.imu_errors),
       fmt::format("IMU {} less its truth over the whole run{}; points, 99 % bands dotted, fitted model as a line.",
                   imu.number, was_swapped ? ", across its swaps" : ""));
 }
@@ -76,9 +65,8 @@ std::string expectation_text(const ReportData& data) {
   if (expectation.curve.empty()) return "";
   return fmt::format(
       "Measured over expected (1 sigma of {}, told every profile), RMS{}{}.{}", expectation.of,
-      ratios_text(data.curves.ratios(expectation, false),
-                  data.score.scorer.outages().empty() ? "all" : "between outages"),
-      ratios_text(data.curves.ratios(expectation, true), "in outages"),
+      ratios_text(data.between_outages, data.score.scorer.outages().empty() ? "all" : "between outages"),
+      ratios_text(data.in_outages, "in outages"),
       expectation.left_out.empty() ? "" : fmt::format(" Left out of it: {}.", fmt::join(expectation.left_out, ", ")));
 }
 
@@ -111,8 +99,8 @@ Json expectation_json(const ReportData& data) {
   if (expectation.curve.empty()) return {{"missing", expectation.missing}};
   Json json{{"of", expectation.of},
             {"left_out", expectation.left_out},
-            {"measured_over_expected_between_outages", ratios_json(data.curves.ratios(expectation, false))},
-            {"measured_over_expected_in_outages", ratios_json(data.curves.ratios(expectation, true))}};
+            {"measured_over_expected_between_outages", ratios_json(data.between_outages)},
+            {"measured_over_expected_in_outages", ratios_json(data.in_outages)}};
   json["outages"] = Json::array();
   for (const score::OutageDrift& outage : data.score.scorer.outages()) {
     const predict::PredictedError* end = expectation.before(static_cast<double>(outage.end_ns) * 1e-9);
@@ -135,7 +123,7 @@ Json expectation_json(const ReportData& data) {
   return json;
 }
 
-Json worst_json(const LogScore& score, const LogSummary& summary) {
+Json worst_json(const LogScore& score) {
   if (!score.worst.found()) return nullptr;
   const Moment& moment = *score.worst.found();
   return {{"time_s", moment.time_s},
@@ -144,8 +132,8 @@ Json worst_json(const LogScore& score, const LogSummary& summary) {
           {"horizontal_sigma_m", moment.horizontal_sigma_m},
           {"speed_m_per_s", moment.speed_m_per_s},
           {"turn_rate_deg_per_s", moment.turn_rate_deg_per_s},
-          {"swap_interval", SwapIntervals(summary).at(moment.time_s)},
-          {"words", worst_words(score, summary)}};
+          {"swap_interval", score.intervals.at(moment.time_s)},
+          {"words", worst_words(score)}};
 }
 
 /// What no figure of a swap's evidence weighs, by its profile's name.
@@ -158,8 +146,7 @@ Json not_weighed_json(const std::vector<SwapEvidence>& swaps) {
   return all;
 }
 
-Json intervals_json(const LogSummary& summary) {
-  const SwapIntervals intervals(summary);
+Json intervals_json(const SwapIntervals& intervals) {
   Json names = Json::array();
   for (std::size_t i = 0; i <= intervals.count(); ++i) names.push_back(intervals.name(i));
   return names;
@@ -173,7 +160,7 @@ Json run_json(const LogSummary& summary) {
 }
 
 /// "run 2026-11-29 04:20:11 UTC, id 0a1b..., scenario demo (demo.json), seed 7, inslab 0.1.0, log demo.mcap"
-std::string identity_words(const io::McapReader& log, const LogSummary& summary) {
+std::string identity_words(const LogSummary& summary) {
   const RunIdentity& run = summary.identity;
   std::string words = run.began_utc.empty() ? "Simulated in one process" : "Run of " + run.began_utc;
   if (!run.run_id.empty()) words += ", id " + run.run_id;
@@ -181,18 +168,19 @@ std::string identity_words(const io::McapReader& log, const LogSummary& summary)
   if (!run.scenario_file.empty()) words += " (" + run.scenario_file + ")";
   words += fmt::format(", seed {}", summary.scenario.seed);
   if (!run.unit.empty()) words += ", unit " + run.unit;
-  return words + fmt::format("; inslab {}; log {}", run.version, std::filesystem::path(log.path()).filename().string());
+  return words +
+         fmt::format("; inslab {}; log {}", run.version, std::filesystem::path(summary.path).filename().string());
 }
 
 }  // namespace
 
-std::string write_report(const io::McapReader& log, const ReportData& data, const std::string& folder) {
+std::string write_report(const ReportData& data, const std::string& folder) {
   std::filesystem::create_directories(folder);
-  const std::vector<std::string> paths = report_paths(log.path(), folder);
+  const std::vector<std::string> paths = report_paths(data.summary.path, folder);
   for (const std::string& path : paths) io::check_output(path);  // before the first is written
   io::write_file(paths[0], report_text(data));
   io::write_file(paths[1], config::json_text(report_json(data)));
-  io::write_file(paths[2], html(report_page(log, data)));
+  io::write_file(paths[2], html(report_page(data)));
   return std::filesystem::path(paths[2]).replace_extension().string();
 }
 
@@ -201,24 +189,8 @@ std::vector<std::string> report_paths(const std::string& log, const std::string&
   return {stem + ".txt", stem + ".json", stem + ".html"};
 }
 
-ReportData report_data(const io::McapReader& log) {
-  ReportData data{summarize(log), {score::Scorer(scenario::Scenario()), {}, {}}, {}, {}, {}};
-  std::optional<predict::PredictedError> start;
-  data.score = score_log(log, data.summary, [&](const score::ScoredSolution& scored) {
-    if (!start) start = beginning_of(scored);
-    data.curves.add(scored);
-  });
-  if (start) {
-    data.expectation = expectation_of(log, data.summary, *start);
-  } else {
-    data.expectation.missing = "no solution was scored";
-  }
-  data.swaps = weigh_swaps(log, data.summary);
-  return data;
-}
-
 std::string report_text(const ReportData& data) {
-  const std::string text = score_words(data.score, data.summary);
+  const std::string text = score_words(data.score);
   const std::string expected = expectation_text(data);
   return expected.empty() ? text : text + "\n" + expected + "\n";
 }
@@ -226,15 +198,15 @@ std::string report_text(const ReportData& data) {
 Json report_json(const ReportData& data) {
   Json report = score::score_json(data.score.scorer, data.score.verdicts);
   report["run"] = run_json(data.summary);
-  report["verdict"] = verdict_words(data.score, data.summary);
-  report["worst"] = worst_json(data.score, data.summary);
-  report["swap_intervals"] = intervals_json(data.summary);
+  report["verdict"] = verdict_words(data.score);
+  report["worst"] = worst_json(data.score);
+  report["swap_intervals"] = intervals_json(data.score.intervals);
   report["swaps_not_weighed"] = not_weighed_json(data.swaps);
   report["expected"] = expectation_json(data);
   return report;
 }
 
-ReportPage report_page(const io::McapReader& log, const ReportData& data) {
+ReportPage report_page(const ReportData& data) {
   const LogSummary& summary = data.summary;
   const LogScore& score = data.score;
   const ErrorCurves& curves = data.curves;
@@ -242,10 +214,10 @@ ReportPage report_page(const io::McapReader& log, const ReportData& data) {
   ReportPage page;
   page.title = "Inslab report: " + summary.scenario.name;
   page.description = summary.scenario.description;
-  page.verdict = verdict_words(score, summary);
+  page.verdict = verdict_words(score);
   page.accepted = score.accepted();
-  page.worst = worst_words(score, summary);
-  page.identity = identity_words(log, summary);
+  page.worst = worst_words(score);
+  page.identity = identity_words(summary);
   page.tables = report_tables(data);
   if (curves.empty()) {
     page.notes.push_back("No solution was scored: there are no errors to draw.");
@@ -273,7 +245,7 @@ ReportPage report_page(const io::McapReader& log, const ReportData& data) {
     add_figure(page, latency_picture(score), "20 bins a decade; both times by CLOCK_REALTIME of their hosts.",
                page_id::kLatency);
   }
-  add_allan(page, log, summary);
+  add_allan(page, data);
   return page;
 }
 

@@ -3,23 +3,10 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "inslab/referee/evidence/swap_evidence.hpp"
+#include "inslab/referee/report/report_data.hpp"
 #include "inslab/referee/report/report_page.hpp"
-#include "inslab/referee/report/report_pictures.hpp"
 
 namespace inslab::cli {
-
-/// Everything that a report is made of.
-struct ReportData {
-  LogSummary summary;
-  LogScore score;
-  ErrorCurves curves;
-  Expectation expectation;
-  std::vector<SwapEvidence> swaps;
-};
-
-/// Scores a log and finds what was to be expected. Throws io::ReadError, config::Error.
-ReportData report_data(const io::McapReader& log);
 
 /// The figures for the terminal; score_words() with what was to be expected.
 std::string report_text(const ReportData& data);
@@ -29,11 +16,11 @@ nlohmann::ordered_json report_json(const ReportData& data);
 
 /// What a log says of the app, with its pictures; the Allan deviation is that of the first IMU less its truth. What
 /// cannot be drawn is said in the notes.
-ReportPage report_page(const io::McapReader& log, const ReportData& data);
+ReportPage report_page(const ReportData& data);
 
 /// Writes STEM.txt, STEM.json and STEM.html into the folder, STEM being the log's name, and returns FOLDER/STEM. Throws
 /// io::WriteError.
-std::string write_report(const io::McapReader& log, const ReportData& data, const std::string& folder);
+std::string write_report(const ReportData& data, const std::string& folder);
 
 /// The files that write_report() makes of a log of this name in the folder.
 std::vector<std::string> report_paths(const std::string& log, const std::string& folder);

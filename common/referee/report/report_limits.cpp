@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "inslab/referee/score/swap_intervals.hpp"
-
 namespace inslab::cli {
 
 namespace {
@@ -38,13 +36,12 @@ std::vector<io::Band> between(const std::vector<io::Band>& bands, double end_s) 
 
 bool is_drift(Metric metric) { return metric >= Metric::OutageDriftRms && metric <= Metric::OutageVerticalDriftMax; }
 
-std::vector<io::Band> judged_stretches(const scenario::AcceptanceLimit& limit, const LogScore& score,
-                                       const LogSummary& summary, double end_s) {
+std::vector<io::Band> judged_stretches(const scenario::AcceptanceLimit& limit, const LogScore& score, double end_s) {
   std::vector<io::Band> bands{{0.0, end_s}};
   if (limit.phase == Phase::Outages || is_drift(limit.metric)) bands = outages_of(score);
   if (limit.phase == Phase::BetweenOutages) bands = between(outages_of(score), end_s);
   if (limit.phase == Phase::SwapInterval) {
-    const SwapIntervals intervals(summary);
+    const SwapIntervals& intervals = score.intervals;
     bands = {{intervals.begin_s(limit.swap_interval), std::min(end_s, intervals.begin_s(limit.swap_interval + 1))}};
   }
   std::vector<io::Band> judged;
@@ -107,13 +104,12 @@ std::string page_id_of(Metric metric) {
   return page_id::kApp;
 }
 
-std::vector<io::Curve> limit_curves(const std::vector<Metric>& metrics, const LogScore& score,
-                                    const LogSummary& summary, double end_s) {
+std::vector<io::Curve> limit_curves(const std::vector<Metric>& metrics, const LogScore& score, double end_s) {
   std::vector<io::Curve> curves;
   for (const score::Verdict& verdict : score.verdicts) {
     const scenario::AcceptanceLimit& limit = verdict.limit;
     if (std::find(metrics.begin(), metrics.end(), limit.metric) == metrics.end()) continue;
-    const std::vector<io::Band> stretches = judged_stretches(limit, score, summary, end_s);
+    const std::vector<io::Band> stretches = judged_stretches(limit, score, end_s);
     if (stretches.empty()) continue;
     const auto add = [&](const char* which, const std::optional<double>& value) {
       if (value) {

@@ -158,7 +158,7 @@ io::Picture ErrorCurves::size_panels(const std::string& title, const std::vector
     panel.x_label = is_last ? "sim time (s)" : "";
     panel.y_label = size.label;
     panel.tight_x = panel.log_y = true;
-    const std::vector<io::Curve> limits = limit_curves(size.metrics, score, summary, end_s());
+    const std::vector<io::Curve> limits = limit_curves(size.metrics, score, end_s());
     panel.has_key = is_last || !limits.empty();
     for (const io::Curve& curve : {error, reported, expected}) {
       if (!curve.x.empty()) panel.curves.push_back(io::thinned_by_logarithm(curve, kBins));
@@ -223,7 +223,7 @@ io::Picture ErrorCurves::honesty(const LogScore& score, const LogSummary& summar
     panel.tight_x = panel.log_y = true;
     panel.curves = {io::thinned_by_logarithm(nees, kBins), honest};
     const auto metric = static_cast<Metric>(static_cast<std::uint32_t>(Metric::PositionNees) + which);
-    for (const io::Curve& limit : limit_curves({metric}, score, summary, end_s())) panel.curves.push_back(limit);
+    for (const io::Curve& limit : limit_curves({metric}, score, end_s())) panel.curves.push_back(limit);
     mark(panel, score, summary);
     picture.panels.push_back(panel);
   }

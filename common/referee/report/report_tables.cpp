@@ -10,7 +10,6 @@
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/referee/report/report_limits.hpp"
 #include "inslab/referee/score/score_text.hpp"
-#include "inslab/referee/score/swap_intervals.hpp"
 
 namespace inslab::cli {
 
@@ -128,11 +127,12 @@ PageTable outages_table(const LogScore& score, const Expectation& expectation) {
   return table;
 }
 
-PageTable ratios_table(const ErrorCurves& curves, const Expectation& expectation, bool has_outages) {
+PageTable ratios_table(const ReportData& data, bool has_outages) {
+  const Expectation& expectation = data.expectation;
   PageTable table{"Measured over expected", {"RMS", "position", "velocity", "attitude"}, {}};
   if (expectation.curve.empty()) return table;
   for (const bool in_outages : {false, true}) {
-    const ErrorRatios ratios = curves.ratios(expectation, in_outages);
+    const ErrorRatios& ratios = in_outages ? data.in_outages : data.between_outages;
     if (ratios.solutions == 0) continue;
     const char* where = in_outages ? "in outages" : has_outages ? "between outages" : "all";
     const auto cell = [](double ratio) {
@@ -223,13 +223,13 @@ PageTable swaps_table(const std::vector<SwapEvidence>& swaps) {
 }  // namespace
 
 std::vector<PageTable> report_tables(const ReportData& data) {
-  const SwapIntervals intervals(data.summary);
+  const SwapIntervals& intervals = data.score.intervals;
   const bool has_outages = !data.score.scorer.outages().empty();
   std::vector<PageTable> tables;
-  for (PageTable& table : std::vector<PageTable>{
-           acceptance_table(data.score, intervals), phases_table(data.score, intervals),
-           outages_table(data.score, data.expectation), ratios_table(data.curves, data.expectation, has_outages),
-           app_table(data.score), swaps_table(data.swaps), profiles_table(data.summary)}) {
+  for (PageTable& table :
+       std::vector<PageTable>{acceptance_table(data.score, intervals), phases_table(data.score, intervals),
+                              outages_table(data.score, data.expectation), ratios_table(data, has_outages),
+                              app_table(data.score), swaps_table(data.swaps), profiles_table(data.summary)}) {
     if (!table.rows.empty()) tables.push_back(std::move(table));
   }
   return tables;

@@ -36,38 +36,51 @@ score::Scorer scorer_of(const LogSummary& summary, const score::Scorer::Options&
   return scorer;
 }
 
+score::Scorer::Options told(score::Scorer::Options options, LogScorer::OnScored on_scored) {
+  options.on_scored = std::move(on_scored);
+  return options;
+}
+
 }  // namespace
 
 bool LogScore::accepted() const {
   return std::all_of(verdicts.begin(), verdicts.end(), [](const score::Verdict& verdict) { return verdict.passed; });
 }
 
-LogScore score_log(const io::McapReader& log, const LogSummary& summary,
-                   const std::function<void(const score::ScoredSolution&)>& on_scored) {
-  score::Scorer::Options options;
-  WorstMoment worst;
-  options.on_scored = [&](const score::ScoredSolution& scored) {
-    worst.add(scored);
-    if (on_scored) on_scored(scored);
-  };
-  score::Scorer scorer = scorer_of(summary, options);
+LogScorer::LogScorer(const LogSummary& summary, OnScored on_scored)
+    : summary_(summary),
+      on_scored_(std::move(on_scored)),
+      scorer_(scorer_of(summary, told(score::Scorer::Options(), [this](const score::ScoredSolution& scored) {
+                          worst_.add(scored);
+                          if (on_scored_) on_scored_(scored);
+                        }))) {
   if (summary.last_status && summary.last_status->clock == ClockMode::Lockstep) {
-    scorer.without_latency(score::kLockstepHasNoLatency);
+    scorer_.without_latency(score::kLockstepHasNoLatency);
   }
-  const auto types = io::channel_types(log);
-  log.for_each([&](const io::mcap::Message& message) {
-    const std::string& type = types.at(message.channel_id);
-    if (took_what_is_true(type, message, scorer)) return true;
-    const auto add = [&scorer](const auto& sample) { scorer.add(sample); };
-    if (taken<ImuSample>(type, message, add)) return true;
-    taken<NavSolution>(type, message, [&](const NavSolution& solution) {
-      scorer.add(solution, static_cast<std::int64_t>(message.log_time_ns));
-    });
-    return true;
+}
+
+void LogScorer::take_part(io::LogWalk& walk) {
+  const auto add = [this](const auto& sample) { scorer_.add(sample); };
+  walk.each<TruthState>(add);
+  walk.each<GnssFix>(add);
+  walk.each<ImuSample>(add);
+  walk.each<NavSolution>([this](const NavSolution& solution, const io::LogWalk::Place& place) {
+    scorer_.add(solution, place.log_time_ns);
   });
-  scorer.finish();
-  std::vector<score::Verdict> verdicts = score::judge(scorer, summary.scenario.acceptance);
-  return {std::move(scorer), std::move(verdicts), worst};
+}
+
+LogScore LogScorer::finish() {
+  scorer_.finish();
+  std::vector<score::Verdict> verdicts = score::judge(scorer_, summary_.scenario.acceptance);
+  return {std::move(scorer_), std::move(verdicts), worst_, SwapIntervals(summary_)};
+}
+
+LogScore score_log(const io::McapReader& log, const LogSummary& summary) {
+  LogScorer scorer(summary);
+  io::LogWalk walk(log);
+  scorer.take_part(walk);
+  walk.go();
+  return scorer.finish();
 }
 
 LogScore score_app(const io::McapReader& log, const LogSummary& summary, const OfflineApp& app) {
@@ -76,7 +89,7 @@ LogScore score_app(const io::McapReader& log, const LogSummary& summary, const O
   score::Scorer::Options options;
   options.imu_number = app.imu_number;
   options.gnss_number = app.gnss_number;
-  LogScore result{scorer_of(summary, options), {}, {}};
+  LogScore result{scorer_of(summary, options), {}, {}, SwapIntervals(summary)};
   score::Scorer& scorer = result.scorer;
   scorer.without_latency("the app ran on a log");
   const auto types = io::channel_types(log);

@@ -4,6 +4,7 @@
 
 #include "inslab/referee/evidence/log_summary.hpp"
 #include "inslab/referee/score/acceptance.hpp"
+#include "inslab/referee/score/swap_intervals.hpp"
 #include "inslab/referee/score/worst_moment.hpp"
 
 namespace inslab::cli {
@@ -13,13 +14,38 @@ struct LogScore {
   score::Scorer scorer;
   std::vector<score::Verdict> verdicts;
   WorstMoment worst;
+  SwapIntervals intervals;
 
   bool accepted() const;
 };
 
-/// Reads the log once. `on_scored` is told of each scored solution. Throws io::ReadError.
-LogScore score_log(const io::McapReader& log, const LogSummary& summary,
-                   const std::function<void(const score::ScoredSolution&)>& on_scored = {});
+/// Scores a log along a walk.
+class LogScorer {
+ public:
+  using OnScored = std::function<void(const score::ScoredSolution&)>;
+
+  /// `on_scored` is told of each scored solution, in order of validity. `summary` is used until the end.
+  explicit LogScorer(const LogSummary& summary, OnScored on_scored = {});
+  LogScorer(const LogScorer&) = delete;
+  LogScorer& operator=(const LogScorer&) = delete;
+
+  void take_part(io::LogWalk& walk);
+
+  /// No solution that is valid before this sim time will be scored any more; the lowest number before the first truth.
+  std::int64_t judged_until_ns() const { return scorer_.judged_until_ns(); }
+
+  /// When the walk is over; once.
+  LogScore finish();
+
+ private:
+  const LogSummary& summary_;
+  OnScored on_scored_;
+  WorstMoment worst_;
+  score::Scorer scorer_;
+};
+
+/// Reads the log once, for its score alone. Throws io::ReadError.
+LogScore score_log(const io::McapReader& log, const LogSummary& summary);
 
 /// An app that works on a log's samples, in place of the one that took part in the run.
 struct OfflineApp {

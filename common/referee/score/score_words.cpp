@@ -7,7 +7,6 @@
 
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/referee/score/score_text.hpp"
-#include "inslab/referee/score/swap_intervals.hpp"
 
 namespace inslab::cli {
 
@@ -46,8 +45,8 @@ bool limits_a_drift(const score::Verdict& verdict) {
   return metric >= Metric::OutageDriftRms && metric <= Metric::OutageVerticalDriftMax;
 }
 
-std::string intervals_text(const LogScore& score, const LogSummary& summary) {
-  const SwapIntervals intervals(summary);
+std::string intervals_text(const LogScore& score) {
+  const SwapIntervals& intervals = score.intervals;
   std::string text;
   for (const auto& [key, errors] : score.scorer.phases()) {
     if (key.phase != Phase::SwapInterval || key.after_s > 0.0 || key.swap_interval == 0) continue;
@@ -58,7 +57,7 @@ std::string intervals_text(const LogScore& score, const LogSummary& summary) {
 
 }  // namespace
 
-std::string worst_words(const LogScore& score, const LogSummary& summary) {
+std::string worst_words(const LogScore& score) {
   if (!score.worst.found()) return "";
   const Moment& moment = *score.worst.found();
   std::string words = fmt::format("{:.4g} m horizontally and {:.4g} m vertically at {:.3f} s", moment.horizontal_m,
@@ -68,13 +67,13 @@ std::string worst_words(const LogScore& score, const LogSummary& summary) {
     words += fmt::format("; the app's own 1 sigma was {:.4g} m, so the error was {:.3g} times as large",
                          moment.horizontal_sigma_m, moment.horizontal_m / moment.horizontal_sigma_m);
   }
-  const SwapIntervals intervals(summary);
+  const SwapIntervals& intervals = score.intervals;
   const std::size_t interval = intervals.at(moment.time_s);
   if (interval > 0) words += "; the last swap before it: " + intervals.name(interval);
   return words;
 }
 
-std::string unjudged_words(const LogScore& score, const LogSummary& summary) {
+std::string unjudged_words(const LogScore& score) {
   const auto& verdicts = score.verdicts;
   if (verdicts.empty()) return "";
   const auto all_of_errors = [&](const auto& holds) {
@@ -84,7 +83,7 @@ std::string unjudged_words(const LogScore& score, const LogSummary& summary) {
   };
   const bool has_drifts = std::any_of(verdicts.begin(), verdicts.end(), limits_a_drift);
   if (!has_drifts && std::none_of(verdicts.begin(), verdicts.end(), limits_an_error)) return "no error is judged";
-  const SwapIntervals intervals(summary);
+  const SwapIntervals& intervals = score.intervals;
   if (!has_drifts && intervals.count() > 0 && all_of_errors([](const scenario::AcceptanceLimit& limit) {
         return limit.phase == Phase::SwapInterval && limit.swap_interval == 0;
       })) {
@@ -97,21 +96,21 @@ std::string unjudged_words(const LogScore& score, const LogSummary& summary) {
   return "";
 }
 
-std::string verdict_words(const LogScore& score, const LogSummary& summary) {
+std::string verdict_words(const LogScore& score) {
   if (score.verdicts.empty()) return "";
   const auto passed = std::count_if(score.verdicts.begin(), score.verdicts.end(),
                                     [](const score::Verdict& verdict) { return verdict.passed; });
-  const std::string unjudged = unjudged_words(score, summary);
+  const std::string unjudged = unjudged_words(score);
   return fmt::format("{}: {} of {} acceptance lines passed{}{}", score.accepted() ? "PASS" : "FAIL", passed,
                      score.verdicts.size(), unjudged.empty() ? "" : "; ", unjudged);
 }
 
-std::string score_words(const LogScore& score, const LogSummary& summary) {
+std::string score_words(const LogScore& score) {
   std::string text = score::score_text(score.scorer, score.verdicts);
-  const std::string worst = worst_words(score, summary), verdict = verdict_words(score, summary);
+  const std::string worst = worst_words(score), verdict = verdict_words(score);
   if (!verdict.empty()) text += verdict + "\n";
   if (!worst.empty()) text += "\nworst moment: " + worst + "\n";
-  return text + intervals_text(score, summary);
+  return text + intervals_text(score);
 }
 
 }  // namespace inslab::cli

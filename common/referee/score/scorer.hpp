@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -63,6 +64,11 @@ class Scorer {
 
   /// The run has no latency to judge; see Latency::none_because().
   void without_latency(const std::string& why) { latency_.none_because(why); }
+
+  /// No solution that is valid before this sim time will be scored any more; the lowest number before the first truth.
+  std::int64_t judged_until_ns() const {
+    return truth_.empty() ? std::numeric_limits<std::int64_t>::min() : truth_.front().header.sim_time_ns;
+  }
 
   const SolutionCounts& counts() const { return counts_; }
   const std::map<PhaseKey, ErrorStatistics>& phases() const { return phases_.all(); }

@@ -9,10 +9,10 @@
 #include "inslab/foundation/files/output_file.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/one_of.hpp"
+#include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/referee/calibrate/fitted_profile.hpp"
 #include "inslab/referee/calibrate/profile_file.hpp"
 #include "inslab/referee/calibrate/report.hpp"
-#include "inslab/referee/evidence/tell.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
 namespace inslab::cli {

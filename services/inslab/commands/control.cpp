@@ -3,12 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "inslab/bus/client/run_client.hpp"
-#include "inslab/bus/service/service.hpp"
+#include "inslab/bus/client/own_client.hpp"
 #include "inslab/foundation/host/command_ending.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
@@ -26,27 +26,27 @@ struct ControlOptions {
 int control(CommandKind kind, const ControlOptions& options) {
   const app::OwnEnding leaves_the_domain(app::OwnEnding::Then::EndsBySignal);
   const SimCommand command{app::random_id(), kind, options.value};
-  dds::Participant participant(app::participant_options(options.network, "inslab-control"));
-  RunClient client(participant);
+  const auto own = client_of(options.network, "inslab-control");
+  RunClient& client = *own;
   const time::Nanoseconds deadline = app::monotonic_now() + time::from_seconds(options.timeout_s);
   const std::string server = "a trajectory server on " + options.network.words();
   if (!wait_for(
           deadline, [&] { return client.connected() && client.status(); }, server)) {
-    fmt::print(stderr, "inslab {}: {} was not found within {:g} s\n", enum_name(kind), server, options.timeout_s);
+    tell(stderr, "inslab {}: {} was not found within {:g} s\n", enum_name(kind), server, options.timeout_s);
     return app::kNotApplied;
   }
   const auto judged = [&] { return client.status()->last_command_id == command.request_id; };
   if (!client.send(command) || !wait_for(deadline, judged, "the answer of the trajectory server")) {
-    fmt::print(stderr, "inslab {}: no answer within {:g} s\n", enum_name(kind), options.timeout_s);
+    tell(stderr, "inslab {}: no answer within {:g} s\n", enum_name(kind), options.timeout_s);
     return app::kNotApplied;
   }
   const SimStatus status = *client.status();
   if (!status.last_command_refusal.empty()) {
-    fmt::print(stderr, "refused: {}\n", text::shown(status.last_command_refusal));
+    tell(stderr, "refused: {}\n", text::shown(status.last_command_refusal));
     return app::kNotApplied;
   }
-  fmt::print("{} at {:.9f} s of sim time, {} truth samples sent, rate {:g}\n", enum_name(status.state),
-             static_cast<double>(status.sim_time_ns) * 1e-9, status.truth_samples, status.rate);
+  tell("{} at {:.9f} s of sim time, {} truth samples sent, rate {:g}\n", enum_name(status.state),
+       static_cast<double>(status.sim_time_ns) * 1e-9, status.truth_samples, status.rate);
   return app::kOk;
 }
 

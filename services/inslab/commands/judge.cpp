@@ -1,27 +1,18 @@
 #include "inslab/services/inslab/commands/judge.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 
 #include "inslab/foundation/files/output_file.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
-#include "inslab/referee/evidence/run_summary.hpp"
+#include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/referee/report/report_files.hpp"
-#include "inslab/referee/score/score_log.hpp"
 #include "inslab/referee/score/score_text.hpp"
-#include "inslab/referee/score/score_words.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
 namespace inslab::cli {
 
 namespace {
-
-/// What the checks and the acceptance come to together; both are in the last line when they are as good.
-app::Outcome with_acceptance(const app::Outcome& checks, const std::string& verdict, bool accepted) {
-  if (checks.code == app::kOk && accepted) return {app::kOk, checks.reason + "; " + verdict};
-  return worse(checks, {accepted ? app::kOk : app::kNotAccepted, verdict});
-}
 
 struct JudgeOptions {
   std::string log;
@@ -32,16 +23,8 @@ struct JudgeOptions {
 
 int judge(const JudgeOptions& options) {
   options.outputs.check(options.log);
-  if (!options.run_id.empty()) {
-    const std::string logged = summarize(io::McapReader(options.log)).identity.run_id;
-    if (logged != options.run_id) {
-      std::fprintf(stderr, "inslab judge: %s is the log of %s, not of run %s\n", options.log.c_str(),
-                   logged.empty() ? "no run" : ("run " + logged).c_str(), options.run_id.c_str());
-      return app::kFailed;
-    }
-  }
   return judge_log(options.log, options.failure.empty() ? std::nullopt : std::optional(options.failure),
-                   options.outputs);
+                   options.outputs, options.run_id);
 }
 
 }  // namespace
@@ -57,21 +40,24 @@ void JudgeOutputs::check(const std::string& log_file) const {
   for (const std::string& path : report_paths(log_file, report_folder)) io::check_output(path);
 }
 
-int judge_log(const std::string& log_file, const std::optional<std::string>& failure, const JudgeOutputs& outputs) {
-  app::Outcome outcome = print_run_summary(log_file, failure);
-  const io::McapReader log(log_file);
-  const LogSummary summary = summarize(log);
-  const LogScore score = score_log(log, summary);
-  if (score.scorer.counts().received > 0 || !score.verdicts.empty()) {
-    std::fputs(score_words(score, summary).c_str(), stdout);
+int judge_log(const std::string& log_file, const std::optional<std::string>& failure, const JudgeOutputs& outputs,
+              const std::string& run_id) {
+  const ReportData data =
+      report_data(io::McapReader(log_file), outputs.report_folder.empty() ? ReportDepth::Verdict : ReportDepth::Page);
+  const std::string& logged = data.summary.identity.run_id;
+  if (!run_id.empty() && logged != run_id) {
+    tell(stderr, "inslab judge: {} is the log of {}, not of run {}\n", log_file,
+         logged.empty() ? "no run" : "run " + logged, run_id);
+    return app::kFailed;
   }
-  if (!outputs.report_folder.empty()) {
-    std::printf("\nreport %s.html\n", write_report(log, report_data(log), outputs.report_folder).c_str());
+  const Judgement judgement = judgement_of(data, failure);
+  tell("{}", judgement.text);
+  if (!outputs.report_folder.empty()) tell("\nreport {}.html\n", write_report(data, outputs.report_folder));
+  if (!outputs.junit.empty()) {
+    io::write_file(outputs.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
   }
-  if (!outputs.junit.empty()) io::write_file(outputs.junit, score::junit_xml(summary.scenario.name, score.verdicts));
-  if (!score.verdicts.empty()) outcome = with_acceptance(outcome, verdict_words(score, summary), score.accepted());
-  std::printf("%s\n", outcome.words().c_str());
-  return outcome.code;
+  tell("{}\n", judgement.outcome.words());
+  return judgement.outcome.code;
 }
 
 void add_judge(CLI::App& app, std::function<int()>& action) {

@@ -20,8 +20,9 @@ struct JudgeOutputs {
 };
 
 /// Says what a run came to, from its log: the checks, the score of the app under test, the scenario's acceptance, and
-/// all of it in the last line. `failure` is what the one who ran it saw go wrong, if anything. Returns the exit code.
-/// Throws io::ReadError, config::Error.
-int judge_log(const std::string& log_file, const std::optional<std::string>& failure, const JudgeOutputs& outputs);
+/// all of it in the last line. `failure` is what the one who ran it saw go wrong, if anything; the log must be of the
+/// run with `run_id` where that is not empty. Returns the exit code. Throws io::ReadError, config::Error.
+int judge_log(const std::string& log_file, const std::optional<std::string>& failure, const JudgeOutputs& outputs,
+              const std::string& run_id = "");
 
 }  // namespace inslab::cli

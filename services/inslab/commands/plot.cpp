@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 #include "inslab/foundation/files/output_file.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/one_of.hpp"
+#include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/referee/report/track_picture.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
@@ -29,7 +29,7 @@ int plot(const PlotOptions& options) {
   std::filesystem::create_directories(options.directory);
   const std::string path = (std::filesystem::path(options.directory) / (name + "." + options.format)).string();
   io::write_file(path, bytes);
-  std::cout << path << " (" << bytes.size() / 1024 << " KiB)\n";
+  tell("{} ({} KiB)\n", path, bytes.size() / 1024);
   return app::kOk;
 }
 

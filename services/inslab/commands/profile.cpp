@@ -9,9 +9,9 @@
 #include "inslab/formats/profile_import/conversion.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/one_of.hpp"
+#include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/referee/calibrate/profile_file.hpp"
-#include "inslab/referee/evidence/tell.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
 namespace inslab::cli {

@@ -7,7 +7,7 @@
 #include "inslab/data/json/json_text.hpp"
 #include "inslab/foundation/files/output_file.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
-#include "inslab/referee/evidence/tell.hpp"
+#include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/referee/report/report_files.hpp"
 #include "inslab/referee/score/score_text.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
@@ -26,13 +26,13 @@ struct ReportOptions {
 int report(const ReportOptions& options) {
   if (!options.junit.empty()) io::check_output(options.junit);
   const io::McapReader log(options.log);
-  const ReportData data = report_data(log);
+  const ReportData data = report_data(log, options.directory.empty() ? ReportDepth::Figures : ReportDepth::Page);
   tell("{}", options.json ? config::json_text(report_json(data)) : report_text(data));
   if (!options.junit.empty()) {
     io::write_file(options.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
   }
   if (!options.directory.empty()) {
-    const std::string stem = write_report(log, data, options.directory);
+    const std::string stem = write_report(data, options.directory);
     if (!options.json) tell("\n{0}.txt, {0}.json and {0}.html written\n", stem);
   }
   return data.score.accepted() ? app::kOk : app::kNotAccepted;

@@ -1,17 +1,14 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
-#include "inslab/bus/dds/participant.hpp"
 #include "inslab/bus/service/clock_override.hpp"
 #include "inslab/foundation/files/output_file.hpp"
 #include "inslab/foundation/host/command_ending.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/host.hpp"
-#include "inslab/models/navigation/app_setup.hpp"
+#include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/referee/evidence/run_summary.hpp"
-#include "inslab/scenario/service_names.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 #include "inslab/services/inslab/commands/judge.hpp"
 #include "inslab/services/inslab/live/live_run.hpp"
@@ -20,20 +17,11 @@ namespace inslab::cli {
 
 namespace {
 
-/// What runs short of shared memory later is ended by the kernel, without a word.
-std::string shared_memory_shortage(const app::NetworkOptions& network, const scenario::LoadedScenario& loaded) {
-  if (network.transport != "shm") return "";
-  constexpr int kThisOneAndTheTrajectoryServer = 2;
-  const auto services = static_cast<int>(app::required_services(loaded).size());
-  return dds::shared_memory_shortage(services + kThisOneAndTheTrajectoryServer);
-}
-
 int run(RunOptions options, const JudgeOutputs& outputs) {
   scenario::LoadedScenario loaded = scenario::load(options.scenario);
   app::override_clock(options.clock, loaded);
-  if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
-  if (const std::string shortage = shared_memory_shortage(options.network, loaded); !shortage.empty()) {
-    std::fprintf(stderr, "inslab run: --transport shm: %s\n", shortage.c_str());
+  if (const std::string obstacle = obstacle_to(options, loaded); !obstacle.empty()) {
+    tell(stderr, "inslab run: {}\n", obstacle);
     return app::kBadInput;
   }
   // Before anything is written: it throws when the unit has a set.
@@ -48,10 +36,10 @@ int run(RunOptions options, const JudgeOutputs& outputs) {
   live->start_services();
   live->follow();
   const std::optional<std::string> failure = live->failure();
-  for (const std::string& line : live->restarts()) std::printf("%s\n", line.c_str());
+  for (const std::string& line : live->restarts()) tell("{}\n", line);
   live.reset();
   if (!std::filesystem::exists(options.log_file) || std::filesystem::is_empty(options.log_file)) {
-    std::fprintf(stderr, "inslab run: %s; there is no log\n", failure ? failure->c_str() : "the logger wrote nothing");
+    tell(stderr, "inslab run: {}; there is no log\n", failure.value_or("the logger wrote nothing"));
     return app::kFailed;
   }
   app::note_for_ending("the log " + options.log_file + " is there: inslab summary and report judge it");
@@ -82,9 +70,11 @@ void add_summary(CLI::App& app, std::function<int()>& action) {
   command->add_option("log", *log, "log (MCAP)")->required();
   command->callback([log, &action] {
     action = [log] {
-      const app::Outcome outcome = print_run_summary(*log, {});
-      std::printf("%s\n", outcome.words().c_str());
-      return outcome.code;
+      const io::McapReader reader(*log);
+      const LogSummary summary = summarize(reader);
+      const RunSummary said = run_summary(summary, weigh_swaps(reader, summary), {});
+      tell("{}{}\n", said.text, said.outcome.words());
+      return said.outcome.code;
     };
   });
 }

@@ -1,14 +1,11 @@
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
 #include "inslab/bus/service/service_options.hpp"
-#include "inslab/foundation/files/error.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/host.hpp"
+#include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 #include "inslab/services/inslab/live/progress.hpp"
 #include "inslab/sim/log_sink.hpp"
@@ -36,19 +33,6 @@ class CountingSink : public RunSink {
   void ack(const ProfileAck&) override {}
 };
 
-/// What stands for the simulator that a live vehicle's scenario needs. Throws io::ReadError when it is not given, or
-/// given and not needed.
-std::vector<UsedVehicleState> vehicle_states(const scenario::LoadedScenario& loaded, const std::string& vehicle_log) {
-  const bool is_live = loaded.scenario.trajectory.source == scenario::TrajectorySource::VehicleState;
-  if (is_live == !vehicle_log.empty()) {
-    return is_live ? logged_vehicle_states(vehicle_log) : std::vector<UsedVehicleState>{};
-  }
-  throw io::ReadError(
-      loaded.file.string() + ": trajectory.source " +
-      (is_live ? "is vehicle_state: to repeat a live run give its log, --vehicle LOG; otherwise it needs inslab run"
-               : "is not vehicle_state; --vehicle is for scenarios that follow a live vehicle"));
-}
-
 /// Runs to the end; returns the sim time reached.
 time::Nanoseconds run_to_end(OfflineRun& run, const scenario::LoadedScenario& loaded) {
   const time::Nanoseconds duration = time::from_seconds(loaded.scenario.duration_s);
@@ -68,7 +52,7 @@ time::Nanoseconds run_to_end(OfflineRun& run, const scenario::LoadedScenario& lo
 
 int simulate(const SimulateOptions& options) {
   const scenario::LoadedScenario loaded = scenario::load(options.scenario, options.unit);
-  std::vector<UsedVehicleState> states = vehicle_states(loaded, options.vehicle_log);
+  std::vector<UsedVehicleState> states = vehicle_states_for(loaded, options.vehicle_log);
   const time::GpsTime start = loaded.start(app::realtime_now());
   const RunId run_id = app::random_run_id();
   const time::Nanoseconds begun = app::monotonic_now();
@@ -86,9 +70,9 @@ int simulate(const SimulateOptions& options) {
   if (log) log->close();
 
   const double took_s = time::to_seconds(app::monotonic_now() - begun);
-  std::printf("%s: %.3f s of sim time in %.2f s: %.0f x real time\n", loaded.scenario.name.c_str(),
-              time::to_seconds(reached), took_s, time::to_seconds(reached) / took_s);
-  if (log) std::printf("log %s (%.1f MB)\n", path.c_str(), static_cast<double>(log->file_size()) * 1e-6);
+  tell("{}: {:.3f} s of sim time in {:.2f} s: {:.0f} x real time\n", loaded.scenario.name, time::to_seconds(reached),
+       took_s, time::to_seconds(reached) / took_s);
+  if (log) tell("log {} ({:.1f} MB)\n", path, static_cast<double>(log->file_size()) * 1e-6);
   return app::kOk;
 }
 

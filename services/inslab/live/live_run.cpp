@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <thread>
 
+#include "inslab/bus/dds/participant.hpp"
 #include "inslab/bus/service/checkpoint.hpp"
 #include "inslab/bus/service/set_members.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/models/navigation/app_setup.hpp"
 #include "inslab/scenario/service_names.hpp"
 
 namespace inslab::cli {
@@ -34,6 +36,15 @@ bool in_progress(const SimStatus& status) {
 }
 
 }  // namespace
+
+std::string obstacle_to(const RunOptions& options, const scenario::LoadedScenario& loaded) {
+  if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
+  if (options.network.transport != "shm") return "";
+  constexpr int kThisOneAndTheTrajectoryServer = 2;
+  const auto services = static_cast<int>(app::required_services(loaded).size());
+  const std::string shortage = dds::shared_memory_shortage(services + kThisOneAndTheTrajectoryServer);
+  return shortage.empty() ? "" : "--transport shm: " + shortage;
+}
 
 LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& loaded)
     : options_(options),

@@ -27,6 +27,10 @@ struct RunOptions {
   bool verbose = false;
 };
 
+/// What would end the run later without a word, such as shared memory that is too small; empty: nothing is seen. Throws
+/// config::Error when the parameters of the scenario's own navigation app cannot be read.
+std::string obstacle_to(const RunOptions& options, const scenario::LoadedScenario& loaded);
+
 /// A scenario run live by one process for each service, from start to end. A service that a signal ends is started
 /// again, before the run as one that is new, in the middle of it from its checkpoint; not so then the trajectory
 /// server, whose end is the run's, and not one that dies again and again within seconds of its start.

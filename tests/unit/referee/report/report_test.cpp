@@ -1,5 +1,11 @@
 #include <gmock/gmock.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "inslab/data/catalog/topics.hpp"
@@ -72,10 +78,14 @@ NavSolution off_by_a_constant(const TruthState& truth) {
 
 class Report : public test::TemporaryFolder {
  protected:
-  enum class With { Everything, NoImuTruth };
+  enum class With { Everything, NoImuTruth, ImuSamplesToo, ImuSamplesWithoutNoise };
 
   std::string log(With with) {
-    const scenario::LoadedScenario loaded = turning();
+    scenario::LoadedScenario loaded = turning();
+    if (with == With::ImuSamplesToo) {
+      loaded.imus[0].errors.gyro.arw_deg_per_sqrt_h.setConstant(0.1);
+      loaded.imus[0].errors.accel.vrw_m_per_s_per_sqrt_h.setConstant(0.1);
+    }
     OfflineRun run(loaded, {2400, 0}, RunId{}, recorder_);
     while (run.step()) {
     }
@@ -89,7 +99,8 @@ class Report : public test::TemporaryFolder {
       }
     };
     write(catalog::kTruth.name, recorder_.truths);
-    if (with == With::Everything) write(catalog::stream_topic<ImuTruth>(0), recorder_.imu_truths);
+    if (with != With::NoImuTruth) write(catalog::stream_topic<ImuTruth>(0), recorder_.imu_truths);
+    if (with >= With::ImuSamplesToo) write(catalog::stream_topic<ImuSample>(0), recorder_.samples);
     write(catalog::stream_topic<GnssFix>(0), recorder_.fixes);
     io::LogChannel<ImuErrorProfile> journal(log.file(), catalog::journal_topic(ProfileKind::ImuError));
     journal.write(std::get<ImuErrorProfile>(recorder_.entries.front()), 0, 0, 0);
@@ -170,21 +181,21 @@ ReportData with_a_leap(ReportData data, const TruthState& truth) {
 TEST_F(Report, NamesTheWorstMomentWithTheOutageTheMotionAndTheSwapBeforeIt) {
   const std::string path = log(With::Everything);
   const ReportData data = with_a_leap(report_data(io::McapReader(path)), recorder_.truths[1400]);
-  const std::string words = worst_words(data.score, data.summary);
+  const std::string words = worst_words(data.score);
   EXPECT_THAT(words, HasSubstr("5 m horizontally and 1 m vertically at 7.000 s"));
   EXPECT_THAT(words, HasSubstr("3.00 s after the last fix (outage from 4.00 s to 8.10 s)"));
   EXPECT_THAT(words, HasSubstr("at 10.0 m/s"));
   EXPECT_THAT(words, HasSubstr("1 sigma was 1 m, so the error was 5 times as large"));
   EXPECT_THAT(words, HasSubstr("imu_error 'worse' for imu0 at 6.000 s"));
   EXPECT_EQ(report_json(data).at("worst").at("swap_interval"), 1);
-  EXPECT_THAT(html(report_page(io::McapReader(path), data)), HasSubstr("<strong>Worst moment:</strong> 5 m horiz"));
+  EXPECT_THAT(html(report_page(data)), HasSubstr("<strong>Worst moment:</strong> 5 m horiz"));
 }
 
 TEST_F(Report, SaysBesideItsPassWhatWasNotJudged) {
   ReportData data = report_data(io::McapReader(log(With::Everything)));
   const auto judged = [&data](const std::vector<scenario::AcceptanceLimit>& lines) {
     data.score.verdicts = score::judge(data.score.scorer, lines);
-    return verdict_words(data.score, data.summary);
+    return verdict_words(data.score);
   };
   using scenario::Metric;
   using scenario::Phase;
@@ -220,7 +231,7 @@ TEST_F(Report, DrawsALimitWhereItJudgesAndLinksItsLine) {
   early.after_s = 2.0;
   data.score.verdicts =
       score::judge(data.score.scorer, {early, at_most(Metric::HorizontalRms, 0.1, scenario::Phase::BetweenOutages)});
-  const auto curves = limit_curves({Metric::HorizontalRms}, data.score, data.summary, 10.0);
+  const auto curves = limit_curves({Metric::HorizontalRms}, data.score, 10.0);
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_EQ(curves[0].title, "horizontal_rms_m at most 1.5");
   ASSERT_EQ(curves[0].x.size(), 3u);
@@ -230,8 +241,8 @@ TEST_F(Report, DrawsALimitWhereItJudgesAndLinksItsLine) {
   ASSERT_EQ(curves[1].x.size(), 6u) << "before the outage and after it";
   EXPECT_NEAR(curves[1].x[1], 4.0, 1e-9);
   EXPECT_NEAR(curves[1].x[3], 8.1, 1e-9);
-  EXPECT_TRUE(limit_curves({Metric::VerticalRms}, data.score, data.summary, 10.0).empty());
-  const std::string text = html(report_page(io::McapReader(path), data));
+  EXPECT_TRUE(limit_curves({Metric::VerticalRms}, data.score, 10.0).empty());
+  const std::string text = html(report_page(data));
   EXPECT_THAT(text,
               HasSubstr("<a href=\"#position-sizes\">horizontal_rms_m, before the first swap, after 2 s, at most 1.5"));
   EXPECT_THAT(text, HasSubstr("<h2 id=\"position-sizes\">"));
@@ -245,12 +256,67 @@ TEST_F(Report, GivesFiguresTheColourOfTheirVerdictAndSaysWhichRunItIs) {
   using scenario::Metric;
   data.score.verdicts = score::judge(data.score.scorer, {at_most(Metric::HorizontalRms, 0.1, scenario::Phase::All),
                                                          at_most(Metric::VerticalRms, 0.1, scenario::Phase::All)});
-  const std::string text = html(report_page(io::McapReader(path), data));
+  const std::string text = html(report_page(data));
   EXPECT_THAT(text, HasSubstr("<td class=\"bad\">0.3</td>"));
   EXPECT_THAT(text, testing::ContainsRegex("<td class=\"good\">[0-9.e-]+</td>"));
   EXPECT_THAT(text,
               HasSubstr("Simulated in one process, id 00000000000000000000000000000000; scenario turning, seed 1"));
   EXPECT_EQ(report_json(data).at("run").at("scenario"), "turning");
+}
+
+TEST_F(Report, SaysWhyThereIsNoAllanDeviationAndGoesOn) {
+  const ReportData data = report_data(io::McapReader(log(With::ImuSamplesWithoutNoise)));
+  EXPECT_FALSE(data.imu_errors);
+  EXPECT_THAT(html(report_page(data)), HasSubstr("No Allan deviation: "));
+  EXPECT_GT(data.score.scorer.counts().scored, 100u);
+}
+
+/// How often a file was opened since, by anybody.
+class Openings {
+ public:
+  explicit Openings(const std::string& path) : queue_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
+    // Equal events in a row become one: the reads keep the openings apart.
+    inotify_add_watch(queue_, path.c_str(), IN_OPEN | IN_ACCESS | IN_CLOSE_NOWRITE);
+  }
+  ~Openings() { ::close(queue_); }
+  Openings(const Openings&) = delete;
+  Openings& operator=(const Openings&) = delete;
+
+  std::size_t count() const {
+    std::array<inotify_event, 256> events{};  // of a watched file they have no name: all have one size
+    const ssize_t bytes = ::read(queue_, events.data(), sizeof(events));
+    const auto end = events.begin() + (bytes < 0 ? 0 : bytes / static_cast<ssize_t>(sizeof(inotify_event)));
+    return static_cast<std::size_t>(
+        std::count_if(events.begin(), end, [](const inotify_event& event) { return (event.mask & IN_OPEN) != 0; }));
+  }
+
+ private:
+  int queue_;
+};
+
+/// Bytes that this process has read of files, by its own count in the kernel.
+std::uint64_t bytes_read() {
+  std::ifstream io("/proc/self/io");
+  std::string name;
+  std::uint64_t bytes = 0;
+  io >> name >> bytes;
+  return name == "rchar:" ? bytes : 0;
+}
+
+TEST_F(Report, OfEveryKindTogetherOpensTheLogOnceAndReadsItTwice) {
+  const std::string path = log(With::ImuSamplesToo);
+  const Openings openings(path);
+  const std::uint64_t before = bytes_read();
+  if (before == 0) GTEST_SKIP() << "the kernel does not count what is read";
+  const ReportData data = report_data(io::McapReader(path));
+  const double read = static_cast<double>(bytes_read() - before);
+  ASSERT_TRUE(data.imu_errors) << data.why_no_imu_errors;
+  judgement_of(data, {});
+  write_report(data, this->path("report"));
+  EXPECT_EQ(openings.count(), 1u);
+  const auto size = static_cast<double>(std::filesystem::file_size(path));
+  EXPECT_GT(read, 1.5 * size);
+  EXPECT_LT(read, 2.2 * size) << "and its index";
 }
 
 TEST(ReportLimits, EveryMetricHasItsPlaceOnThePage) {

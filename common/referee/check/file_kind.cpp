@@ -1,4 +1,4 @@
-#include "inslab/services/inslab/commands/file_kind.hpp"
+#include "inslab/referee/check/file_kind.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "inslab/services/inslab/commands/outages_over_dds.hpp"
+#include "inslab/services/inslab/study/outages_over_dds.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

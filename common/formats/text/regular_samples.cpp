@@ -1,4 +1,4 @@
-#include "inslab/formats/text/even_imu_samples.hpp"
+#include "inslab/formats/text/regular_samples.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,13 @@
 #include "inslab/foundation/units/units.hpp"
 
 namespace inslab::io {
-
 namespace {
-constexpr std::size_t kSamplesForInterval = 1000;
-}
 
-void EvenImuSamples::take(const RawImuSample& raw) {
+constexpr std::size_t kSamplesForInterval = 1000;
+
+}  // namespace
+
+void RegularSamples::take(const RawSample& raw) {
   if (!begun_) {
     waiting_.push_back(raw);
     if (waiting_.size() == kSamplesForInterval) flush();
@@ -21,11 +22,11 @@ void EvenImuSamples::take(const RawImuSample& raw) {
   pass(raw);
 }
 
-void EvenImuSamples::finish() {
+void RegularSamples::finish() {
   if (!begun_) flush();
 }
 
-void EvenImuSamples::flush() {
+void RegularSamples::flush() {
   if (waiting_.size() < 3) {
     throw ReadError(path_ + ": has " + std::to_string(waiting_.size()) + " samples of an IMU; expected at least 3");
   }
@@ -48,12 +49,12 @@ void EvenImuSamples::flush() {
   judge();
   begun_ = true;
   begin_(info_);
-  for (const RawImuSample& raw : waiting_) pass(raw);
+  for (const RawSample& raw : waiting_) pass(raw);
   waiting_.clear();
 }
 
 /// Refuses what cannot be what it is taken for: seconds of which no IMU is that slow, and increments that are rates.
-void EvenImuSamples::judge() const {
+void RegularSamples::judge() const {
   constexpr double kSlowest_s = 10.0, kG = units::kG;
   const std::string remedy =
       "; name the columns in a line above, such as time_ns,gyro_x_rad_per_s,...,accel_z_m_per_s2";
@@ -63,7 +64,7 @@ void EvenImuSamples::judge() const {
                     (place_name_ == "line" ? remedy : ""));
   }
   double force[3] = {};
-  for (const RawImuSample& raw : waiting_) {
+  for (const RawSample& raw : waiting_) {
     for (std::size_t i = 0; i < 3; ++i) force[i] += raw.values[3 + i] / static_cast<double>(waiting_.size());
   }
   const double as_it_is = std::hypot(force[0], force[1], force[2]);
@@ -75,7 +76,7 @@ void EvenImuSamples::judge() const {
                   std::to_string(as_it_is / info_.dt_s) + " m/s^2" + remedy);
 }
 
-void EvenImuSamples::pass(const RawImuSample& raw) {
+void RegularSamples::pass(const RawSample& raw) {
   if (last_time_s_) {
     const double interval_s = raw.time_s - *last_time_s_;
     const std::string place = path_ + ": " + place_name_ + " " + std::to_string(raw.place);

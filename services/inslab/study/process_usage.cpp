@@ -1,4 +1,4 @@
-#include "inslab/services/inslab/live/process_usage.hpp"
+#include "inslab/services/inslab/study/process_usage.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -1,25 +1,28 @@
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "inslab/formats/text/imu_recording.hpp"
 
 namespace inslab::io {
 
-/// One sample of a recording as its source has it; a rate becomes an increment when the interval is known.
-struct RawImuSample {
+/// One sample of an IMU as its source has it; a rate becomes an increment when the interval is known.
+struct RawSample {
   double time_s = 0.0;
   ImuIncrements values{};
   std::uint64_t place = 0;  ///< line, or number in the topic
 };
 
-/// Makes increments over one interval of the samples of a recording: holds back the first ones until they tell the
-/// interval, then passes everything on and looks for gaps.
-class EvenImuSamples {
+/// Holds back the first samples until they tell the interval, then passes everything on and looks for gaps. What it is
+/// told to use is used until the end.
+class RegularSamples {
  public:
-  /// `place_name` is what messages call a sample's place; `options` and the callbacks outlive this.
-  EvenImuSamples(std::string path, std::string place_name, const ImuRecordingOptions& options, ImuRecordingInfo& info,
+  /// `place_name`: what the source counts, "line" or "sample".
+  RegularSamples(std::string path, std::string place_name, const ImuRecordingOptions& options, ImuRecordingInfo& info,
                  std::array<bool, kImuAxes> is_rate, const std::function<void(const ImuRecordingInfo&)>& begin,
                  const std::function<void(const ImuIncrements&)>& sample)
       : path_(std::move(path)),
@@ -30,15 +33,15 @@ class EvenImuSamples {
         begin_(begin),
         sample_(sample) {}
 
-  /// Throws ReadError, naming file and place.
-  void take(const RawImuSample& raw);
-  /// After the last sample.
+  /// Throws ReadError.
+  void take(const RawSample& raw);
+  /// Throws ReadError, also when there were fewer than three samples.
   void finish();
 
  private:
   void flush();
   void judge() const;
-  void pass(const RawImuSample& raw);
+  void pass(const RawSample& raw);
 
   std::string path_;
   std::string place_name_;
@@ -48,7 +51,7 @@ class EvenImuSamples {
   const std::function<void(const ImuRecordingInfo&)>& begin_;
   const std::function<void(const ImuIncrements&)>& sample_;
   bool begun_ = false;
-  std::vector<RawImuSample> waiting_;
+  std::vector<RawSample> waiting_;
   std::optional<double> last_time_s_;
 };
 

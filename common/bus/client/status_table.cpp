@@ -1,4 +1,4 @@
-#include "inslab/services/inslab/live/status_table.hpp"
+#include "inslab/bus/client/status_table.hpp"
 
 #include <fmt/format.h>
 

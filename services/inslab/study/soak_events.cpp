@@ -1,4 +1,4 @@
-#include "inslab/services/inslab/live/soak_events.hpp"
+#include "inslab/services/inslab/study/soak_events.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "inslab/services/inslab/live/shm_segments.hpp"
+#include "inslab/bus/client/shm_segments.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

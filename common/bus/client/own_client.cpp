@@ -1,0 +1,18 @@
+#include "inslab/bus/client/own_client.hpp"
+
+#include "inslab/bus/service/service.hpp"
+
+namespace inslab::cli {
+
+std::shared_ptr<RunClient> client_of(const app::NetworkOptions& network, const std::string& name) {
+  struct Both {
+    Both(const app::NetworkOptions& options, const std::string& participant_name)
+        : participant(app::participant_options(options, participant_name)), client(participant) {}
+    dds::Participant participant;
+    RunClient client;
+  };
+  const auto both = std::make_shared<Both>(network, name);
+  return {both, &both->client};
+}
+
+}  // namespace inslab::cli

@@ -1,0 +1,87 @@
+#include "inslab/bus/client/set_listener.hpp"
+
+#include <algorithm>
+
+#include "inslab/bus/service/service.hpp"
+#include "inslab/foundation/host/host.hpp"
+#include "inslab/scenario/load.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+app::Identity of_any_set(const app::NetworkOptions& network) {
+  app::Identity own;
+  own.service = "inslab-status";
+  own.unit = network.unit;
+  return own;
+}
+
+}  // namespace
+
+SetListener::SetListener(const app::NetworkOptions& network)
+    : participant_(app::participant_options(network, "inslab-status")),
+      writers_(participant_.peers(), participant_.key(), of_any_set(network)),
+      services_reader_(participant_, dds::topics::service_status(),
+                       [this](const ServiceStatus& status, const dds::SampleOrigin&) {
+                         const std::lock_guard<std::mutex> lock(mutex_);
+                         Heard& heard = services_[{status.service, status.sensor_number}];
+                         heard = {{status, std::move(heard.heartbeats.last)}, app::monotonic_now()};
+                       }),
+      status_reader_(participant_, dds::topics::sim_status(),
+                     writers_.only(dds::topics::sim_status(),
+                                   [this](const SimStatus& status, const dds::SampleOrigin&) {
+                                     const std::lock_guard<std::mutex> lock(mutex_);
+                                     run_ = status;
+                                   })),
+      vehicle_reader_(
+          participant_, dds::topics::vehicle_link(),
+          writers_.only(dds::topics::vehicle_link(), [this](const VehicleLink& link, const dds::SampleOrigin&) {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            vehicle_ = link;
+          })) {}
+
+std::vector<Heartbeats> SetListener::living(time::Nanoseconds since) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<Heartbeats> services;
+  for (const auto& [key, heard] : services_) {
+    if (heard.at >= since) services.push_back(heard.heartbeats);
+  }
+  return services;
+}
+
+std::optional<VehicleLink> SetListener::vehicle() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return vehicle_;
+}
+
+std::optional<SimStatus> SetListener::run() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return run_;
+}
+
+std::vector<app::ServiceKey> missing_of(const std::vector<app::ServiceKey>& expected,
+                                        const std::vector<Heartbeats>& services) {
+  std::vector<app::ServiceKey> missing;
+  for (const app::ServiceKey& key : expected) {
+    const bool lives = std::any_of(services.begin(), services.end(), [&key](const Heartbeats& service) {
+      return app::ServiceKey{service.last.service, service.last.sensor_number} == key;
+    });
+    if (!lives) missing.push_back(key);
+  }
+  return missing;
+}
+
+std::vector<app::ServiceKey> expected_services(const std::string& scenario_file) {
+  std::vector<app::ServiceKey> expected{{app::kTrajectoryServer, 0u}};
+  if (scenario_file.empty()) {
+    for_each(catalog::SensorKinds{},
+             [&expected](auto kind) { expected.emplace_back(decltype(kind)::type::service, 0u); });
+    expected.emplace_back(app::kTruthLogger, 0u);
+  } else {
+    for (const app::ServiceKey& key : app::required_services(scenario::load(scenario_file))) expected.push_back(key);
+  }
+  return expected;
+}
+
+}  // namespace inslab::cli

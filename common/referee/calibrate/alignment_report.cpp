@@ -1,0 +1,76 @@
+#include "inslab/referee/calibrate/alignment_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/nav/geodesy.hpp"
+
+namespace inslab::align {
+namespace {
+
+constexpr std::size_t kBadLinesShown = 5;
+constexpr std::size_t kPlottedBins = 2000;
+
+std::string spread_line(const std::string& name, const Spread& spread) {
+  if (spread.count < 2) return fmt::format("{:<12} {:>9}  too few solutions for a spread\n", name, spread.count);
+  const nav::Vector3 mean = spread.mean_rad * units::kDegPerRad, sigma = spread.sigma_rad * units::kDegPerRad;
+  return fmt::format("{:<12} {:>9}  {:>10.4f} {:>10.4f} {:>10.4f}  {:>9.4f} {:>9.4f} {:>9.4f}\n", name, spread.count,
+                     mean.x(), mean.y(), mean.z() - 360.0 * std::floor(mean.z() / 360.0), sigma.x(), sigma.y(),
+                     sigma.z());
+}
+
+}  // namespace
+
+std::string report_text(const AlignedRecording& aligned) {
+  const AlignmentResult& result = aligned.alignment;
+  std::string text =
+      fmt::format("{} samples of {:.6f} s\n\n{:<12} {:>9}  {:>10} {:>10} {:>10}  {:>29}\n", result.samples,
+                  aligned.dt_s, "deg", "solutions", "roll", "pitch", "yaw", "standard deviations");
+  text += spread_line("per sample", result.epochs) + spread_line("per second", result.seconds);
+  if (result.whole) {
+    text += fmt::format("{:<12} {:>9}  {:>10.4f} {:>10.4f} {:>10.4f}\n", "whole span", 1,
+                        result.whole->roll_rad * units::kDegPerRad, result.whole->pitch_rad * units::kDegPerRad,
+                        result.whole->yaw_rad * units::kDegPerRad);
+  }
+  text += "\nYaw from north towards east, in [0, 360).\n";
+  return text;
+}
+
+std::string bad_lines_text(const AlignedRecording& aligned) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kBadLinesShown, aligned.bad_lines.size()); ++i) {
+    text += fmt::format("line {} left out: {}\n", aligned.bad_lines[i].line, aligned.bad_lines[i].reason);
+  }
+  if (aligned.bad_line_count > kBadLinesShown) text += fmt::format("{} bad lines in all\n", aligned.bad_line_count);
+  return text;
+}
+
+io::Picture seconds_picture(const AlignmentResult& result, const std::string& title) {
+  io::Picture picture;
+  picture.title = title + ": each second's angles from the mean of the seconds";
+  const std::array<const char*, 3> names{"roll", "pitch", "yaw"};
+  for (int i = 0; i < 3; ++i) {
+    io::Curve curve;
+    for (std::size_t k = 0; k < result.each_second.size(); ++k) {
+      const nav::RollPitchYaw& rpy = result.each_second[k];
+      const nav::Vector3 angles(rpy.roll_rad, rpy.pitch_rad, rpy.yaw_rad);
+      curve.x.push_back(static_cast<double>(k + 1));
+      curve.y.push_back(nav::wrapped_to_pi(angles[i] - result.seconds.mean_rad[i]) * units::kDegPerRad);
+    }
+    io::Panel panel;
+    panel.x_label = i == 2 ? "time (s)" : "";
+    panel.y_label = fmt::format("{} (deg)", names[static_cast<std::size_t>(i)]);
+    panel.tight_x = true;
+    panel.curves = {io::thinned(curve, kPlottedBins)};
+    picture.panels.push_back(panel);
+  }
+  picture.panel_width_px = 800;
+  picture.panel_height_px = 220;
+  return picture;
+}
+
+}  // namespace inslab::align

@@ -1,0 +1,62 @@
+#include "inslab/referee/evidence/sample_joiner.hpp"
+
+namespace inslab::cli {
+
+namespace {
+
+constexpr std::size_t kPause = 4096;  // truth samples from one joining to the next
+constexpr std::int64_t kStragglers_ns = 15'000'000'000;
+
+/// Gives away, and forgets, what is not later than the limit.
+template <class Kept, class Use>
+void drain(Kept& kept, std::int64_t limit_ns, const Use& use) {
+  for (auto it = kept.begin(); it != kept.end();) {
+    if (it->first.second <= limit_ns) {
+      use(it->first, it->second);
+      it = kept.erase(it);
+    } else {
+      ++it;
+    }
+  }
+}
+
+}  // namespace
+
+SampleJoiner::SampleJoiner(SwapWindowsOfLog& windows) : windows_(windows), next_join_(kPause) {}
+
+void SampleJoiner::take_part(io::LogWalk& walk) {
+  const auto of_sensor = [](auto& kept) {
+    return [&kept](const auto& sample) { kept.emplace(Key{sample.sensor_number, sample.header.sim_time_ns}, sample); };
+  };
+  walk.each<TruthState>([this](const TruthState& truth) {
+    truths_.emplace(Key{0, truth.header.sim_time_ns}, truth);
+    if (truths_.size() < next_join_) return;
+    join(false);
+    next_join_ = truths_.size() + kPause;
+  });
+  walk.each<ImuSample>(of_sensor(samples_));
+  walk.each<ImuTruth>(of_sensor(imu_truths_));
+  walk.each<GnssFix>(of_sensor(fixes_));
+}
+
+/// Uses up what is complete; without `all` the last seconds stay, for stragglers of the other topics: what is sent
+/// again to a logger that was killed comes seconds late.
+void SampleJoiner::join(bool all) {
+  if (truths_.empty()) return;
+  const std::int64_t limit_ns = truths_.rbegin()->first.second - (all ? 0 : kStragglers_ns);
+  drain(samples_, limit_ns, [this](const Key& key, const ImuSample& sample) {
+    const auto perfect = imu_truths_.find(key);
+    const auto vehicle = truths_.find({0, key.second});
+    if (perfect != imu_truths_.end() && vehicle != truths_.end()) {
+      windows_.add(sample, perfect->second, vehicle->second);
+    }
+  });
+  drain(fixes_, limit_ns, [this](const Key& key, const GnssFix& fix) {
+    const auto vehicle = truths_.find({0, key.second});
+    if (vehicle != truths_.end()) windows_.add(fix, vehicle->second);
+  });
+  drain(imu_truths_, limit_ns, [](const Key&, const ImuTruth&) {});
+  drain(truths_, limit_ns, [](const Key&, const TruthState&) {});
+}
+
+}  // namespace inslab::cli

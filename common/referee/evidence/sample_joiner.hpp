@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "inslab/formats/log/log_walk.hpp"
+#include "inslab/referee/evidence/swap_window.hpp"
+
+namespace inslab::cli {
+
+/// Brings together samples that belong together: they come over several topics, in no order among each other.
+class SampleJoiner {
+ public:
+  /// Puts them into these windows, which are used until the end.
+  explicit SampleJoiner(SwapWindowsOfLog& windows);
+
+  void take_part(io::LogWalk& walk);
+
+  /// When the walk is over.
+  void finish() { join(true); }
+
+ private:
+  /// Sensor number and sim time.
+  using Key = std::pair<std::uint32_t, std::int64_t>;
+
+  void join(bool all);
+
+  SwapWindowsOfLog& windows_;
+  std::size_t next_join_;
+  std::map<Key, TruthState> truths_;
+  std::map<Key, ImuSample> samples_;
+  std::map<Key, ImuTruth> imu_truths_;
+  std::map<Key, GnssFix> fixes_;
+};
+
+}  // namespace inslab::cli
