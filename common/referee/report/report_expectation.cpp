@@ -124,7 +124,7 @@ Expectation ExpectationOfLog::finish() {
   expectation_.left_out = errors_->left_out();
   if (expectation_.curve.empty()) {
     expectation_.missing =
-        "the log has no " + wire::topic_names::imu_truth(setup_.imu_number) + " after the first solution";
+        "the log has no " + catalog::stream_topic<ImuTruth>(setup_.imu_number) + " after the first solution";
   }
   return std::move(expectation_);
 }
