@@ -1,5 +1,6 @@
 #include "inslab/foundation/time/gps_time.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -76,6 +77,24 @@ Nanoseconds realtime_from_gps(const GpsTime& gps) {
   const std::int64_t first_guess_s = gps_minus_utc_s(gps_as_unix_ns / kNsPerSecond);
   const std::int64_t offset_s = gps_minus_utc_s(gps_as_unix_ns / kNsPerSecond - first_guess_s);
   return Nanoseconds(gps_as_unix_ns - offset_s * kNsPerSecond);
+}
+
+double decimal_year(const GpsTime& gps) {
+  constexpr double kDaysPerYear = 365.2425;  // of the Gregorian calendar, on average
+  constexpr std::uint32_t kLastWeek = 10000;
+  const GpsTime capped{std::min(gps.week, kLastWeek), gps.time_of_week_ns};
+  const double days = to_seconds(realtime_from_gps(capped)) / 86400.0;  // since 1970-01-01
+  // 1 January of year y is day 365 (y - 1970) plus the leap days before it.
+  const auto first_day = [](int year) {
+    const int before = year - 1;
+    const int leap_days = before / 4 - before / 100 + before / 400;
+    constexpr int kBefore1970 = 1969 / 4 - 1969 / 100 + 1969 / 400;
+    return 365 * (year - 1970) + leap_days - kBefore1970;
+  };
+  int year = 1970 + static_cast<int>(days / kDaysPerYear);
+  if (days >= first_day(year + 1)) ++year;
+  if (days < first_day(year)) --year;
+  return year + (days - first_day(year)) / (first_day(year + 1) - first_day(year));
 }
 
 }  // namespace inslab::time

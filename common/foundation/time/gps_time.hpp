@@ -37,6 +37,10 @@ Nanoseconds operator-(const GpsTime& a, const GpsTime& b);
 /// (July 2025): 18 s since 2017-01-01. Throws std::out_of_range before 1980-01-06.
 GpsTime gps_from_realtime(Nanoseconds since_1970_utc);
 
+/// The year and its part that has gone by at a GPS time, in UTC: 2025.5 is the middle of 2025. Weeks from 10000 on, the
+/// year 2171, count as that one.
+double decimal_year(const GpsTime& gps);
+
 /// The CLOCK_REALTIME reading at a GPS time; undoes gps_from_realtime except within a leap second.
 Nanoseconds realtime_from_gps(const GpsTime& gps);
 

@@ -36,16 +36,18 @@ GnssModel::GnssModel(const Setup& setup)
       installation_(checked(setup.installation)),
       outages_(setup.outages, setup.outage_areas),
       ladder_(setup.errors, setup.gnss_rate.period_s(), setup.seed, receiver(setup.sensor_number)),
-      position_noise_(stream(setup, "position"), setup.gnss_rate.period_s()),
-      velocity_noise_(stream(setup, "velocity"), setup.gnss_rate.period_s()) {
+      position_noise_(stream(setup, "position"), random::VectorNoise::kNed, setup.gnss_rate.period_s()),
+      velocity_noise_(stream(setup, "velocity"), random::VectorNoise::kNed, setup.gnss_rate.period_s()) {
   take_errors_of(errors_.lesser_solutions.size());
 }
 
 void GnssModel::apply(const GnssErrorProfile& profile) {
   errors_ = checked(profile);
   ladder_.retune(profile, profile.request.continuity);
-  position_noise_.restart(profile.request.continuity, epoch_);
-  velocity_noise_.restart(profile.request.continuity, epoch_);
+  for (random::VectorNoise* noise : {&position_noise_, &velocity_noise_}) {
+    if (profile.request.continuity == Continuity::Reset) noise->reset();
+    if (profile.request.continuity == Continuity::Redraw) noise->redraw(epoch_);
+  }
   take_errors_of(errors_.lesser_solutions.size());
 }
 

@@ -9,9 +9,9 @@
 #include "inslab/data/samples/sensor_site.hpp"
 #include "inslab/foundation/time/rate.hpp"
 #include "inslab/models/gnss/constellation.hpp"
-#include "inslab/models/gnss/ned_noise.hpp"
 #include "inslab/models/gnss/outage_schedule.hpp"
 #include "inslab/models/gnss/solution_ladder.hpp"
+#include "inslab/noise/random/vector_noise.hpp"
 
 namespace inslab::gnss {
 
@@ -72,8 +72,8 @@ class GnssModel {
   FaultProfile fault_;
   OutageSchedule outages_;
   SolutionLadder ladder_;
-  NedNoise position_noise_;
-  NedNoise velocity_noise_;
+  random::VectorNoise position_noise_;
+  random::VectorNoise velocity_noise_;
   std::size_t rung_ = 0;     ///< whose errors the noise has
   std::uint64_t epoch_ = 0;  ///< the last one
   std::uint64_t fixes_ = 0;

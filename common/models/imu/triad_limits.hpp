@@ -1,6 +1,6 @@
 #pragma once
 
-#include "inslab/models/imu/axis_faults.hpp"
+#include "inslab/models/faults/axis_faults.hpp"
 #include "inslab/models/imu/bandwidth.hpp"
 #include "inslab/models/imu/quantization.hpp"
 #include "inslab/models/imu/saturation.hpp"
@@ -65,7 +65,7 @@ class TriadLimits {
   Bandwidth bandwidth_;
   Saturation saturation_;
   Quantization quantization_;
-  AxisFaults faults_;
+  faults::AxisFaults faults_;
   bool silent_ = false;
 };
 

@@ -44,6 +44,14 @@ TEST(GpsTime, RealtimeFromGpsUndoesGpsFromRealtime) {
   }
 }
 
+TEST(DecimalYear, IsTheShareOfTheYearThatHasGoneBy) {
+  const auto year_at = [](std::int64_t unix_seconds) { return decimal_year(gps_from_realtime(seconds(unix_seconds))); };
+  EXPECT_NEAR(year_at(1'735'689'600), 2025.0, 1e-12);  // 2025-01-01
+  EXPECT_NEAR(year_at(1'767'225'599), 2026.0 - 1.0 / 31'536'000, 1e-12);
+  EXPECT_NEAR(year_at(1'719'792'000), 2024.0 + 182.0 / 366.0, 1e-12);  // 2024-07-01, a leap year
+  EXPECT_NEAR(year_at(951'868'800), 2000.0 + 60.0 / 366.0, 1e-12);     // 2000-03-01
+}
+
 TEST(FromSeconds, IsExactToTheNanosecondLateInTheWeek) {
   EXPECT_EQ(from_seconds(604'799.123456789).count() / 100, 604'799'123'456'789 / 100);
   EXPECT_EQ(from_seconds(-0.5), Nanoseconds(-500'000'000));

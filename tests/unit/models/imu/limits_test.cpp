@@ -58,7 +58,7 @@ TEST(Quantization, ACountBelowTheResolutionOfTheIncrementChangesNothing) {
 }
 
 TEST(AxisFaults, StuckRepeatsTheLastIncrementBeforeTheFault) {
-  AxisFaults faults;
+  faults::AxisFaults faults;
   faults.applied({1.0, 2.0, 3.0});
   faults.set({AxisFault::None, AxisFault::Stuck, AxisFault::None});
   EXPECT_EQ(faults.applied({4.0, 5.0, 6.0}), Vector3(4.0, 2.0, 6.0));
@@ -68,7 +68,7 @@ TEST(AxisFaults, StuckRepeatsTheLastIncrementBeforeTheFault) {
 }
 
 TEST(AxisFaults, SignFlipAndNanTouchTheirAxisAlone) {
-  AxisFaults faults;
+  faults::AxisFaults faults;
   faults.set({AxisFault::SignFlip, AxisFault::None, AxisFault::Nan});
   const Vector3 out = faults.applied({1.0, 2.0, 3.0});
   EXPECT_EQ(out.head<2>(), Eigen::Vector2d(-1.0, 2.0));

@@ -5,9 +5,9 @@
 
 #include "inslab/data/profiles/fault_profile.hpp"
 
-namespace inslab::imu {
+namespace inslab::faults {
 
-/// Stage 5d: faults of single axes: one repeats the last increment it put out before, shows the wrong sign, or gives
+/// Faults of the single axes of a triad: one repeats the last value it put out before, shows the wrong sign, or gives
 /// NaN.
 class AxisFaults {
  public:
@@ -16,10 +16,10 @@ class AxisFaults {
     is_off_ = faults == std::array<AxisFault, 3>{};
   }
 
-  /// What comes out for `increment`, rad | m/s.
-  Vector3 applied(const Vector3& increment) {
-    if (is_off_) return last_ = increment;
-    Vector3 out = increment;
+  /// What comes out for `value`.
+  Vector3 applied(const Vector3& value) {
+    if (is_off_) return last_ = value;
+    Vector3 out = value;
     for (int axis = 0; axis < 3; ++axis) {
       switch (faults_[axis]) {
         case AxisFault::None:
@@ -28,7 +28,7 @@ class AxisFaults {
           out[axis] = last_[axis];
           break;
         case AxisFault::SignFlip:
-          out[axis] = -increment[axis];
+          out[axis] = -value[axis];
           break;
         case AxisFault::Nan:
           out[axis] = std::numeric_limits<double>::quiet_NaN();
@@ -50,7 +50,7 @@ class AxisFaults {
  private:
   std::array<AxisFault, 3> faults_{};
   bool is_off_ = true;
-  Vector3 last_ = Vector3::Zero();  ///< rad | m/s
+  Vector3 last_ = Vector3::Zero();
 };
 
-}  // namespace inslab::imu
+}  // namespace inslab::faults
