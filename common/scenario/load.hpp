@@ -31,6 +31,15 @@ struct LoadedGnss {
   std::vector<OutageArea> outage_areas;
 };
 
+/// One magnetometer with its profiles read.
+struct LoadedMagnetometer {
+  std::uint32_t number = 0;
+  time::Rate rate{100.0};
+  MagnetometerErrorProfile errors;
+  InstallationProfile installation;
+  InstallationProfile nominal_installation;
+};
+
 /// A scenario with every file it names read and checked.
 struct LoadedScenario {
   std::filesystem::path file;
@@ -42,6 +51,7 @@ struct LoadedScenario {
   std::shared_ptr<const io::TrajectoryFile> trajectory_file;
   std::vector<LoadedImu> imus;
   std::vector<LoadedGnss> gnss;
+  std::vector<LoadedMagnetometer> magnetometers;
   std::vector<AnyProfile> swaps;  ///< requests in order: target and request are filled in
   std::string unit;               ///< the vehicle's name on the network; empty: it has none
 
@@ -94,6 +104,17 @@ struct LoadedSection<catalog::Gnss> {
                                                              &LoadedGnss::errors, true},
       NamedProfile<GnssSensor, LoadedGnss, InstallationProfile>{
           "installation_profile", "installation", &GnssSensor::installation_profile, &LoadedGnss::installation}};
+};
+
+template <>
+struct LoadedSection<catalog::Magnetometer> {
+  static constexpr auto sensors = &LoadedScenario::magnetometers;
+  static constexpr std::tuple profiles{
+      NamedProfile<MagnetometerSensor, LoadedMagnetometer, MagnetometerErrorProfile>{
+          "error_profile", "errors", &MagnetometerSensor::error_profile, &LoadedMagnetometer::errors},
+      NamedProfile<MagnetometerSensor, LoadedMagnetometer, InstallationProfile>{
+          "installation_profile", "installation", &MagnetometerSensor::installation_profile,
+          &LoadedMagnetometer::installation}};
 };
 
 template <class Kind>

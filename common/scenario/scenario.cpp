@@ -8,7 +8,9 @@
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/text/shown.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/time/grid.hpp"
+#include "inslab/nav/world_magnetic_model.hpp"
 #include "inslab/scenario/waypoint_route.hpp"
 
 namespace inslab::scenario {
@@ -216,6 +218,23 @@ std::optional<Violation> acceptance_violation(const Scenario& scenario) {
   return std::nullopt;
 }
 
+/// A start at the wall clock is for whoever runs it.
+std::optional<Violation> magnetic_date_violation(const Scenario& scenario) {
+  if (scenario.start.at != StartAt::GpsTime) return std::nullopt;
+  using nav::WorldMagneticModel;
+  const double year =
+      time::decimal_year({scenario.start.gps_week, time::from_seconds(scenario.start.gps_seconds_of_week_s).count()});
+  if (year >= WorldMagneticModel::kFirstYear && year < WorldMagneticModel::kLastYear) return std::nullopt;
+  for (std::size_t i = 0; i < scenario.magnetometer.size(); ++i) {
+    if (scenario.magnetometer[i].field != MagneticModel::Wmm2025) continue;
+    return Violation{Rule::MagneticModelDate, "magnetometer[" + std::to_string(i) + "].field",
+                     "is wmm2025, which is valid from 2025 to the end of 2029, and the run begins in " +
+                         detail::number_text(std::floor(year)) +
+                         "; expected a start in these years, or wmm2025_extrapolated"};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Violation> violation(const Scenario& scenario) {
@@ -226,6 +245,7 @@ std::optional<Violation> violation(const Scenario& scenario) {
   if (scenario.start.at == StartAt::GpsTime && scenario.start.gps_seconds_of_week_s >= 604800.0) {
     return Violation{Rule::StartInWeek, "start.gps_seconds_of_week_s", "is 604800; expected less than a week"};
   }
+  if (auto broken = magnetic_date_violation(scenario)) return broken;
   if (auto broken = violation(scenario.trajectory)) {
     return Violation{broken->rule, "trajectory." + broken->path, broken->reason};
   }

@@ -70,6 +70,35 @@ struct GnssSensor {
   }
 };
 
+/// The model of the Earth's magnetic field, and whether its five years bind.
+enum class MagneticModel : std::uint32_t { Wmm2025, Wmm2025Extrapolated };
+
+/// One magnetometer of the unit. Without an error profile it is ideal.
+struct MagnetometerSensor {
+  std::uint32_t number = 0;
+  double rate_hz = 100.0;
+  std::string error_profile;
+  std::string installation_profile;
+  std::string nominal_installation_profile;
+  MagneticModel field = MagneticModel::Wmm2025;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("number", "the N of inslab/magnetometer/N").in(0.0, 63.0), self.number);
+    visit(Field("rate_hz", "of its samples").in(1e-3, 1e4).required(), self.rate_hz);
+    visit(Field("error_profile", "file; absent: an ideal magnetometer").at_most(4096), self.error_profile);
+    visit(Field("installation_profile", "file; absent: at the vehicle's reference point").at_most(4096),
+          self.installation_profile);
+    visit(Field("nominal_installation_profile", "file: what the app is told; absent: the true one").at_most(4096),
+          self.nominal_installation_profile);
+    visit(
+        Field("field",
+              "the Earth's: the World Magnetic Model 2025 from 2025 to the end of 2029, or in its straight line at any "
+              "date"),
+        self.field);
+  }
+};
+
 /// A profile that is swapped in while the run goes on.
 struct ScheduledSwap {
   double at_s = 0.0;
@@ -172,6 +201,7 @@ struct Scenario {
   Trajectory trajectory;
   std::vector<ImuSensor> imu;
   std::vector<GnssSensor> gnss;
+  std::vector<MagnetometerSensor> magnetometer;
   std::vector<ScheduledSwap> swaps;
   Clock clock;
   std::vector<RequiredSubscriber> require_subscribers;
@@ -192,6 +222,7 @@ struct Scenario {
     visit(Field("trajectory", "the vehicle's motion").required(), self.trajectory);
     visit(Field(catalog::Imu::name, "the IMUs of this unit").at_most(8), self.imu);
     visit(Field(catalog::Gnss::name, "the GNSS receivers of this unit").at_most(8), self.gnss);
+    visit(Field(catalog::Magnetometer::name, "the magnetometers of this unit").at_most(8), self.magnetometer);
     visit(Field("swaps", "profiles swapped while the run goes on").at_most(10000), self.swaps);
     visit(Field("clock", "what sets the pace of a live run"), self.clock);
     visit(Field("require_subscribers", "readers that are not ours; the barrier waits for them").at_most(32),
@@ -220,6 +251,12 @@ template <>
 struct Section<catalog::Gnss> {
   static constexpr auto sensors = &Scenario::gnss;
   static constexpr auto of_the_app = &ReferenceNav::gnss;
+};
+
+template <>
+struct Section<catalog::Magnetometer> {
+  static constexpr auto sensors = &Scenario::magnetometer;
+  static constexpr std::nullptr_t of_the_app = nullptr;
 };
 
 template <class Kind>
@@ -272,6 +309,12 @@ struct EnumNames<scenario::StartAt> {
   static constexpr std::string_view type = "StartAt";
   static constexpr std::string_view prefix = "START_";
   static constexpr std::array<std::string_view, 2> values{"gps_time", "now"};
+};
+template <>
+struct EnumNames<scenario::MagneticModel> {
+  static constexpr std::string_view type = "MagneticModel";
+  static constexpr std::string_view prefix = "MAGNETIC_MODEL_";
+  static constexpr std::array<std::string_view, 2> values{"wmm2025", "wmm2025_extrapolated"};
 };
 
 }  // namespace inslab

@@ -20,6 +20,7 @@ class LogSink : public RunSink {
   void truth(const TruthState& truth) override;
   void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override;
   void gnss(std::size_t index, const GnssFix& fix) override;
+  void magnetometer(std::size_t index, const MagneticField& sample) override;
   void nav(const NavSolution& solution) override;
   void ack(const ProfileAck& ack) override;
 

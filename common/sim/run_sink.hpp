@@ -5,6 +5,7 @@
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_sample.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
+#include "inslab/data/samples/magnetic_field.hpp"
 #include "inslab/data/samples/nav_solution.hpp"
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/data/samples/vehicle_state.hpp"
@@ -20,6 +21,7 @@ class RunSink {
   virtual void truth(const TruthState& truth) = 0;
   virtual void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) = 0;
   virtual void gnss(std::size_t index, const GnssFix& fix) = 0;
+  virtual void magnetometer(std::size_t, const MagneticField&) {}
   virtual void nav(const NavSolution&) {}  ///< of the reference navigation app, when the scenario has it
   virtual void ack(const ProfileAck& ack) = 0;
 };

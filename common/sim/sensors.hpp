@@ -4,3 +4,4 @@
 
 #include "inslab/sim/gnss_sensor.hpp"
 #include "inslab/sim/imu_sensor.hpp"
+#include "inslab/sim/magnetometer_sensor.hpp"

@@ -64,25 +64,25 @@ struct Pair {
 template <class P>
 class Codec : public testing::Test {};
 
-using AllTypes = testing::Types<Pair<samples::TruthState, ::inslab::v1::TruthStatePubSubType>,
-                                Pair<samples::ImuSample, ::inslab::v1::ImuSamplePubSubType>,
-                                Pair<samples::ImuTruth, ::inslab::v1::ImuTruthPubSubType>,
-                                Pair<samples::GnssFix, ::inslab::v1::GnssFixPubSubType>,
-                                Pair<samples::NavSolution, ::inslab::v1::NavSolutionPubSubType>,
-                                Pair<samples::ImuErrorProfile, ::inslab::v1::ImuErrorProfilePubSubType>,
-                                Pair<samples::VibrationProfile, ::inslab::v1::VibrationProfilePubSubType>,
-                                Pair<samples::InstallationProfile, ::inslab::v1::InstallationProfilePubSubType>,
-                                Pair<samples::GnssErrorProfile, ::inslab::v1::GnssErrorProfilePubSubType>,
-                                Pair<samples::FaultProfile, ::inslab::v1::FaultProfilePubSubType>,
-                                Pair<samples::ProfileAck, ::inslab::v1::ProfileAckPubSubType>,
-                                Pair<samples::Installation, ::inslab::v1::InstallationPubSubType>,
-                                Pair<samples::SimCommand, ::inslab::v1::SimCommandPubSubType>,
-                                Pair<samples::SimStatus, ::inslab::v1::SimStatusPubSubType>,
-                                Pair<samples::TimeMark, ::inslab::v1::TimeMarkPubSubType>,
-                                Pair<samples::ServiceStatus, ::inslab::v1::ServiceStatusPubSubType>,
-                                Pair<samples::VehicleState, ::inslab::v1::VehicleStatePubSubType>,
-                                Pair<samples::UsedVehicleState, ::inslab::v1::UsedVehicleStatePubSubType>,
-                                Pair<samples::VehicleLink, ::inslab::v1::VehicleLinkPubSubType>>;
+using AllTypes = testing::Types<Pair<samples::TruthState, ::inslab::v2::TruthStatePubSubType>,
+                                Pair<samples::ImuSample, ::inslab::v2::ImuSamplePubSubType>,
+                                Pair<samples::ImuTruth, ::inslab::v2::ImuTruthPubSubType>,
+                                Pair<samples::GnssFix, ::inslab::v2::GnssFixPubSubType>,
+                                Pair<samples::NavSolution, ::inslab::v2::NavSolutionPubSubType>,
+                                Pair<samples::ImuErrorProfile, ::inslab::v2::ImuErrorProfilePubSubType>,
+                                Pair<samples::VibrationProfile, ::inslab::v2::VibrationProfilePubSubType>,
+                                Pair<samples::InstallationProfile, ::inslab::v2::InstallationProfilePubSubType>,
+                                Pair<samples::GnssErrorProfile, ::inslab::v2::GnssErrorProfilePubSubType>,
+                                Pair<samples::FaultProfile, ::inslab::v2::FaultProfilePubSubType>,
+                                Pair<samples::ProfileAck, ::inslab::v2::ProfileAckPubSubType>,
+                                Pair<samples::Installation, ::inslab::v2::InstallationPubSubType>,
+                                Pair<samples::SimCommand, ::inslab::v2::SimCommandPubSubType>,
+                                Pair<samples::SimStatus, ::inslab::v2::SimStatusPubSubType>,
+                                Pair<samples::TimeMark, ::inslab::v2::TimeMarkPubSubType>,
+                                Pair<samples::ServiceStatus, ::inslab::v2::ServiceStatusPubSubType>,
+                                Pair<samples::VehicleState, ::inslab::v2::VehicleStatePubSubType>,
+                                Pair<samples::UsedVehicleState, ::inslab::v2::UsedVehicleStatePubSubType>,
+                                Pair<samples::VehicleLink, ::inslab::v2::VehicleLinkPubSubType>>;
 TYPED_TEST_SUITE(Codec, AllTypes);
 
 template <class Plain>

@@ -69,8 +69,8 @@ TEST_F(BenchTools, ListTheTopicsWithTheirTypesAndEnds) {
   const Answer answer = inslab({"topics", "ls"});
   EXPECT_EQ(answer.code, 0) << answer.text;
   // Written by the injector, read by the logger.
-  EXPECT_THAT(answer.text, ContainsRegex("inslab/imu/0 +inslab::v1::ImuSample +1 +1"));
-  EXPECT_THAT(answer.text, ContainsRegex("inslab/profile/imu_error +inslab::v1::ImuErrorProfile +1 +[24]"));
+  EXPECT_THAT(answer.text, ContainsRegex("inslab/imu/0 +inslab::v2::ImuSample +1 +1"));
+  EXPECT_THAT(answer.text, ContainsRegex("inslab/profile/imu_error +inslab::v2::ImuErrorProfile +1 +[24]"));
 }
 
 TEST_F(BenchTools, EchoTheFieldsOfMessages) {

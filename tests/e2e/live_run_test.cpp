@@ -64,6 +64,21 @@ TEST(LiveRun, OfTwoImusAndTwoAntennasGivesTheBitsOfTheOfflineRun) {
   expect_same_bits<GnssFix>(live_log, offline_log, "inslab/gnss/1", 70);
 }
 
+TEST(LiveRun, WithAMagnetometerGivesTheBitsOfTheOfflineRun) {
+  const TestFolder folder;
+  const std::string scenario = source("config/scenarios/magnetometer.json");
+  Process live("inslab",
+               {"run", scenario, "--log", folder / "live.mcap", "--domain", own_domain(), "--clock", "lockstep"});
+  Process offline("inslab", {"simulate", scenario, "-o", folder / "offline"});
+  // Exit 0 also means: nothing lost, both swaps acknowledged and borne out by the samples.
+  ASSERT_EQ(live.wait(seconds(80)), 0) << live.output();
+  ASSERT_EQ(offline.wait(seconds(60)), 0) << offline.output();
+  EXPECT_THAT(live.output(), HasSubstr("swap 1: magnetometer_error 'uncalibrated' for magnetometer0"));
+  EXPECT_THAT(live.output(), HasSubstr("hard iron x"));
+  expect_same_bits<MagneticField>(folder / "live.mcap", folder / "offline/magnetometer.mcap", "inslab/magnetometer/0",
+                                  3000);
+}
+
 TEST(LiveRun, SummaryNamesStreamsSwapsAndLog) {
   const TestFolder folder;
   Process live("inslab",

@@ -16,7 +16,7 @@
 
 namespace inslab::dds {
 
-namespace types = ::inslab::v1;  // the generated ones
+namespace types = ::inslab::v2;  // the generated ones
 
 bool GeneratedType::key_of(std::vector<std::uint8_t>& cdr, fast_dds::Handle& handle) const {
   // The generated code keeps its key buffer in the type object, which all threads of a participant share.
@@ -53,12 +53,14 @@ INSLAB_GENERATED_TYPE(TruthState)
 INSLAB_GENERATED_TYPE(ImuSample)
 INSLAB_GENERATED_TYPE(ImuTruth)
 INSLAB_GENERATED_TYPE(GnssFix)
+INSLAB_GENERATED_TYPE(MagneticField)
 INSLAB_GENERATED_TYPE(NavSolution)
 INSLAB_GENERATED_TYPE(ImuErrorProfile)
 INSLAB_GENERATED_TYPE(VibrationProfile)
 INSLAB_GENERATED_TYPE(InstallationProfile)
 INSLAB_GENERATED_TYPE(GnssErrorProfile)
 INSLAB_GENERATED_TYPE(FaultProfile)
+INSLAB_GENERATED_TYPE(MagnetometerErrorProfile)
 INSLAB_GENERATED_TYPE(ProfileAck)
 INSLAB_GENERATED_TYPE(Installation)
 INSLAB_GENERATED_TYPE(SimCommand)
@@ -78,6 +80,7 @@ INSLAB_GENERATED_BLOCK(TruthState, TruthBlock)
 INSLAB_GENERATED_BLOCK(ImuSample, ImuBlock)
 INSLAB_GENERATED_BLOCK(ImuTruth, ImuTruthBlock)
 INSLAB_GENERATED_BLOCK(GnssFix, GnssBlock)
+INSLAB_GENERATED_BLOCK(MagneticField, MagneticFieldBlock)
 INSLAB_GENERATED_BLOCK(NavSolution, NavBlock)
 
 #undef INSLAB_GENERATED_BLOCK

@@ -4,6 +4,7 @@
 #include "inslab/data/profiles/gnss_error_profile.hpp"
 #include "inslab/data/profiles/imu_error_profile.hpp"
 #include "inslab/data/profiles/installation_profile.hpp"
+#include "inslab/data/profiles/magnetometer_error_profile.hpp"
 #include "inslab/data/profiles/vibration_profile.hpp"
 #include "inslab/foundation/fields/types.hpp"
 
@@ -12,7 +13,8 @@
 namespace inslab::catalog {
 
 /// In the order of ProfileKind, whose enumerators have the names.
-using ProfileKinds = Types<ImuErrorProfile, VibrationProfile, InstallationProfile, GnssErrorProfile, FaultProfile>;
+using ProfileKinds = Types<ImuErrorProfile, VibrationProfile, InstallationProfile, GnssErrorProfile, FaultProfile,
+                           MagnetometerErrorProfile>;
 
 /// What a kind of profile is called besides its name.
 struct ProfileWords {
@@ -46,6 +48,11 @@ inline constexpr ProfileWords kWords<GnssErrorProfile>{"gnss", "GNSS errors", "G
 template <>
 inline constexpr ProfileWords kWords<FaultProfile>{"fault", "Fault", "fault profile",
                                                    "a",     "fault", "faults of one sensor"};
+
+template <>
+inline constexpr ProfileWords kWords<MagnetometerErrorProfile>{
+    "magnetometer", "Magnetometer errors",      "magnetometer error profile", "a",
+    "magnetometer", "how one magnetometer errs"};
 
 namespace detail {
 template <class... Profile>

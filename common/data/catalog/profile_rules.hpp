@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/catalog/sensor_kinds.hpp"
@@ -118,10 +117,12 @@ inline std::optional<Violation> accel_violation(const AccelErrors& accel) {
                                 accel.nonlinearity_ppm_of_full_scale, accel.full_scale_g);
 }
 
-inline std::optional<Violation> temperature_violation(const std::vector<TemperaturePoint>& points) {
+/// Corners of a course over time.
+template <class Corner>
+std::optional<Violation> in_order_violation(const std::string& path, const std::vector<Corner>& points) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (!(points[i].at_s > points[i - 1].at_s)) {
-      return Violation{Rule::TemperatureInOrder, "temperature[" + std::to_string(i) + "].at_s",
+      return Violation{Rule::CornersInOrder, path + "[" + std::to_string(i) + "].at_s",
                        "is " + number_text(points[i].at_s) + "; expected later than the one before, " +
                            number_text(points[i - 1].at_s)};
     }
@@ -191,7 +192,7 @@ inline std::optional<Violation> violation(const ImuErrorProfile& profile) {
   if (auto broken = detail::fade_violation(profile.request)) return broken;
   if (auto broken = detail::gyro_violation(profile.gyro)) return broken;
   if (auto broken = detail::accel_violation(profile.accel)) return broken;
-  return detail::temperature_violation(profile.temperature);
+  return detail::in_order_violation("temperature", profile.temperature);
 }
 
 inline std::optional<Violation> violation(const VibrationProfile& profile) {
@@ -224,55 +225,48 @@ inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
 
 namespace detail {
 
-/// What of a fault profile an IMU alone can have.
-inline std::optional<Violation> imu_fault_violation(const FaultProfile& profile) {
-  constexpr const char* kReason = "is given; this is a fault of an imu";
-  const std::pair<const char*, const Vector3*> vectors[] = {
-      {"gyro_bias_jump_deg_per_h", &profile.gyro_bias_jump_deg_per_h},
-      {"accel_bias_jump_mgal", &profile.accel_bias_jump_mgal},
-      {"gyro_noise_burst_deg_per_sqrt_h", &profile.gyro_noise_burst_deg_per_sqrt_h},
-      {"accel_noise_burst_m_per_s_per_sqrt_h", &profile.accel_noise_burst_m_per_s_per_sqrt_h}};
-  for (const auto& [path, value] : vectors) {
-    if (auto broken = zero_violation(Rule::FaultFitsSensor, path, *value, kReason)) return broken;
-  }
-  const std::pair<const char*, const std::array<AxisFault, 3>*> triads[] = {{"gyro_fault_", &profile.gyro_axes},
-                                                                            {"accel_fault_", &profile.accel_axes}};
-  for (const auto& [path, axes] : triads) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if ((*axes)[axis] == AxisFault::None) continue;
-      return Violation{Rule::FaultFitsSensor, std::string(path) + "xyz"[axis], kReason};
-    }
-  }
-  if (profile.gyro_silent) return Violation{Rule::FaultFitsSensor, "gyro_silent", kReason};
-  if (profile.accel_silent) return Violation{Rule::FaultFitsSensor, "accel_silent", kReason};
-  return std::nullopt;
-}
+/// Finds the first fault that another kind of sensor has than the one it is for.
+class FaultFits {
+ public:
+  explicit FaultFits(SensorKind target) : target_(enum_name(target)) {}
+  std::optional<Violation> found;
 
-/// What of a fault profile a receiver alone can have.
-inline std::optional<Violation> receiver_fault_violation(const FaultProfile& profile) {
-  if (profile.outage) {
-    return Violation{Rule::FaultFitsSensor, "outage", "is true; an outage is a fault of a gnss receiver"};
+  template <class T>
+  void operator()(const Field& field, const T& value) {
+    if (found || field.sensor_kind.empty() || field.sensor_kind == target_ || is_off(value)) return;
+    found = Violation{Rule::FaultFitsSensor, std::string(field.name),
+                      "is given; this is a fault of a sensor of kind " + std::string(field.sensor_kind)};
   }
-  constexpr const char* kReason = "is given; this is a fault of a gnss receiver";
-  const std::pair<const char*, const Vector3*> vectors[] = {
-      {"position_jump_ned_m", &profile.position_jump_ned_m},
-      {"velocity_jump_ned_m_per_s", &profile.velocity_jump_ned_m_per_s},
-      {"position_drift_ned_m_per_s", &profile.position_drift_ned_m_per_s}};
-  for (const auto& [path, value] : vectors) {
-    if (auto broken = zero_violation(Rule::FaultFitsSensor, path, *value, kReason)) return broken;
+
+ private:
+  static bool is_off(const Vector3& value) { return value.isZero(0.0); }
+  static bool is_off(bool value) { return !value; }
+  static bool is_off(AxisFault value) { return value == AxisFault::None; }
+  template <class T>
+  static bool is_off(const T&) {  // what every kind has
+    return true;
   }
-  if (profile.drift_in_velocity) return Violation{Rule::FaultFitsSensor, "drift_in_velocity", kReason};
-  return std::nullopt;
-}
+
+  std::string_view target_;
+};
 
 }  // namespace detail
 
 inline std::optional<Violation> violation(const FaultProfile& profile) {
   if (auto broken = detail::fade_violation(profile.request)) return broken;
-  if (profile.target.kind != SensorKind::Imu) {
-    if (auto broken = detail::imu_fault_violation(profile)) return broken;
+  detail::FaultFits fits(profile.target.kind);
+  FaultProfile::fields(profile, fits);
+  return fits.found;
+}
+
+inline std::optional<Violation> violation(const MagnetometerErrorProfile& profile) {
+  if (auto broken = detail::target_violation(profile)) return broken;
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::correlation_violation("gm_correlation_time_s", "gm_sigma_nt", profile.gm_sigma_nt,
+                                                  profile.gm_correlation_time_s)) {
+    return broken;
   }
-  return profile.target.kind != SensorKind::Gnss ? detail::receiver_fault_violation(profile) : std::nullopt;
+  return detail::in_order_violation("currents", profile.currents);
 }
 
 /// The first limit or rule that a profile of any kind breaks.

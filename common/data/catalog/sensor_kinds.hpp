@@ -8,6 +8,7 @@
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_sample.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
+#include "inslab/data/samples/magnetic_field.hpp"
 
 /// The kinds of sensor that there are. What is done for every kind is made for each of SensorKinds: topics, log
 /// channels, the services of a set and what they may do, offline and live run, the words of commands.
@@ -58,8 +59,23 @@ struct Gnss {
   static constexpr const char* mountings = "antenna_";
 };
 
+struct Magnetometer {
+  static constexpr SensorKind kind = SensorKind::Magnetometer;
+  static constexpr std::string_view name = "magnetometer";
+  static constexpr const char* singular = "magnetometer";
+  static constexpr const char* plural = "magnetometers";
+  static constexpr const char* service = "inslab-magnetometer";
+  static constexpr const char* service_title = "magnetometer";
+  static constexpr const char* purpose = "Turns the truth into what one magnetometer puts out";
+  static constexpr std::tuple streams{Stream<MagneticField>{"magnetometer", Audience::App, 100.0}};
+  using Profiles = Types<MagnetometerErrorProfile, InstallationProfile, FaultProfile>;
+  static constexpr bool has_axes = true;
+  static constexpr bool sets_the_pace = false;
+  static constexpr const char* mountings = "magnetometer_";
+};
+
 /// In the order of SensorKind, whose enumerators have the names.
-using SensorKinds = Types<Imu, Gnss>;
+using SensorKinds = Types<Imu, Gnss, Magnetometer>;
 
 namespace detail {
 template <class... Kind>

@@ -10,7 +10,7 @@ namespace inslab::wire {
 /// The module of idl/ that all types are in. Its last part is the version of the wire types: it goes up with every
 /// change of a struct or an enumeration, so that a client built with other types does not match instead of reading
 /// them wrong.
-#define INSLAB_WIRE_MODULE "inslab::v1::"
+#define INSLAB_WIRE_MODULE "inslab::v2::"
 inline constexpr std::string_view kModule = INSLAB_WIRE_MODULE;
 
 /// The present name of a type that a log may call by an earlier one; any other name as it is. Before the types had a
@@ -32,12 +32,14 @@ INSLAB_WIRE_TYPE(TruthState, "truth.idl");
 INSLAB_WIRE_TYPE(ImuSample, "imu.idl");
 INSLAB_WIRE_TYPE(ImuTruth, "imu.idl");
 INSLAB_WIRE_TYPE(GnssFix, "gnss.idl");
+INSLAB_WIRE_TYPE(MagneticField, "magnetometer.idl");
 INSLAB_WIRE_TYPE(NavSolution, "nav.idl");
 INSLAB_WIRE_TYPE(ImuErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(VibrationProfile, "profile.idl");
 INSLAB_WIRE_TYPE(InstallationProfile, "profile.idl");
 INSLAB_WIRE_TYPE(GnssErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(FaultProfile, "profile.idl");
+INSLAB_WIRE_TYPE(MagnetometerErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(ProfileAck, "control.idl");
 INSLAB_WIRE_TYPE(Installation, "control.idl");
 INSLAB_WIRE_TYPE(SimCommand, "control.idl");
@@ -62,6 +64,7 @@ INSLAB_BLOCK_TYPE(TruthState, "TruthBlock");
 INSLAB_BLOCK_TYPE(ImuSample, "ImuBlock");
 INSLAB_BLOCK_TYPE(ImuTruth, "ImuTruthBlock");
 INSLAB_BLOCK_TYPE(GnssFix, "GnssBlock");
+INSLAB_BLOCK_TYPE(MagneticField, "MagneticFieldBlock");
 INSLAB_BLOCK_TYPE(NavSolution, "NavBlock");
 
 #undef INSLAB_BLOCK_TYPE

@@ -5,7 +5,7 @@
 namespace inslab {
 inline namespace samples {
 
-/// What is wrong with one axis of an IMU: it repeats its last increment, shows the wrong sign, or no number at all.
+/// What is wrong with one axis of a sensor: it repeats its last value, shows the wrong sign, or no number at all.
 enum class AxisFault : std::uint32_t { None, Stuck, SignFlip, Nan };
 
 template <>
@@ -36,38 +36,69 @@ struct FaultProfile {
   Vector3 position_drift_ned_m_per_s = Vector3::Zero();            ///< gnss: spoofing that leads away slowly
   bool drift_in_velocity = false;                                  ///< gnss
   bool outage = false;                                             ///< gnss: no fixes while on
+  Vector3 magnetic_jump_nt = Vector3::Zero();                      ///< magnetometer
+  Vector3 magnetic_noise_burst_nt = Vector3::Zero();               ///< magnetometer
+  std::array<AxisFault, 3> magnetometer_axes{};                    ///< magnetometer
+  bool magnetometer_silent = false;                                ///< magnetometer: no samples while on
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
     profile_head_fields(self, visit);
     visit(Field("source", "why").at_most(256), self.source);
-    visit(Field("gyro_bias_jump_deg_per_h", "imu: bias added while the fault is on").in(-1e6, 1e6),
+    visit(Field("gyro_bias_jump_deg_per_h", "imu: bias added while the fault is on").only_for("imu").in(-1e6, 1e6),
           self.gyro_bias_jump_deg_per_h);
-    visit(Field("accel_bias_jump_mgal", "imu: bias added while the fault is on").in(-1e7, 1e7),
+    visit(Field("accel_bias_jump_mgal", "imu: bias added while the fault is on").only_for("imu").in(-1e7, 1e7),
           self.accel_bias_jump_mgal);
-    visit(Field("gyro_noise_burst_deg_per_sqrt_h", "imu: white noise added while the fault is on").in(0.0, 1e5),
+    visit(Field("gyro_noise_burst_deg_per_sqrt_h", "imu: white noise added while the fault is on")
+              .only_for("imu")
+              .in(0.0, 1e5),
           self.gyro_noise_burst_deg_per_sqrt_h);
-    visit(Field("accel_noise_burst_m_per_s_per_sqrt_h", "imu: white noise added while the fault is on").in(0.0, 1e5),
+    visit(Field("accel_noise_burst_m_per_s_per_sqrt_h", "imu: white noise added while the fault is on")
+              .only_for("imu")
+              .in(0.0, 1e5),
           self.accel_noise_burst_m_per_s_per_sqrt_h);
-    visit(Field("gyro_fault_x", "imu: what is wrong with the axis"), self.gyro_axes[0]);
-    visit(Field("gyro_fault_y", "imu: what is wrong with the axis"), self.gyro_axes[1]);
-    visit(Field("gyro_fault_z", "imu: what is wrong with the axis"), self.gyro_axes[2]);
-    visit(Field("accel_fault_x", "imu: what is wrong with the axis"), self.accel_axes[0]);
-    visit(Field("accel_fault_y", "imu: what is wrong with the axis"), self.accel_axes[1]);
-    visit(Field("accel_fault_z", "imu: what is wrong with the axis"), self.accel_axes[2]);
-    visit(Field("gyro_silent", "imu: no rates while on"), self.gyro_silent);
-    visit(Field("accel_silent", "imu: no specific forces while on"), self.accel_silent);
-    visit(Field("position_jump_ned_m", "gnss: offset added while the fault is on").in(-1e5, 1e5),
+    visit(Field("gyro_fault_x", "imu: what is wrong with the axis").only_for("imu"), self.gyro_axes[0]);
+    visit(Field("gyro_fault_y", "imu: what is wrong with the axis").only_for("imu"), self.gyro_axes[1]);
+    visit(Field("gyro_fault_z", "imu: what is wrong with the axis").only_for("imu"), self.gyro_axes[2]);
+    visit(Field("accel_fault_x", "imu: what is wrong with the axis").only_for("imu"), self.accel_axes[0]);
+    visit(Field("accel_fault_y", "imu: what is wrong with the axis").only_for("imu"), self.accel_axes[1]);
+    visit(Field("accel_fault_z", "imu: what is wrong with the axis").only_for("imu"), self.accel_axes[2]);
+    visit(Field("gyro_silent", "imu: no rates while on").only_for("imu"), self.gyro_silent);
+    visit(Field("accel_silent", "imu: no specific forces while on").only_for("imu"), self.accel_silent);
+    visit(Field("position_jump_ned_m", "gnss: offset added while the fault is on").only_for("gnss").in(-1e5, 1e5),
           self.position_jump_ned_m);
-    visit(Field("velocity_jump_ned_m_per_s", "gnss: offset added while the fault is on").in(-1e4, 1e4),
+    visit(Field("velocity_jump_ned_m_per_s", "gnss: offset added while the fault is on").only_for("gnss").in(-1e4, 1e4),
           self.velocity_jump_ned_m_per_s);
     visit(Field("position_drift_ned_m_per_s",
                 "gnss: speed of an offset that grows from 0 when the fault comes on, to at most 100 km")
+              .only_for("gnss")
               .in(-1e3, 1e3),
           self.position_drift_ned_m_per_s);
-    visit(Field("drift_in_velocity", "gnss: velocity shows the drift too, as a consistent spoofer makes it"),
+    visit(Field("drift_in_velocity", "gnss: velocity shows the drift too, as a consistent spoofer makes it")
+              .only_for("gnss"),
           self.drift_in_velocity);
-    visit(Field("outage", "gnss: no fix while on"), self.outage);
+    visit(Field("outage", "gnss: no fix while on").only_for("gnss"), self.outage);
+    visit(Field("magnetic_jump_nt", "magnetometer: field added while the fault is on")
+              .only_for("magnetometer")
+              .appended()
+              .in(-1e6, 1e6),
+          self.magnetic_jump_nt);
+    visit(Field("magnetic_noise_burst_nt", "magnetometer: white noise added while the fault is on, of one sample")
+              .only_for("magnetometer")
+              .appended()
+              .in(0.0, 1e6),
+          self.magnetic_noise_burst_nt);
+    visit(
+        Field("magnetometer_fault_x", "magnetometer: what is wrong with the axis").only_for("magnetometer").appended(),
+        self.magnetometer_axes[0]);
+    visit(
+        Field("magnetometer_fault_y", "magnetometer: what is wrong with the axis").only_for("magnetometer").appended(),
+        self.magnetometer_axes[1]);
+    visit(
+        Field("magnetometer_fault_z", "magnetometer: what is wrong with the axis").only_for("magnetometer").appended(),
+        self.magnetometer_axes[2]);
+    visit(Field("magnetometer_silent", "magnetometer: no sample while on").only_for("magnetometer").appended(),
+          self.magnetometer_silent);
   }
 };
 

@@ -5,22 +5,22 @@
 namespace inslab {
 inline namespace samples {
 
-enum class SensorKind : std::uint32_t { Imu, Gnss };
-enum class ProfileKind : std::uint32_t { ImuError, Vibration, Installation, GnssError, Fault };
+enum class SensorKind : std::uint32_t { Imu, Gnss, Magnetometer };
+enum class ProfileKind : std::uint32_t { ImuError, Vibration, Installation, GnssError, Fault, MagnetometerError };
 enum class Continuity : std::uint32_t { Keep, Reset, Redraw };
 
 template <>
 struct EnumNames<SensorKind> {
   static constexpr std::string_view type = "SensorKind";
   static constexpr std::string_view prefix = "SENSOR_";
-  static constexpr std::array<std::string_view, 2> values{"imu", "gnss"};
+  static constexpr std::array<std::string_view, 3> values{"imu", "gnss", "magnetometer"};
 };
 template <>
 struct EnumNames<ProfileKind> {
   static constexpr std::string_view type = "ProfileKind";
   static constexpr std::string_view prefix = "PROFILE_";
-  static constexpr std::array<std::string_view, 5> values{"imu_error", "vibration", "installation", "gnss_error",
-                                                          "fault"};
+  static constexpr std::array<std::string_view, 6> values{"imu_error",  "vibration", "installation",
+                                                          "gnss_error", "fault",     "magnetometer_error"};
 };
 template <>
 struct EnumNames<Continuity> {
@@ -45,7 +45,7 @@ struct ProfileRequest {
   std::int64_t apply_at_ns = -1;  ///< sim time; negative: as soon as possible; settled by the journal
   Continuity continuity = Continuity::Keep;
   double fade_s = 0.0;                 ///< vibration only
-  std::uint32_t journal_number = 0;    ///< set by the journal, counted from 1 across the five kinds
+  std::uint32_t journal_number = 0;    ///< set by the journal, counted from 1 across the kinds
   std::int64_t requested_at_ns = -1;   ///< set by the journal: what apply_at_ns was in the request
   bool requested_in_the_past = false;  ///< set by the journal
 
@@ -67,7 +67,7 @@ struct ProfileRequest {
 /// The fields that begin every profile: whom it is for, and the request. Wire only; a profile file has none of it.
 template <class Self, class Visitor>
 void profile_head_fields(Self& self, Visitor& visit) {
-  visit(Field("target_kind", "imu or gnss").key().wire_only(), self.target.kind);
+  visit(Field("target_kind", "imu, gnss or magnetometer").key().wire_only(), self.target.kind);
   visit(Field("target_number", "the sensor's number").key().wire_only(), self.target.number);
   visit(Field("request").wire_only(), self.request);
   visit(Field("name", "a word for the log").at_most(64), self.name);

@@ -127,10 +127,13 @@ class Decoder {
 
   template <class T>
   void operator()(const Field& field, T& value) {
-    if (ok_) get(field, value);
+    if (!ok_ || (field.is_appended && left() <= kMostPadding)) return;
+    get(field, value);
   }
 
  private:
+  static constexpr std::size_t kMostPadding = 3;  ///< that some vendors put behind the last field
+
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   bool take(std::size_t width, std::size_t bytes) {
     const std::size_t offset = static_cast<std::size_t>(at_ - begin_) % width;

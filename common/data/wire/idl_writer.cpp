@@ -165,11 +165,11 @@ std::string profile_idl() {
   });
 
   std::string text =
-      "// Inslab wire types, part 6 of 9: the profiles that can be swapped while a run goes on. A request and its "
+      "// Inslab wire types, part 6 of 10: the profiles that can be swapped while a run goes on. A request and its "
       "entry in\n"
       "// the journal have the same type. What is not wanted stays zero; a list that is not wanted stays empty.\n"
       "// Derived from the parameter declarations in common/data/profiles by 'inslab reference idl/profile.idl'.\n"
-      "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab { module v1 "
+      "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab { module v2 "
       "{\n\n";
   return text + writer.text() + "}; };\n\n#endif\n";
 }

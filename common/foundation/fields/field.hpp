@@ -68,6 +68,19 @@ struct Field {
     field.is_key = true;
     return field;
   }
+  /// Given for one kind of sensor alone, by its name; for others it keeps its default.
+  constexpr Field only_for(std::string_view kind_of_sensor) const {
+    Field field = *this;
+    field.sensor_kind = kind_of_sensor;
+    return field;
+  }
+  /// Came with a later version of the wire types, at the end of its struct: samples in earlier logs lack it, and it
+  /// keeps its default then.
+  constexpr Field appended() const {
+    Field field = *this;
+    field.is_appended = true;
+    return field;
+  }
   /// On the wire but not in JSON files: set by the software.
   constexpr Field wire_only() const {
     Field field = *this;
@@ -80,9 +93,11 @@ struct Field {
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   std::size_t max_size = 64;
+  std::string_view sensor_kind;
   bool is_required = false;
   bool is_key = false;
   bool is_wire_only = false;
+  bool is_appended = false;
 };
 
 /// Specialised for every enum on the wire or in JSON: `type` is the IDL name, `prefix` the enumerators' prefix there,

@@ -25,6 +25,7 @@ enum class Rule : std::uint32_t {
   RunName,               ///< a run's name makes a file's name
   RunLength,             ///< at least one period of the truth
   StartInWeek,           ///< the seconds of week are less than a week
+  MagneticModelDate,     ///< the run begins in the years of the model of the Earth's field, or it may be extrapolated
   SensorNumberOnce,      ///< no two sensors of a kind share a number
   SensorInstants,        ///< instants of two streams coincide or keep a distance
   OutagePeriod,          ///< an outage ends before it comes again
@@ -76,7 +77,7 @@ enum class Rule : std::uint32_t {
   FaultFitsSensor,     ///< bias jumps are faults of IMUs, outages and position jumps of receivers
   FullScale,           ///< an accelerometer that saturates reads at least 1 g
   NonlinearityScale,   ///< a non-linearity in parts of full scale has a full scale
-  TemperatureInOrder,  ///< corners of the temperature are in order of time
+  CornersInOrder,      ///< corners of the temperature, or of currents, are in order of time
   RandomTable,         ///< a spectral density has two or more corners, in order of frequency
   MotionReach,         ///< a mount moves at most 5 cm and 2 deg
   MotionFrequency,     ///< and at most 2 kHz
@@ -92,7 +93,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 71> values{"readable",
+  static constexpr std::array<std::string_view, 72> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -106,6 +107,7 @@ struct EnumNames<Rule> {
                                                            "run_name",
                                                            "run_length",
                                                            "start_in_week",
+                                                           "magnetic_model_date",
                                                            "sensor_number_once",
                                                            "sensor_instants",
                                                            "outage_period",
@@ -155,7 +157,7 @@ struct EnumNames<Rule> {
                                                            "fault_fits_sensor",
                                                            "full_scale",
                                                            "nonlinearity_scale",
-                                                           "temperature_in_order",
+                                                           "corners_in_order",
                                                            "random_table",
                                                            "motion_reach",
                                                            "motion_frequency",

@@ -126,6 +126,9 @@ inline constexpr profiles::FieldUse kVibrationUses[] = {
                        "its spectrum is none of the filter, which is told of white noise alone"),
 };
 
+inline constexpr profiles::FieldUse kMagnetometerErrorUses[] = {
+    profiles::left_out("", "magnetometers", "the filter takes none")};
+
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("", "faults", "a fault is no error that a filter is told of")};
 
@@ -135,5 +138,6 @@ constexpr const auto& uses_of(Tag<GnssErrorProfile>) { return kGnssErrorUses; }
 constexpr const auto& uses_of(Tag<InstallationProfile>) { return kInstallationUses; }
 constexpr const auto& uses_of(Tag<VibrationProfile>) { return kVibrationUses; }
 constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
+constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetometerErrorUses; }
 
 }  // namespace inslab::reference_nav::matching

@@ -140,6 +140,23 @@ inline constexpr profiles::FieldUse kVibrationUses[] = {
     profiles::handled("angular_random[].density_deg2_per_s"),
 };
 
+inline constexpr profiles::FieldUse kMagnetometerErrorUses[] = {
+    profiles::handled("hard_iron_nt"),
+    profiles::handled("soft_iron"),
+    profiles::handled("currents[].at_s"),
+    profiles::handled("currents[].B_b_nt"),
+    profiles::handled("bodies[].latitude_deg"),
+    profiles::handled("bodies[].longitude_deg"),
+    profiles::handled("bodies[].height_m"),
+    profiles::handled("bodies[].radius_m"),
+    profiles::handled("bodies[].moment_ned_a_m2"),
+    profiles::handled("white_sigma_nt"),
+    profiles::handled("gm_sigma_nt"),
+    profiles::handled("gm_correlation_time_s"),
+    profiles::left_out("full_scale_nt", "full scale", "saturated samples are passed over"),
+    profiles::handled("quantization_nt"),
+};
+
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("gyro_bias_jump_deg_per_h", "faults",
                        "a fault promises no figure; its samples and their flags show it"),
@@ -164,6 +181,17 @@ inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("drift_in_velocity", "faults",
                        "a fault promises no figure; its samples and their flags show it"),
     profiles::left_out("outage", "faults", "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("magnetic_jump_nt", "faults", "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("magnetic_noise_burst_nt", "faults",
+                       "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("magnetometer_fault_x", "faults",
+                       "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("magnetometer_fault_y", "faults",
+                       "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("magnetometer_fault_z", "faults",
+                       "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("magnetometer_silent", "faults",
+                       "a fault promises no figure; its samples and their flags show it"),
 };
 
 /// Of each kind of profile.
@@ -172,6 +200,7 @@ constexpr const auto& uses_of(Tag<GnssErrorProfile>) { return kGnssErrorUses; }
 constexpr const auto& uses_of(Tag<InstallationProfile>) { return kInstallationUses; }
 constexpr const auto& uses_of(Tag<VibrationProfile>) { return kVibrationUses; }
 constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
+constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetometerErrorUses; }
 
 /// Of a swapped profile.
 inline std::vector<std::string> names_left_out(const AnyProfile& profile) {

@@ -37,6 +37,7 @@ void SampleJoiner::take_part(io::LogWalk& walk) {
   walk.each<ImuSample>(of_sensor(samples_));
   walk.each<ImuTruth>(of_sensor(imu_truths_));
   walk.each<GnssFix>(of_sensor(fixes_));
+  walk.each<MagneticField>(of_sensor(fields_));
 }
 
 /// Uses up what is complete; without `all` the last seconds stay, for stragglers of the other topics: what is sent
@@ -54,6 +55,10 @@ void SampleJoiner::join(bool all) {
   drain(fixes_, limit_ns, [this](const Key& key, const GnssFix& fix) {
     const auto vehicle = truths_.find({0, key.second});
     if (vehicle != truths_.end()) windows_.add(fix, vehicle->second);
+  });
+  drain(fields_, limit_ns, [this](const Key& key, const MagneticField& sample) {
+    const auto vehicle = truths_.find({0, key.second});
+    if (vehicle != truths_.end()) windows_.add(sample, vehicle->second);
   });
   drain(imu_truths_, limit_ns, [](const Key&, const ImuTruth&) {});
   drain(truths_, limit_ns, [](const Key&, const TruthState&) {});

@@ -31,6 +31,7 @@ class SampleJoiner {
   std::map<Key, ImuSample> samples_;
   std::map<Key, ImuTruth> imu_truths_;
   std::map<Key, GnssFix> fixes_;
+  std::map<Key, MagneticField> fields_;
 };
 
 }  // namespace inslab::cli

@@ -109,8 +109,7 @@ class Weigher {
   std::string why_nothing() const {
     if (swap_.ack.kind == ProfileKind::Fault) return "a fault promises no figure; its samples and their flags show it";
     for (const SwapWindow* window : {&swap_.before, &swap_.after}) {
-      const std::uint64_t pairs =
-          is_imu() ? window->gyro_rad_per_s.differences() : window->position_ned_m.differences();
+      const std::uint64_t pairs = series_of(*window).differences();
       if (pairs >= kFewest) continue;
       return fmt::format(
           "only {} pairs of usable samples {} it, in the {:.3f} s to its neighbour or the end; {} are needed", pairs,
@@ -130,9 +129,11 @@ class Weigher {
         return vibration();
       case ProfileKind::Installation:
         if (swap_.ack.target.kind == SensorKind::Gnss) return antenna_installation();
-        return imu ? imu_installation() : std::vector<EvidenceLine>{};
+        return imu ? imu_installation() : magnetometer();
       case ProfileKind::GnssError:
         return gnss_error();
+      case ProfileKind::MagnetometerError:
+        return magnetometer();
       case ProfileKind::Fault:
         break;
     }
@@ -140,6 +141,18 @@ class Weigher {
   }
 
  private:
+  /// Of which there is an entry for every usable sample of the sensor.
+  const NoiseStatistics& series_of(const SwapWindow& window) const {
+    switch (swap_.ack.target.kind) {
+      case SensorKind::Imu:
+        return window.gyro_rad_per_s;
+      case SensorKind::Gnss:
+        return window.position_ned_m;
+      case SensorKind::Magnetometer:
+        break;
+    }
+    return window.magnetic_nt;
+  }
   bool is_imu() const { return swap_.ack.target.kind == SensorKind::Imu; }
   double period_s() const {
     double period_s = 0.0;
@@ -214,6 +227,32 @@ class Weigher {
     for (int axis = 0; axis < 3; ++axis) {
       lines.push_back(arm_line(name + kAxes[axis], axis, before, after, promised_before, promised_after, error_before_m,
                                error_after_m));
+    }
+    return lines;
+  }
+
+  /// Noise, and what stands: under the true place, angles and iron that is the hard iron.
+  std::vector<EvidenceLine> magnetometer() const {
+    const auto before = in_use<MagnetometerErrorProfile>(swap_.before);
+    const auto after = in_use<MagnetometerErrorProfile>(swap_.after);
+    // A count is as good as uniform noise of its width where the noise is not much narrower.
+    const auto white = [](const MagnetometerErrorProfile& p) {
+      return Vector3((p.white_sigma_nt.cwiseAbs2() + p.quantization_nt.cwiseAbs2() / 12.0).cwiseSqrt());
+    };
+    const auto noise = [&](const MagnetometerErrorProfile& p) {
+      return promised_difference_sigma(white(p), p.gm_sigma_nt, p.gm_correlation_time_s, period_s(), kAllAxes);
+    };
+    std::vector<EvidenceLine> lines{fix_line("magnetic noise", "nT", swap_.before.magnetic_nt, swap_.after.magnetic_nt,
+                                             noise(before), noise(after), kAllAxes)};
+    const auto standing = [&](const SwapWindow& window, const MagnetometerErrorProfile& p, int axis) {
+      constexpr double kFieldNt = 0.1;  // to which the model of the Earth is interpolated
+      const double error_nt =
+          std::hypot(white(p)[axis] / std::sqrt(static_cast<double>(window.magnetic_nt.count())), p.gm_sigma_nt[axis]);
+      return judged(window.magnetic_nt.mean()[axis], p.hard_iron_nt[axis], 4.0 * error_nt + kFieldNt);
+    };
+    static constexpr const char* kAxes[] = {"hard iron x", "hard iron y", "hard iron z"};
+    for (int axis = 0; axis < 3; ++axis) {
+      lines.push_back({kAxes[axis], "nT", standing(swap_.before, before, axis), standing(swap_.after, after, axis)});
     }
     return lines;
   }

@@ -165,6 +165,13 @@ void SensorFilter::restart() {
   accel_.restart();
 }
 
+MagneticExpectation::MagneticExpectation(const MagnetometerErrorProfile& errors,
+                                         const InstallationProfile& installation)
+    : response_(magnetometer::response(errors)), currents_nt_(magnetometer::currents_nt(errors)) {
+  field_.use(installation);
+  field_.use(errors.bodies);
+}
+
 SwapWindowsOfLog::SwapWindowsOfLog(const LogSummary& summary) : summary_(summary) {
   const std::map<Sensor, SensorJournal> journals = journals_of(summary);
   std::map<std::tuple<Sensor, ProfileKind, std::uint32_t>, const ProfileInUse*> entries;
@@ -277,6 +284,29 @@ void SwapWindowsOfLog::add(const GnssFix& fix, const TruthState& vehicle) {
     window.position_ned_m.add(k, C_en.transpose() * (offset - C_ev(vehicle) * arm_v));
     window.velocity_ned_m_per_s.add(k, fix.v_n - C_en.transpose() * v_e);
   });
+}
+
+void SwapWindowsOfLog::add(const MagneticField& sample, const TruthState& vehicle) {
+  const SensorAddress sensor{SensorKind::Magnetometer, sample.sensor_number};
+  const auto found = passing_.find(sensor_of(sensor));
+  if (found == passing_.end()) return;
+  Passing& passing = found->second;
+  const std::uint64_t k = sample.header.sequence_number;
+  note_first(passing, k, ProfileKind::MagnetometerError, sample.revisions.magnetometer_error);
+  note_first(passing, k, ProfileKind::Installation, sample.revisions.installation);
+  note_first(passing, k, ProfileKind::Fault, sample.revisions.fault);
+  if (sample.saturated) return;
+  const std::pair revisions(sample.revisions.magnetometer_error, sample.revisions.installation);
+  if (!passing.magnetic || revisions != passing.magnetic_revisions) {
+    const std::int64_t now = sample.header.sim_time_ns;
+    const AnyProfile* errors = summary_.in_use(ProfileKind::MagnetometerError, sensor, now);
+    const AnyProfile* installed = summary_.in_use(ProfileKind::Installation, sensor, now);
+    passing.magnetic.emplace(errors ? std::get<MagnetometerErrorProfile>(*errors) : MagnetometerErrorProfile{},
+                             installed ? std::get<InstallationProfile>(*installed) : InstallationProfile{});
+    passing.magnetic_revisions = revisions;
+  }
+  const Vector3 error_nt = sample.B_b_nt - passing.magnetic->B_b_nt(vehicle);
+  for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) { window.magnetic_nt.add(k, error_nt); });
 }
 
 }  // namespace inslab::cli

@@ -5,8 +5,10 @@
 
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
+#include "inslab/data/samples/magnetic_field.hpp"
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/models/imu/bandwidth.hpp"
+#include "inslab/models/magnetometer/sensed_field.hpp"
 #include "inslab/referee/evidence/log_summary.hpp"
 #include "inslab/referee/evidence/noise_statistics.hpp"
 #include "inslab/referee/evidence/residual_statistics.hpp"
@@ -32,6 +34,22 @@ class SensorFilter {
   imu::Bandwidth accel_;
 };
 
+/// What one magnetometer would show under the profiles in use without noise, hard iron and limits.
+class MagneticExpectation {
+ public:
+  MagneticExpectation(const MagnetometerErrorProfile& errors, const InstallationProfile& installation);
+
+  /// Along the sensor's axes, nT.
+  Vector3 B_b_nt(const TruthState& vehicle) {
+    return response_ * field_.B_b_nt(vehicle) + currents_nt_.at(vehicle.header.sim_time_ns);
+  }
+
+ private:
+  magnetometer::SensedField field_;
+  Matrix3 response_;
+  time::Course<Vector3> currents_nt_;
+};
+
 /// A stretch of sim time under the same profiles of one sensor, and what its samples show.
 struct SwapWindow {
   std::int64_t after_ns = 0;  ///< samples later than this
@@ -47,6 +65,7 @@ struct SwapWindow {
   NoiseStatistics position_ned_m;  ///< GnssFix minus the antenna's truth under the promised arm
   NoiseStatistics velocity_ned_m_per_s;
   NoiseStatistics antenna_arm_v_m;  ///< GnssFix minus the vehicle's truth, in the vehicle's axes
+  NoiseStatistics magnetic_nt;      ///< MagneticField minus its MagneticExpectation
 };
 
 /// The windows before and after an acknowledged swap.
@@ -68,6 +87,7 @@ class SwapWindowsOfLog {
   /// sensor come in order of time.
   void add(const ImuSample& sample, const ImuTruth& imu_truth, const TruthState& vehicle);
   void add(const GnssFix& fix, const TruthState& vehicle);
+  void add(const MagneticField& sample, const TruthState& vehicle);
 
   const std::vector<SwapWindows>& all() const { return all_; }
 
@@ -81,6 +101,8 @@ class SwapWindowsOfLog {
     std::map<std::uint32_t, const ImuErrorProfile*> errors;  ///< by their numbers in the journal
     std::optional<SensorFilter> filter;
     std::optional<std::uint32_t> filter_revision;
+    std::optional<MagneticExpectation> magnetic;
+    std::pair<std::uint32_t, std::uint32_t> magnetic_revisions;  ///< of errors and installation
   };
 
   template <class Use>

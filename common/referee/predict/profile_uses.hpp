@@ -108,6 +108,9 @@ inline constexpr profiles::FieldUse kSensorVibrationUses[] = {
                        "the output is shaken, not the IMU: no error of the model"),
 };
 
+inline constexpr profiles::FieldUse kMagnetometerErrorUses[] = {
+    profiles::left_out("", "magnetometers", "the filter that is predicted takes none")};
+
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("", "faults", "a fault is no error that a filter is told of")};
 
@@ -117,5 +120,6 @@ constexpr const auto& uses_of(Tag<GnssErrorProfile>) { return kGnssErrorUses; }
 constexpr const auto& uses_of(Tag<InstallationProfile>) { return kInstallationUses; }
 constexpr const auto& uses_of(Tag<VibrationProfile>) { return kSensorVibrationUses; }
 constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
+constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetometerErrorUses; }
 
 }  // namespace inslab::predict

@@ -37,23 +37,34 @@ Bytes bytes_of(const sim::Sensor<catalog::Gnss>::Result& result) {
   return bytes;
 }
 
+Bytes bytes_of(const sim::Sensor<catalog::Magnetometer>::Result& result) {
+  Bytes bytes;
+  if (result.output) append(*result.output, bytes);
+  for (const ProfileAck& ack : result.acks) append(ack, bytes);
+  return bytes;
+}
+
 /// A scenario's truth and journal, once for all tests.
 struct Run {
   scenario::LoadedScenario scenario;
   std::vector<TruthState> truth;
   std::vector<AnyProfile> journal;
 
-  explicit Run(const std::string& name) : scenario(scenario::load(INSLAB_SOURCE_DIR "/tests/data/" + name + ".json")) {
+  explicit Run(const std::string& name) : scenario(scenario::load(INSLAB_SOURCE_DIR "/" + name + ".json")) {
     trajectory::TruthSource source(scenario, scenario.start(time::Nanoseconds(0)), RunId());
     for (const AnyProfile& swap : scenario.swaps) journal.push_back(std::get<AnyProfile>(source.submit(swap)));
     while (source.has_next()) truth.push_back(source.take());
   }
   static const Run& recovery() {
-    static const Run run("recovery");
+    static const Run run("tests/data/recovery");
     return run;
   }
   static const Run& odd_rates() {
-    static const Run run("odd_rates");
+    static const Run run("tests/data/odd_rates");
+    return run;
+  }
+  static const Run& magnetometer() {
+    static const Run run("config/scenarios/magnetometer");
     return run;
   }
 };
@@ -111,6 +122,12 @@ TEST(ResumedSensors, AnImuSlowerThanTheTruthGoesOnWithTheSameBits) {
 TEST(ResumedSensors, AReceiverGoesOnWithTheSameBits) {
   expect_resumes<sim::Sensor<catalog::Gnss>>(
       Run::recovery(), [](const auto& scenario) { return sim::Sensor<catalog::Gnss>(scenario, scenario.gnss[0]); });
+}
+
+TEST(ResumedSensors, AMagnetometerGoesOnWithTheSameBits) {
+  expect_resumes<sim::Sensor<catalog::Magnetometer>>(Run::magnetometer(), [](const auto& scenario) {
+    return sim::Sensor<catalog::Magnetometer>(scenario, scenario.magnetometers[0]);
+  });
 }
 
 TEST(ResumedSensors, AtRatesThatDivideNoneOfTheOthersAllGoOnWithTheSameBits) {

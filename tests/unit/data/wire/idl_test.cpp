@@ -47,7 +47,7 @@ std::string declarations_of(const std::string& idl_file) {
 
 TEST(WireVersion, GoesUpWhenAStructOrAnEnumerationChanges) {
   // Of each version, in order: the declarations as they are on the wire.
-  const std::map<std::string, std::uint64_t> versions{{"inslab::v1::", 0xfbec7fd78ba1b314}};
+  const std::map<std::string, std::uint64_t> versions{{"inslab::v1::", 0xfbec7fd78ba1b314}, {"inslab::v2::", 0}};
   std::string all;
   for (const char* file : {"block.idl", "control.idl", "vehicle.idl"}) all += declarations_of(file);
   ASSERT_EQ(versions.count(std::string(kModule)), 1u);
@@ -57,22 +57,24 @@ TEST(WireVersion, GoesUpWhenAStructOrAnEnumerationChanges) {
 }
 
 TEST(WireVersion, StandsInEveryFile) {
-  for (const char* file : {"header", "truth", "imu", "gnss", "nav", "profile", "control", "vehicle", "block"}) {
+  for (const char* file :
+       {"header", "truth", "imu", "gnss", "magnetometer", "nav", "profile", "control", "vehicle", "block"}) {
     std::istringstream lines(self_contained_idl(std::string(file) + ".idl"));
     int modules = 0;
     for (std::string line; std::getline(lines, line);) {
       if (line.rfind("module ", 0) != 0) continue;
       ++modules;
-      EXPECT_EQ(line, "module inslab { module v1 {") << file;
+      EXPECT_EQ(line, "module inslab { module v2 {") << file;
     }
     EXPECT_GT(modules, 0) << file;
   }
-  EXPECT_EQ(kModule, "inslab::v1::");
+  EXPECT_EQ(kModule, "inslab::v2::");
 }
 
 TEST(PresentName, IsThatOfTheSameTypeInAnEarlierLog) {
   EXPECT_EQ(present_name("inslab::TruthState"), WireType<TruthState>::name);
   EXPECT_EQ(present_name("inslab::v1::TruthState"), WireType<TruthState>::name);
+  EXPECT_EQ(present_name("inslab::v2::TruthState"), WireType<TruthState>::name);
   EXPECT_EQ(present_name("inslab::v7::TruthState"), "inslab::v7::TruthState");  // read as one it would be read wrong
   EXPECT_EQ(present_name("sensor_msgs::msg::Imu"), "sensor_msgs::msg::Imu");
 }

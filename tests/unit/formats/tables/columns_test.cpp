@@ -103,7 +103,7 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
   truth.header.sim_time_ns = 34;
   std::vector<std::uint8_t> payload;
   wire::encode(truth, payload);
-  const LogType* type = find_log_type("inslab::v1::TruthState");
+  const LogType* type = find_log_type("inslab::v2::TruthState");
   ASSERT_NE(type, nullptr);
   SampleStamp stamp;
   ASSERT_TRUE(type->stamp(payload.data(), payload.size(), stamp));
@@ -115,8 +115,8 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
 
 TEST(LogTypes, KnowEveryTopicTypeAndNoOther) {
   EXPECT_EQ(log_types().size(), 20u);
-  EXPECT_NE(find_log_type("inslab::v1::ServiceStatus"), nullptr);
-  EXPECT_EQ(find_log_type("inslab::v1::Nothing"), nullptr);
+  EXPECT_NE(find_log_type("inslab::v2::ServiceStatus"), nullptr);
+  EXPECT_EQ(find_log_type("inslab::v2::Nothing"), nullptr);
   EXPECT_EQ(find_log_type("inslab::v0::ServiceStatus"), nullptr);
 }
 
