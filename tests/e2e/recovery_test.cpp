@@ -287,7 +287,7 @@ TEST_F(Recovery, AServiceThatComesTooLateAndKnowsNothingSaysSo) {
   gnss = service("inslab-gnss-emulator", "recovery_long");
   EXPECT_EQ(gnss->wait(seconds(60)), 1) << gnss->output();
   EXPECT_THAT(gnss->output(), HasSubstr("cannot be had: there is no checkpoint of this run to go on from"));
-  EXPECT_EQ(truth->wait(seconds(20)), 1) << truth->output();
+  EXPECT_EQ(truth->wait(seconds(60)), 1) << truth->output();
   EXPECT_EQ(status()->state, RunState::Fault);
   EXPECT_THAT(status()->message, ContainsRegex("^inslab-gnss-emulator 0: truth samples 0 to [0-9]* cannot be had"));
 }
