@@ -48,6 +48,14 @@ template <>
 struct NestedName<AngularRandomPoint> {
   static constexpr std::string_view value = "AngularRandomPoint";
 };
+template <>
+struct NestedName<CurrentField> {
+  static constexpr std::string_view value = "CurrentField";
+};
+template <>
+struct NestedName<MagneticBody> {
+  static constexpr std::string_view value = "MagneticBody";
+};
 
 /// Collects the definitions of a type and of everything it holds, each once, in the order of dependence.
 class IdlWriter {
