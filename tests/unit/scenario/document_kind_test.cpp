@@ -33,11 +33,11 @@ void expect_all(const std::string& folder, DocumentKind kind) {
 
 TEST(DocumentKind, OfEveryFileThatComesWithInslabIsKnown) {
   expect_all("scenarios", DocumentKind::Scenario);
-  expect_all("profiles/imu", DocumentKind::ImuError);
-  expect_all("profiles/vibration", DocumentKind::Vibration);
-  expect_all("profiles/installation", DocumentKind::Installation);
-  expect_all("profiles/gnss", DocumentKind::GnssError);
-  expect_all("profiles/fault", DocumentKind::Fault);
+  expect_all("profiles/imu", document_of(ProfileKind::ImuError));
+  expect_all("profiles/vibration", document_of(ProfileKind::Vibration));
+  expect_all("profiles/installation", document_of(ProfileKind::Installation));
+  expect_all("profiles/gnss", document_of(ProfileKind::GnssError));
+  expect_all("profiles/fault", document_of(ProfileKind::Fault));
   expect_all("nav", DocumentKind::Navigation);
   expect_all("lab", DocumentKind::Inventory);
 }
