@@ -29,8 +29,8 @@ struct GnssPosition {
     m.innovation =
         nav::ned_from({fix.latitude_rad, fix.longitude_rad, fix.height_m}, nav::displaced(at.position, arm_n));
     m.R = fix.position_sigma_ned_m.cwiseAbs2();
-    m.by(Block::Position, nav::Matrix3::Identity());
-    m.by(Block::Attitude, nav::skew(arm_n));
+    m.by(StateBlock::Position, nav::Matrix3::Identity());
+    m.by(StateBlock::Attitude, nav::skew(arm_n));
   }
 };
 

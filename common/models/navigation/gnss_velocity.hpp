@@ -33,10 +33,10 @@ struct GnssVelocity {
     m.gate = p.innovation_test.limit;
     m.innovation = at.v_n + turning_n - omega_ie_n.cross(arm_n) - fix.v_n;
     m.R = variances;
-    m.by(Block::Velocity, nav::Matrix3::Identity());
-    m.by(Block::Attitude, nav::skew(turning_n) - nav::skew(omega_ie_n) * nav::skew(arm_n));
-    m.by(Block::GyroBias, by_rate * at.rate_by_measured.asDiagonal());
-    m.by(Block::GyroScale, by_rate * at.omega_ib_b.cwiseProduct(at.rate_by_measured).asDiagonal());
+    m.by(StateBlock::Velocity, nav::Matrix3::Identity());
+    m.by(StateBlock::Attitude, nav::skew(turning_n) - nav::skew(omega_ie_n) * nav::skew(arm_n));
+    m.by(StateBlock::GyroBias, by_rate * at.rate_by_measured.asDiagonal());
+    m.by(StateBlock::GyroScale, by_rate * at.omega_ib_b.cwiseProduct(at.rate_by_measured).asDiagonal());
   }
 };
 

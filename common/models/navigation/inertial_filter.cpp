@@ -45,7 +45,7 @@ InertialFilter::Noise InertialFilter::noise_of(const NavigationParameters& p, co
   noise.accel_density = (units::kMPerSPerSqrtH * p.accel.vrw_m_per_s_per_sqrt_h).cwiseAbs2();
   noise.sigma.resize(layout.chosen_size());
   noise.decay_rate.resize(layout.chosen_size());
-  layout.for_each_chosen([&](Block block) {
+  layout.for_each_chosen([&](StateBlock block) {
     const Process process = process_of(block, p);
     const Eigen::Index first = layout.first(block) - kNavStates, size = size_of(block);
     noise.sigma.segment(first, size) = process.sigma.head(size);
@@ -71,13 +71,14 @@ InertialFilter::InertialFilter(const NavigationParameters& parameters, const nav
       time_ns_(time_ns),
       last_accepted_ns_(time_ns) {
   if (covariance.size() != layout_.size()) throw std::invalid_argument("the covariance is of another state");
-  layout_.for_each_chosen([&](Block block) { estimates_[block] = errors[block]; });
+  layout_.for_each_chosen([&](StateBlock block) { estimates_[block] = errors[block]; });
 }
 
 nav::ImuIncrements InertialFilter::corrected(const nav::ImuIncrements& raw) const {
   const Estimates& e = estimates_;
-  return {(raw.dtheta_b - raw.dt_s * e[Block::GyroBias]).cwiseQuotient(Vector3::Ones() + e[Block::GyroScale]),
-          (raw.dv_b - raw.dt_s * e[Block::AccelBias]).cwiseQuotient(Vector3::Ones() + e[Block::AccelScale]), raw.dt_s};
+  return {(raw.dtheta_b - raw.dt_s * e[StateBlock::GyroBias]).cwiseQuotient(Vector3::Ones() + e[StateBlock::GyroScale]),
+          (raw.dv_b - raw.dt_s * e[StateBlock::AccelBias]).cwiseQuotient(Vector3::Ones() + e[StateBlock::AccelScale]),
+          raw.dt_s};
 }
 
 void InertialFilter::advance(const ImuInterval& interval) {
@@ -122,14 +123,20 @@ Transition InertialFilter::transition() const {
   const Vector3 v_n = 0.5 * (sums_.v_n_start + strapdown_.v_n());
   const Vector3 f_n = sums_.C_nb_dv.rowwise().sum() / dt_s;
   const Matrix9 A = dt_s * nav::error_dynamics(strapdown_.position(), v_n, f_n, gravity_);
-  const Vector3 gyro_gain = (Vector3::Ones() + estimates_[Block::GyroScale]).cwiseInverse();
-  const Vector3 accel_gain = (Vector3::Ones() + estimates_[Block::AccelScale]).cwiseInverse();
+  const Vector3 gyro_gain = (Vector3::Ones() + estimates_[StateBlock::GyroScale]).cwiseInverse();
+  const Vector3 accel_gain = (Vector3::Ones() + estimates_[StateBlock::AccelScale]).cwiseInverse();
   NavByChosen B = NavByChosen::Zero(9, layout_.chosen_size());
-  const auto block = [&](Eigen::Index row, Block by) { return B.block<3, 3>(row, layout_.first(by) - kNavStates); };
-  if (layout_.has(Block::GyroBias)) block(kAttitude, Block::GyroBias) = sums_.C_nb_dt * gyro_gain.asDiagonal();
-  if (layout_.has(Block::GyroScale)) block(kAttitude, Block::GyroScale) = sums_.C_nb_dtheta * gyro_gain.asDiagonal();
-  if (layout_.has(Block::AccelBias)) block(kVelocity, Block::AccelBias) = -sums_.C_nb_dt * accel_gain.asDiagonal();
-  if (layout_.has(Block::AccelScale)) block(kVelocity, Block::AccelScale) = -sums_.C_nb_dv * accel_gain.asDiagonal();
+  const auto block = [&](Eigen::Index row, StateBlock by) {
+    return B.block<3, 3>(row, layout_.first(by) - kNavStates);
+  };
+  if (layout_.has(StateBlock::GyroBias))
+    block(kAttitude, StateBlock::GyroBias) = sums_.C_nb_dt * gyro_gain.asDiagonal();
+  if (layout_.has(StateBlock::GyroScale))
+    block(kAttitude, StateBlock::GyroScale) = sums_.C_nb_dtheta * gyro_gain.asDiagonal();
+  if (layout_.has(StateBlock::AccelBias))
+    block(kVelocity, StateBlock::AccelBias) = -sums_.C_nb_dt * accel_gain.asDiagonal();
+  if (layout_.has(StateBlock::AccelScale))
+    block(kVelocity, StateBlock::AccelScale) = -sums_.C_nb_dv * accel_gain.asDiagonal();
 
   Transition t;
   t.nav_by_nav = Matrix9::Identity() + A + 0.5 * A.lazyProduct(A);
@@ -156,7 +163,7 @@ Situation InertialFilter::situation() const {
   at.v_n = strapdown_.v_n();
   at.C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
   if (newest_.dt_s > 0.0) at.omega_ib_b = newest_.dtheta_b / newest_.dt_s;
-  at.rate_by_measured = (Vector3::Ones() + estimates_[Block::GyroScale]).cwiseInverse();
+  at.rate_by_measured = (Vector3::Ones() + estimates_[StateBlock::GyroScale]).cwiseInverse();
   return at;
 }
 
@@ -227,8 +234,8 @@ bool InertialFilter::gains_velocity(const Vector3& gain_n, double span_s) const 
   Measurement gain;
   gain.innovation = gain_n;
   gain.R = Vector3::Constant(least + span_s * noise_.accel_density.maxCoeff());
-  gain.by(Block::Attitude, span_s * nav::skew(-gravity_.g_n(strapdown_.position())));
-  gain.by(Block::AccelBias, -span_s * C_nb);
+  gain.by(StateBlock::Attitude, span_s * nav::skew(-gravity_.g_n(strapdown_.position())));
+  gain.by(StateBlock::AccelBias, -span_s * C_nb);
   return squared_normalised(gain) > kRestLimit;
 }
 
@@ -317,8 +324,9 @@ void InertialFilter::correct(const StateVector& x) {
   state.position.height_m += r.z();
   state.v_n -= x.segment<3>(kVelocity);
   state.q_nb = nav::quaternion_from_rotation_vector(x.segment<3>(kAttitude)) * state.q_nb;
-  layout_.for_each_chosen(
-      [&](Block block) { estimates_[block].head(size_of(block)) -= x.segment(layout_.first(block), size_of(block)); });
+  layout_.for_each_chosen([&](StateBlock block) {
+    estimates_[block].head(size_of(block)) -= x.segment(layout_.first(block), size_of(block));
+  });
   strapdown_ =
       nav::Strapdown(state, gravity_, kFullRotation, newest_.dt_s > 0.0 ? std::optional(newest_) : std::nullopt);
 }

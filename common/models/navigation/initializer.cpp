@@ -143,7 +143,7 @@ void Initializer::doubt_attitude(const Matrix3& C_nb, StateMatrix& P) const {
   // Of each sensor error three columns, which stay 0 where it is left out.
   using SensorColumns = Eigen::Matrix<double, 3, 12>;
   SensorColumns J = SensorColumns::Zero(), cross = SensorColumns::Zero();
-  const auto errs_by = [&](Eigen::Index column, Block block, const Matrix3& by_error) {
+  const auto errs_by = [&](Eigen::Index column, StateBlock block, const Matrix3& by_error) {
     if (!layout_.has(block)) return;
     const Eigen::Index first = layout_.first(block);
     J.middleCols<3>(column) = by_error;
@@ -151,10 +151,10 @@ void Initializer::doubt_attitude(const Matrix3& C_nb, StateMatrix& P) const {
     P.block<3, 3>(kAttitude, first) = cross.middleCols<3>(column);
     P.block<3, 3>(first, kAttitude) = cross.middleCols<3>(column).transpose();
   };
-  errs_by(0, Block::GyroBias, by_rate * C_nb);
-  errs_by(3, Block::AccelBias, by_force * C_nb);
-  errs_by(6, Block::GyroScale, by_rate * C_nb * omega_b.asDiagonal());
-  errs_by(9, Block::AccelScale, by_force * C_nb * f_b.asDiagonal());
+  errs_by(0, StateBlock::GyroBias, by_rate * C_nb);
+  errs_by(3, StateBlock::AccelBias, by_force * C_nb);
+  errs_by(6, StateBlock::GyroScale, by_rate * C_nb * omega_b.asDiagonal());
+  errs_by(9, StateBlock::AccelScale, by_force * C_nb * f_b.asDiagonal());
   const Matrix3 known = cross.lazyProduct(J.transpose());
   Vector3 least = static_sigmas();
   if (!finds_heading) least.z() = 0.0;
@@ -204,8 +204,8 @@ Beginning Initializer::in_motion(const ImuSample& sample, const MotionAlignment:
   beginning.time_ns = sample.header.sim_time_ns;
   beginning.state.q_nb = nav::quaternion_from_matrix(result.C_nb);
   beginning.state.v_n = result.v_n;
-  beginning.errors[Block::GyroBias] = result.gyro_bias;
-  beginning.errors[Block::AccelBias] = result.accel_bias;
+  beginning.errors[StateBlock::GyroBias] = result.gyro_bias;
+  beginning.errors[StateBlock::AccelBias] = result.accel_bias;
   const double age_s = static_cast<double>(beginning.time_ns - fix_->header.sim_time_ns) * 1e-9;
   const Vector3 way_n = age_s * 0.5 * (fix_->v_n + result.v_n);
   beginning.state.position = nav::displaced({fix_->latitude_rad, fix_->longitude_rad, fix_->height_m},
@@ -213,7 +213,8 @@ Beginning Initializer::in_motion(const ImuSample& sample, const MotionAlignment:
   const StateVector sigmas = initial_sigmas(parameters_);
   StateMatrix& P = beginning.covariance;
   P = sigmas.cwiseAbs2().asDiagonal();
-  const std::array<Block, 4> found{Block::Velocity, Block::Attitude, Block::GyroBias, Block::AccelBias};
+  const std::array<StateBlock, 4> found{StateBlock::Velocity, StateBlock::Attitude, StateBlock::GyroBias,
+                                        StateBlock::AccelBias};
   for (std::size_t i = 0; i < found.size(); ++i) {
     for (std::size_t j = 0; j < found.size(); ++j) {
       if (!layout_.has(found[i]) || !layout_.has(found[j])) continue;

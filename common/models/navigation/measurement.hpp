@@ -43,7 +43,7 @@ class Measurement {
   Says says = Says::Aid;
 
   /// The rows' derivative by a block of errors; each block once. Of a block that the state lacks nothing is asked.
-  void by(Block block, const Partial& H) {
+  void by(StateBlock block, const Partial& H) {
     assert(H.cols() == size_of(block) && count_ < kMaxBlocks);
     blocks_[count_++] = {block, H};
   }
@@ -73,7 +73,7 @@ class Measurement {
 
  private:
   struct ByBlock {
-    Block block = Block::Position;
+    StateBlock block = StateBlock::Position;
     Partial H;
   };
   std::array<ByBlock, kMaxBlocks> blocks_;

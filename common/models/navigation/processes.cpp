@@ -4,19 +4,19 @@
 
 namespace inslab::reference_nav {
 
-Process process_of(Block block, const NavigationParameters& p) {
+Process process_of(StateBlock block, const NavigationParameters& p) {
   switch (block) {
-    case Block::GyroBias:
+    case StateBlock::GyroBias:
       return {units::kDegPerH * p.gyro.bias_sigma_deg_per_h, p.gyro.bias_correlation_time_s};
-    case Block::AccelBias:
+    case StateBlock::AccelBias:
       return {units::kMGal * p.accel.bias_sigma_mgal, p.accel.bias_correlation_time_s};
-    case Block::GyroScale:
+    case StateBlock::GyroScale:
       return {units::kPpm * p.gyro.scale_factor_sigma_ppm, p.gyro.scale_factor_correlation_time_s};
-    case Block::AccelScale:
+    case StateBlock::AccelScale:
       return {units::kPpm * p.accel.scale_factor_sigma_ppm, p.accel.scale_factor_correlation_time_s};
-    case Block::Position:
-    case Block::Velocity:
-    case Block::Attitude:
+    case StateBlock::Position:
+    case StateBlock::Velocity:
+    case StateBlock::Attitude:
       break;  // the mechanization's
   }
   return {};
@@ -27,7 +27,7 @@ StateVector initial_sigmas(const NavigationParameters& p) {
   StateVector sigmas(layout.size());
   sigmas.head<kNavStates>() << p.initial.position_sigma_ned_m, p.initial.velocity_sigma_ned_m_per_s,
       units::kDeg * p.initial.attitude_sigma_ned_deg;
-  layout.for_each_chosen([&](Block block) {
+  layout.for_each_chosen([&](StateBlock block) {
     sigmas.segment(layout.first(block), size_of(block)) = process_of(block, p).sigma.head(size_of(block));
   });
   return sigmas;

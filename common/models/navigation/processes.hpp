@@ -11,7 +11,7 @@ struct Process {
 };
 
 /// Of a block behind position, velocity and attitude.
-Process process_of(Block block, const NavigationParameters& parameters);
+Process process_of(StateBlock block, const NavigationParameters& parameters);
 
 /// Standard deviations of the state at the beginning: what the parameters say.
 StateVector initial_sigmas(const NavigationParameters& parameters);

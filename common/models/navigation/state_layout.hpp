@@ -12,7 +12,7 @@ namespace inslab::reference_nav {
 /// What the filter's state is made of, in its order: blocks of errors, each the estimate less the truth. The first
 /// three are always there; of the others the parameters choose (`states`). A new one is a line here and in kBlocks, a
 /// key of EstimatedErrors, and what it does by itself in processes.cpp.
-enum class Block : std::uint8_t {
+enum class StateBlock : std::uint8_t {
   Position,    ///< m, north east down
   Velocity,    ///< m/s, n
   Attitude,    ///< phi, rad, n: the computed C_nb is (I - [phi x]) C_nb
@@ -36,7 +36,7 @@ inline constexpr std::array<BlockFacts, 7> kBlocks{{{"position", 3},
 inline constexpr std::size_t kFirstChosenBlock = 3;
 inline constexpr Eigen::Index kLargestBlock = 3;
 
-inline constexpr Eigen::Index size_of(Block block) { return kBlocks[static_cast<std::size_t>(block)].size; }
+inline constexpr Eigen::Index size_of(StateBlock block) { return kBlocks[static_cast<std::size_t>(block)].size; }
 
 namespace detail {
 constexpr Eigen::Index size_of_blocks(std::size_t from, std::size_t to) {
@@ -71,15 +71,15 @@ class StateLayout {
   Eigen::Index size() const { return size_; }
   /// Of the blocks behind position, velocity and attitude.
   Eigen::Index chosen_size() const { return size_ - kNavStates; }
-  bool has(Block block) const { return first_[static_cast<std::size_t>(block)] != kAbsent; }
+  bool has(StateBlock block) const { return first_[static_cast<std::size_t>(block)] != kAbsent; }
   /// Only of a block that is there.
-  Eigen::Index first(Block block) const { return first_[static_cast<std::size_t>(block)]; }
+  Eigen::Index first(StateBlock block) const { return first_[static_cast<std::size_t>(block)]; }
 
   /// Calls `use(block)` for each chosen block behind the nine, in order.
   template <class Use>
   void for_each_chosen(const Use& use) const {
     for (std::size_t i = kFirstChosenBlock; i < kBlocks.size(); ++i) {
-      if (first_[i] != kAbsent) use(static_cast<Block>(i));
+      if (first_[i] != kAbsent) use(static_cast<StateBlock>(i));
     }
   }
 
@@ -96,8 +96,10 @@ class Estimates {
   Estimates() { values_.fill(Vector3::Zero()); }
 
   /// The first size_of(block) numbers are the block's.
-  Vector3& operator[](Block block) { return values_[static_cast<std::size_t>(block) - kFirstChosenBlock]; }
-  const Vector3& operator[](Block block) const { return values_[static_cast<std::size_t>(block) - kFirstChosenBlock]; }
+  Vector3& operator[](StateBlock block) { return values_[static_cast<std::size_t>(block) - kFirstChosenBlock]; }
+  const Vector3& operator[](StateBlock block) const {
+    return values_[static_cast<std::size_t>(block) - kFirstChosenBlock];
+  }
 
  private:
   std::array<Vector3, kBlocks.size() - kFirstChosenBlock> values_;

@@ -29,7 +29,7 @@ struct ZeroVelocityUpdate {
     m.name = name;
     m.innovation = v_n;
     m.R = nav::Vector3::Constant(variance);
-    m.by(Block::Velocity, nav::Matrix3::Identity());
+    m.by(StateBlock::Velocity, nav::Matrix3::Identity());
     return m;
   }
 

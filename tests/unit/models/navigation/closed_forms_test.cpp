@@ -146,7 +146,7 @@ TEST(ClosedForms, AConstantAccelerometerBiasIsFoundAsByLeastSquares) {
   const double prior = 1e6;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     expect_relative(imu.settled()(kAccelBias + axis, kAccelBias + axis), 1.0 / (prior + information), 5e-4);
-    EXPECT_NEAR(imu.filter().estimates()[Block::AccelBias][axis], bias[axis] * information / (prior + information),
+    EXPECT_NEAR(imu.filter().estimates()[StateBlock::AccelBias][axis], bias[axis] * information / (prior + information),
                 5e-4 * 2e-3);
   }
 }

@@ -208,8 +208,8 @@ TEST(InertialFilter, AFixTakesAwayEachErrorThatItSees) {
       EXPECT_LT(std::abs(difference(filter.state(), truth)[state]), 2e-3 * sizes[state]) << state;
     } else {
       const Estimates& e = filter.estimates();
-      const double estimate =
-          state >= kGyroScale ? e[Block::GyroScale][state - kGyroScale] : e[Block::GyroBias][state - kGyroBias];
+      const double estimate = state >= kGyroScale ? e[StateBlock::GyroScale][state - kGyroScale]
+                                                  : e[StateBlock::GyroBias][state - kGyroBias];
       EXPECT_NEAR(estimate, -sizes[state], 2e-2 * sizes[state]) << state;
     }
   }

@@ -164,7 +164,8 @@ TEST(NavigationFilter, FixesThatOvertakeEachOtherGiveTheSameBitsAsFixesInTime) {
   EXPECT_EQ(shuffled.take_results().size(), 50U);
 }
 
-// An odometer that says late that the wheels stand still, and fixes that are late otherwise, some between two samples.
+// An odometer says late, and not in order, that the wheels stand still, now and then between two samples; fixes are
+// late otherwise.
 TEST(NavigationFilter, ObservationsOfAllKindsThatComeLateGiveTheSameBitsAsInTime) {
   NavigationParameters p;
   p.zero_velocity.use = false;
@@ -172,6 +173,7 @@ TEST(NavigationFilter, ObservationsOfAllKindsThatComeLateGiveTheSameBitsAsInTime
   NavigationFilter in_time = begun(truth, p), late = begun(truth, p), without = begun(truth, p);
   std::multimap<std::int64_t, Observation> on_their_way;
   std::optional<NavSolution> a, b, c;
+  std::int64_t count = 0;
   for (int k = 0; k < 2400; ++k) {
     ImuSample sample = truth.next();
     sample.dv_b += kDt_s * Vector3(2e-3, 0.0, 0.0);
@@ -184,7 +186,7 @@ TEST(NavigationFilter, ObservationsOfAllKindsThatComeLateGiveTheSameBitsAsInTime
       Standstill standstill;
       standstill.header.sim_time_ns = truth.time_ns() - (k % 2) * 1'700'000;
       in_time.add(standstill);
-      on_their_way.emplace(truth.time_ns() + 310'000'000, standstill);
+      on_their_way.emplace(truth.time_ns() + 110'000'000 + 150'000'000 * (3 * count++ % 5), standstill);
     } else if (k % 200 == 50) {
       in_time.add(truth.fix());
       without.add(truth.fix());

@@ -19,18 +19,18 @@ TEST(StateLayout, ByDefaultHasAll21StatesInTheirOrder) {
   const StateLayout layout{EstimatedErrors()};
   EXPECT_EQ(layout.size(), 21);
   Eigen::Index expected = 0;
-  for (std::size_t i = 0; i < kBlocks.size(); ++i, expected += 3) EXPECT_EQ(layout.first(Block(i)), expected);
-  EXPECT_EQ(layout.first(Block::Position), kPosition);
-  EXPECT_EQ(layout.first(Block::Velocity), kVelocity);
-  EXPECT_EQ(layout.first(Block::Attitude), kAttitude);
+  for (std::size_t i = 0; i < kBlocks.size(); ++i, expected += 3) EXPECT_EQ(layout.first(StateBlock(i)), expected);
+  EXPECT_EQ(layout.first(StateBlock::Position), kPosition);
+  EXPECT_EQ(layout.first(StateBlock::Velocity), kVelocity);
+  EXPECT_EQ(layout.first(StateBlock::Attitude), kAttitude);
 }
 
 TEST(StateLayout, ABlockThatIsLeftOutTakesNoPlace) {
   const StateLayout layout({false, true, false, true});
   EXPECT_EQ(layout.size(), 15);
-  EXPECT_FALSE(layout.has(Block::GyroBias) || layout.has(Block::GyroScale));
-  EXPECT_EQ(layout.first(Block::AccelBias), 9);
-  EXPECT_EQ(layout.first(Block::AccelScale), 12);
+  EXPECT_FALSE(layout.has(StateBlock::GyroBias) || layout.has(StateBlock::GyroScale));
+  EXPECT_EQ(layout.first(StateBlock::AccelBias), 9);
+  EXPECT_EQ(layout.first(StateBlock::AccelScale), 12);
   NavigationParameters p;
   p.states = {false, false, false, false};
   EXPECT_EQ(initial_sigmas(p).size(), 9);
