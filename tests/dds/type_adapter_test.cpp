@@ -3,6 +3,7 @@
 #include "controlPubSubTypes.hpp"
 #include "gnssPubSubTypes.hpp"
 #include "imuPubSubTypes.hpp"
+#include "magnetometerPubSubTypes.hpp"
 #include "navPubSubTypes.hpp"
 #include "profilePubSubTypes.hpp"
 #include "truthPubSubTypes.hpp"
@@ -68,12 +69,14 @@ using AllTypes = testing::Types<Pair<samples::TruthState, ::inslab::v2::TruthSta
                                 Pair<samples::ImuSample, ::inslab::v2::ImuSamplePubSubType>,
                                 Pair<samples::ImuTruth, ::inslab::v2::ImuTruthPubSubType>,
                                 Pair<samples::GnssFix, ::inslab::v2::GnssFixPubSubType>,
+                                Pair<samples::MagneticField, ::inslab::v2::MagneticFieldPubSubType>,
                                 Pair<samples::NavSolution, ::inslab::v2::NavSolutionPubSubType>,
                                 Pair<samples::ImuErrorProfile, ::inslab::v2::ImuErrorProfilePubSubType>,
                                 Pair<samples::VibrationProfile, ::inslab::v2::VibrationProfilePubSubType>,
                                 Pair<samples::InstallationProfile, ::inslab::v2::InstallationProfilePubSubType>,
                                 Pair<samples::GnssErrorProfile, ::inslab::v2::GnssErrorProfilePubSubType>,
                                 Pair<samples::FaultProfile, ::inslab::v2::FaultProfilePubSubType>,
+                                Pair<samples::MagnetometerErrorProfile, ::inslab::v2::MagnetometerErrorProfilePubSubType>,
                                 Pair<samples::ProfileAck, ::inslab::v2::ProfileAckPubSubType>,
                                 Pair<samples::Installation, ::inslab::v2::InstallationPubSubType>,
                                 Pair<samples::SimCommand, ::inslab::v2::SimCommandPubSubType>,

@@ -4,6 +4,7 @@
 #include "controlPubSubTypes.hpp"
 #include "gnssPubSubTypes.hpp"
 #include "imuPubSubTypes.hpp"
+#include "magnetometerPubSubTypes.hpp"
 #include "navPubSubTypes.hpp"
 #include "profilePubSubTypes.hpp"
 #include "truthPubSubTypes.hpp"
