@@ -149,7 +149,7 @@ void say_swap(std::size_t number, const SwapEvidence& swap, bool of_the_scenario
   account.require(!ack.requested_in_the_past || !of_the_scenario,
                   fmt::format("{}: late: asked for {:.3f} s, in effect from {:.3f} s", what,
                               seconds_of(ack.requested_time_ns), seconds_of(ack.apply_time_ns)));
-  if (!swap.left_out.empty()) account.tell("  not weighed: {}\n", fmt::join(swap.left_out, ", "));
+  if (!swap.left_out.empty()) account.say("  not weighed: {}\n", fmt::join(swap.left_out, ", "));
   account.require(swap.first_sample_holds, what + ": the acknowledged sample is not the first with that revision");
   if (swap.lines.empty()) {
     account.say("  nothing measured: {}\n", swap.why_nothing);
