@@ -47,7 +47,7 @@ TEST(ReferenceNav, InLockstepItsSolutionsAndTheStreamsAreShownToWhoListensAndNob
   onlooker.looks_on = true;
   dds::Participant participant(onlooker);
   std::atomic<int> came_singly{0};
-  const dds::Reader<ImuSample> singles(participant, dds::topics::imu(0),
+  const dds::Reader<ImuSample> singles(participant, dds::topics::stream<ImuSample>(0),
                                        [&came_singly](const ImuSample&, const dds::SampleOrigin&) { ++came_singly; });
   Process run("inslab", {"run", source("tests/data/reference_nav.json"), "--domain", own_domain(), "--log",
                          folder / "log.mcap", "--clock", "lockstep", "--paused"});
