@@ -41,6 +41,7 @@ struct Imu {
   using Profiles = Types<ImuErrorProfile, VibrationProfile, InstallationProfile, FaultProfile>;
   static constexpr bool has_axes = true;            ///< its mounting has angles, not only a lever arm
   static constexpr bool sets_the_pace = true;       ///< an app answers each of its samples
+  static constexpr bool in_every_set = true;        ///< missed where no scenario says which sensors there are
   static constexpr const char* mountings = "imu_";  ///< how files of config/profiles/installation for it begin
 };
 
@@ -56,6 +57,7 @@ struct Gnss {
   using Profiles = Types<GnssErrorProfile, InstallationProfile, FaultProfile>;
   static constexpr bool has_axes = false;
   static constexpr bool sets_the_pace = false;
+  static constexpr bool in_every_set = true;
   static constexpr const char* mountings = "antenna_";
 };
 
@@ -71,6 +73,7 @@ struct Magnetometer {
   using Profiles = Types<MagnetometerErrorProfile, InstallationProfile, FaultProfile>;
   static constexpr bool has_axes = true;
   static constexpr bool sets_the_pace = false;
+  static constexpr bool in_every_set = false;
   static constexpr const char* mountings = "magnetometer_";
 };
 

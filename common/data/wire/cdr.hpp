@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "inslab/foundation/fields/field.hpp"
@@ -127,12 +128,17 @@ class Decoder {
 
   template <class T>
   void operator()(const Field& field, T& value) {
-    if (!ok_ || (field.is_appended && left() <= kMostPadding)) return;
+    if (!ok_ || (field.is_appended && is_of_an_earlier_version())) return;
     get(field, value);
   }
 
  private:
-  static constexpr std::size_t kMostPadding = 3;  ///< that some vendors put behind the last field
+  /// Whether the bytes end where the first of the fields begins that came later.
+  bool is_of_an_earlier_version() {
+    constexpr std::size_t kMostPadding = 3;  // that some vendors put behind the last field
+    if (!lacks_what_came_later_) lacks_what_came_later_ = left() <= kMostPadding;
+    return *lacks_what_came_later_;
+  }
 
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   bool take(std::size_t width, std::size_t bytes) {
@@ -203,6 +209,7 @@ class Decoder {
   const std::uint8_t* end_;
   bool swap_;
   bool ok_ = true;
+  std::optional<bool> lacks_what_came_later_;
 };
 
 }  // namespace detail

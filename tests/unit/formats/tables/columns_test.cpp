@@ -114,7 +114,7 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
 }
 
 TEST(LogTypes, KnowEveryTopicTypeAndNoOther) {
-  EXPECT_EQ(log_types().size(), 20u);
+  EXPECT_EQ(log_types().size(), 22u);
   EXPECT_NE(find_log_type("inslab::v2::ServiceStatus"), nullptr);
   EXPECT_EQ(find_log_type("inslab::v2::Nothing"), nullptr);
   EXPECT_EQ(find_log_type("inslab::v0::ServiceStatus"), nullptr);
