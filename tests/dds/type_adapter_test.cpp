@@ -65,27 +65,28 @@ struct Pair {
 template <class P>
 class Codec : public testing::Test {};
 
-using AllTypes = testing::Types<Pair<samples::TruthState, ::inslab::v2::TruthStatePubSubType>,
-                                Pair<samples::ImuSample, ::inslab::v2::ImuSamplePubSubType>,
-                                Pair<samples::ImuTruth, ::inslab::v2::ImuTruthPubSubType>,
-                                Pair<samples::GnssFix, ::inslab::v2::GnssFixPubSubType>,
-                                Pair<samples::MagneticField, ::inslab::v2::MagneticFieldPubSubType>,
-                                Pair<samples::NavSolution, ::inslab::v2::NavSolutionPubSubType>,
-                                Pair<samples::ImuErrorProfile, ::inslab::v2::ImuErrorProfilePubSubType>,
-                                Pair<samples::VibrationProfile, ::inslab::v2::VibrationProfilePubSubType>,
-                                Pair<samples::InstallationProfile, ::inslab::v2::InstallationProfilePubSubType>,
-                                Pair<samples::GnssErrorProfile, ::inslab::v2::GnssErrorProfilePubSubType>,
-                                Pair<samples::FaultProfile, ::inslab::v2::FaultProfilePubSubType>,
-                                Pair<samples::MagnetometerErrorProfile, ::inslab::v2::MagnetometerErrorProfilePubSubType>,
-                                Pair<samples::ProfileAck, ::inslab::v2::ProfileAckPubSubType>,
-                                Pair<samples::Installation, ::inslab::v2::InstallationPubSubType>,
-                                Pair<samples::SimCommand, ::inslab::v2::SimCommandPubSubType>,
-                                Pair<samples::SimStatus, ::inslab::v2::SimStatusPubSubType>,
-                                Pair<samples::TimeMark, ::inslab::v2::TimeMarkPubSubType>,
-                                Pair<samples::ServiceStatus, ::inslab::v2::ServiceStatusPubSubType>,
-                                Pair<samples::VehicleState, ::inslab::v2::VehicleStatePubSubType>,
-                                Pair<samples::UsedVehicleState, ::inslab::v2::UsedVehicleStatePubSubType>,
-                                Pair<samples::VehicleLink, ::inslab::v2::VehicleLinkPubSubType>>;
+using AllTypes =
+    testing::Types<Pair<samples::TruthState, ::inslab::v2::TruthStatePubSubType>,
+                   Pair<samples::ImuSample, ::inslab::v2::ImuSamplePubSubType>,
+                   Pair<samples::ImuTruth, ::inslab::v2::ImuTruthPubSubType>,
+                   Pair<samples::GnssFix, ::inslab::v2::GnssFixPubSubType>,
+                   Pair<samples::MagneticField, ::inslab::v2::MagneticFieldPubSubType>,
+                   Pair<samples::NavSolution, ::inslab::v2::NavSolutionPubSubType>,
+                   Pair<samples::ImuErrorProfile, ::inslab::v2::ImuErrorProfilePubSubType>,
+                   Pair<samples::VibrationProfile, ::inslab::v2::VibrationProfilePubSubType>,
+                   Pair<samples::InstallationProfile, ::inslab::v2::InstallationProfilePubSubType>,
+                   Pair<samples::GnssErrorProfile, ::inslab::v2::GnssErrorProfilePubSubType>,
+                   Pair<samples::FaultProfile, ::inslab::v2::FaultProfilePubSubType>,
+                   Pair<samples::MagnetometerErrorProfile, ::inslab::v2::MagnetometerErrorProfilePubSubType>,
+                   Pair<samples::ProfileAck, ::inslab::v2::ProfileAckPubSubType>,
+                   Pair<samples::Installation, ::inslab::v2::InstallationPubSubType>,
+                   Pair<samples::SimCommand, ::inslab::v2::SimCommandPubSubType>,
+                   Pair<samples::SimStatus, ::inslab::v2::SimStatusPubSubType>,
+                   Pair<samples::TimeMark, ::inslab::v2::TimeMarkPubSubType>,
+                   Pair<samples::ServiceStatus, ::inslab::v2::ServiceStatusPubSubType>,
+                   Pair<samples::VehicleState, ::inslab::v2::VehicleStatePubSubType>,
+                   Pair<samples::UsedVehicleState, ::inslab::v2::UsedVehicleStatePubSubType>,
+                   Pair<samples::VehicleLink, ::inslab::v2::VehicleLinkPubSubType>>;
 TYPED_TEST_SUITE(Codec, AllTypes);
 
 template <class Plain>
