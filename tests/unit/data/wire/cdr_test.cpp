@@ -88,16 +88,19 @@ TYPED_TEST(Cdr, GivesBackEveryBitOfRandomValuesInEitherByteOrder) {
   }
 }
 
+/// Counts the bytes of the fields that version 1 had.
+struct CounterOfEarlierFields {
+  detail::SizeCounter counted;
+  template <class Value>
+  void operator()(const Field& field, Value& part) {
+    if (!field.is_appended) counted(field, part);
+  }
+};
+
 /// The bytes of a value without the fields that came with a later version; all of them where there are none.
 template <class T>
 std::size_t size_in_the_earlier_version(const T& value) {
-  struct Counter {
-    detail::SizeCounter counted;
-    template <class Value>
-    void operator()(const Field& field, Value& part) {
-      if (!field.is_appended) counted(field, part);
-    }
-  } counter;
+  CounterOfEarlierFields counter;
   T::fields(value, counter);
   return kEncapsulationSize + counter.counted.size();
 }
