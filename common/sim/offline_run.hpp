@@ -28,7 +28,7 @@ class OfflineRun {
   template <class... Kept>
   void keep_only() {
     navigator_.reset();
-    for_each(catalog::SensorKinds{}, [this](auto tag) {
+    for_each(catalog::SensorKinds{}, [&](auto tag) {
       using Kind = typename decltype(tag)::type;
       if constexpr (!is_among<Kind, Types<Kept...>>) sensors<Kind>().clear();
     });
