@@ -28,31 +28,21 @@ bool eventually(Condition condition, seconds patience = seconds(20)) {
 
 /// Reads every kind of request, as the trajectory server does, and the logger.
 struct RequestReaders {
-  template <class Profile>
-  using Reader = dds::OpenReader<Profile>;
-
-  explicit RequestReaders(dds::Participant& participant)
-      : imu_error(participant, dds::topics::request<ImuErrorProfile>(), count<ImuErrorProfile>()),
-        vibration(participant, dds::topics::request<VibrationProfile>(), count<VibrationProfile>()),
-        installation(participant, dds::topics::request<InstallationProfile>(), count<InstallationProfile>()),
-        gnss_error(participant, dds::topics::request<GnssErrorProfile>(), count<GnssErrorProfile>()),
-        fault(participant, dds::topics::request<FaultProfile>(), count<FaultProfile>()) {}
-
-  template <class Profile>
-  std::function<void(const Profile&, const dds::SampleOrigin&)> count() {
-    return [this](const Profile&, const dds::SampleOrigin&) { ++came; };
+  explicit RequestReaders(dds::Participant& participant) {
+    for_each(catalog::ProfileKinds{}, [&](auto kind) {
+      using Profile = typename decltype(kind)::type;
+      std::get<Reader<Profile>>(readers) = std::make_unique<dds::OpenReader<Profile>>(
+          participant, dds::topics::request<Profile>(), [this](const Profile&, const dds::SampleOrigin&) { ++came; });
+    });
   }
   bool are_matched() const {
-    return imu_error.matched_writers() > 0 && vibration.matched_writers() > 0 && installation.matched_writers() > 0 &&
-           gnss_error.matched_writers() > 0 && fault.matched_writers() > 0;
+    return std::apply([](const auto&... reader) { return ((reader->matched_writers() > 0) && ...); }, readers);
   }
 
+  template <class Profile>
+  using Reader = std::unique_ptr<dds::OpenReader<Profile>>;
   std::atomic<int> came{0};
-  Reader<ImuErrorProfile> imu_error;
-  Reader<VibrationProfile> vibration;
-  Reader<InstallationProfile> installation;
-  Reader<GnssErrorProfile> gnss_error;
-  Reader<FaultProfile> fault;
+  Applied<std::tuple, Mapped<Reader, catalog::ProfileKinds>> readers;
 };
 
 app::Identity identity_of(const char* service) {

@@ -79,6 +79,7 @@ std::string writer_role(const std::string& topic) {
   const auto begins = [&topic](const char* prefix) { return topic.rfind(prefix, 0) == 0; };
   if (begins("inslab/imu") || begins("inslab/block/imu")) return "inslab-imu-injector";
   if (begins("inslab/gnss") || begins("inslab/block/gnss")) return "inslab-gnss-emulator";
+  if (begins("inslab/magnetometer") || begins("inslab/block/magnetometer")) return "inslab-magnetometer";
   if (begins("inslab/nav") || begins("inslab/block/nav")) return "nav-app";
   if (begins("inslab/profile/") || begins("inslab/sim/command")) return "operator";
   if (topic == "inslab/vehicle_state") return "vehicle-simulator";
@@ -94,8 +95,9 @@ class TopicTable : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     keys_ = std::make_unique<Keys>();
-    for (const char* role : {"inslab-trajectory-server", "inslab-imu-injector", "inslab-gnss-emulator",
-                             "inslab-truth-logger", "operator", "nav-app", "vehicle-simulator"}) {
+    for (const char* role :
+         {"inslab-trajectory-server", "inslab-imu-injector", "inslab-gnss-emulator", "inslab-magnetometer",
+          "inslab-truth-logger", "operator", "nav-app", "vehicle-simulator"}) {
       roles_.emplace(role, Permissions(keys_->path(), role));
     }
   }
@@ -164,9 +166,10 @@ TEST_F(TopicTable, LetsTheLoggerAndTheOperatorReadEverything) {
 }
 
 TEST_F(TopicTable, KeepsTheTruthFromTheAppUnderTest) {
-  const std::set<std::string> for_the_app{"inslab/imu/3",          "inslab/block/imu/3",  "inslab/gnss/3",
-                                          "inslab/block/gnss/3",   "inslab/installation", "inslab/sim/status",
-                                          "inslab/service_status", "inslab/credit"};
+  const std::set<std::string> for_the_app{"inslab/imu/3",        "inslab/block/imu/3",    "inslab/gnss/3",
+                                          "inslab/block/gnss/3", "inslab/magnetometer/3", "inslab/block/magnetometer/3",
+                                          "inslab/installation", "inslab/sim/status",     "inslab/service_status",
+                                          "inslab/credit"};
   for (const Row& row : table()) {
     EXPECT_EQ(roles_.at("nav-app").may_read(row.name), for_the_app.count(row.name) == 1) << row.name;
   }

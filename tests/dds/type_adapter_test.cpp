@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "inslab/data/wire/idl_writer.hpp"
+#include "tests/unit/data/wire/earlier_version.hpp"
 
 namespace inslab::dds {
 namespace type_adapter_test {
@@ -128,7 +129,10 @@ TYPED_TEST(Codec, DecodesWhatItEncoded) {
 TYPED_TEST(Codec, RefusesEveryTruncation) {
   using Plain = typename TypeParam::PlainType;
   const std::vector<std::uint8_t> bytes = filled_cdr<Plain>();
+  Plain filled;
+  ASSERT_TRUE(wire::decode(bytes.data(), bytes.size(), filled));
   for (std::size_t size = 0; size < bytes.size(); ++size) {
+    if (wire::test::is_whole_in_the_version_before(filled, size)) continue;
     Plain back;
     EXPECT_FALSE(wire::decode(bytes.data(), size, back)) << size << " of " << bytes.size() << " bytes";
   }

@@ -4,6 +4,7 @@
 
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/foundation/fields/limits.hpp"
+#include "tests/unit/data/wire/earlier_version.hpp"
 #include "tests/unit/formats/text/random_sample.hpp"
 #include "tests/unit/foundation/fields/field_bits.hpp"
 #include "tests/unit/foundation/fields/spoiled_fields.hpp"
@@ -88,30 +89,12 @@ TYPED_TEST(Cdr, GivesBackEveryBitOfRandomValuesInEitherByteOrder) {
   }
 }
 
-/// Counts the bytes of the fields that version 1 had.
-struct CounterOfEarlierFields {
-  detail::SizeCounter counted;
-  template <class Value>
-  void operator()(const Field& field, Value& part) {
-    if (!field.is_appended) counted(field, part);
-  }
-};
-
-/// The bytes of a value without the fields that came with a later version; all of them where there are none.
-template <class T>
-std::size_t size_in_the_earlier_version(const T& value) {
-  CounterOfEarlierFields counter;
-  T::fields(value, counter);
-  return kEncapsulationSize + counter.counted.size();
-}
-
 TYPED_TEST(Cdr, RefusesEveryTruncation) {
   test::RandomFields random(2);
   const auto value = random.make<TypeParam>();
   const Bytes bytes = encoded(value);
-  const std::size_t earlier = size_in_the_earlier_version(value);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    if (size >= earlier && size <= earlier + 3) continue;  // with padding: whole, of the version before
+    if (test::is_whole_in_the_version_before(value, size)) continue;
     // A copy of exactly this size, so that a sanitizer sees any byte read beyond it.
     const Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
     TypeParam back;
@@ -124,8 +107,8 @@ TEST(CdrOfAnEarlierVersion, LeavesWhatCameLaterAtItsDefault) {
   fault.name = "before magnetometers";
   fault.outage = true;
   const Bytes bytes = encoded(fault);
-  const std::size_t earlier = size_in_the_earlier_version(fault);
-  ASSERT_LT(earlier, bytes.size());
+  std::size_t earlier = 0;
+  while (!test::is_whole_in_the_version_before(fault, earlier)) ASSERT_LT(++earlier, bytes.size());
   FaultProfile back;
   ASSERT_TRUE(decode(bytes.data(), earlier, back));
   EXPECT_EQ(back.name, fault.name);
