@@ -3,11 +3,11 @@
 #include "inslab/data/wire/cdr.hpp"
 
 /// What samples of the version before are like: without the fields that were appended since.
-namespace inslab::wire::test {
+namespace inslab::test {
 
 /// Counts the bytes of the fields that were there before.
 struct CounterOfEarlierFields {
-  detail::SizeCounter counted;
+  wire::detail::SizeCounter counted;
   template <class Value>
   void operator()(const Field& field, Value& part) {
     if (!field.is_appended) counted(field, part);
@@ -19,8 +19,8 @@ template <class T>
 bool is_whole_in_the_version_before(const T& value, std::size_t size) {
   CounterOfEarlierFields counter;
   T::fields(value, counter);
-  const std::size_t earlier = kEncapsulationSize + counter.counted.size();
-  return earlier < encoded_size(value) && size >= earlier && size <= earlier + 3;
+  const std::size_t earlier = wire::kEncapsulationSize + counter.counted.size();
+  return earlier < wire::encoded_size(value) && size >= earlier && size <= earlier + 3;
 }
 
-}  // namespace inslab::wire::test
+}  // namespace inslab::test
