@@ -2,19 +2,14 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
-
-#include "inslab/bus/dds/farewells.hpp"
 
 namespace inslab::dds {
 
 namespace efr = eprosima::fastdds::rtps;
 
 namespace {
-
-constexpr std::size_t kSenderEnd = 20;  // in the header of a datagram
 
 /// Says the first of each kind of fault.
 class Teller {
@@ -52,32 +47,14 @@ class GuardedTransport : public fast_dds::ChainedTransport {
     const DatagramFault fault = judge(datagram, size, descriptor_.protection);
     if (fault == DatagramFault::None) {
       receiver->OnDataReceived(datagram, size, local, remote);
-      if (descriptor_.protection == Protection::Secured) watch_for_false_farewells(datagram, size, remote);
-    } else if (fault != DatagramFault::UnprotectedDisposal || !farewells_.note(sender_of(datagram), Clock::now())) {
-      count(fault, remote);
+      return;
     }
+    ++*descriptor_.refused;
+    teller_.say(fault, remote);
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  static Farewells::GuidPrefix sender_of(const efr::octet* datagram) {
-    Farewells::GuidPrefix sender{};
-    std::copy_n(datagram + kSenderEnd - sender.size(), sender.size(), sender.begin());
-    return sender;
-  }
-  /// Each participant of a set with keys says its own farewell in the clear: only a false one is a fault.
-  void watch_for_false_farewells(const efr::octet* datagram, std::uint32_t size, const efr::Locator& remote) {
-    if (size < kSenderEnd || !farewells_.is_belied(sender_of(datagram), Clock::now())) return;
-    count(DatagramFault::UnprotectedDisposal, remote);
-  }
-  void count(DatagramFault fault, const efr::Locator& from) {
-    ++*descriptor_.refused;
-    teller_.say(fault, from);
-  }
-
   GuardedDescriptor descriptor_;
-  Farewells farewells_;
   Teller teller_;
 };
 
