@@ -168,7 +168,8 @@ Fit select(const Likelihood& record) {
     const Fit candidate = maximize(log_likelihood, terms, guess);
     // A correlation time that the record is too short to see is a random walk's, which is a term of its own.
     if (candidate.model.gm_correlation_time_s > 10.0 * record.span_s()) return false;
-    if (score(candidate) <= score(best)) return false;
+    // Of values near the end of the numbers the likelihood is none, and no choice is better than another.
+    if (!(score(candidate) > score(best))) return false;
     best = candidate;
     return true;
   };
