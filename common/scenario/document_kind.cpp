@@ -65,7 +65,7 @@ const std::vector<Known>& known_documents() {
   return all;
 }
 
-std::optional<DocumentKind> kind_of_schema(const config::Json& document) {
+std::optional<DocumentKind> kind_of_schema(const json::Json& document) {
   const auto schema = document.find("$schema");
   if (schema == document.end() || !schema->is_string()) return std::nullopt;
   const std::string file = std::filesystem::path(schema->get<std::string>()).filename().string();
@@ -78,7 +78,7 @@ std::optional<DocumentKind> kind_of_schema(const config::Json& document) {
 
 }  // namespace
 
-std::optional<DocumentKind> document_kind(const config::Json& document, std::optional<DocumentKind> likely) {
+std::optional<DocumentKind> document_kind(const json::Json& document, std::optional<DocumentKind> likely) {
   if (!document.is_object()) return std::nullopt;
   if (const auto kind = kind_of_schema(document)) return kind;
   std::optional<DocumentKind> best;

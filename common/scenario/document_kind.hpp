@@ -19,7 +19,7 @@ enum class DocumentKind : std::uint32_t {
 
 /// The kind whose schema the document names, or else the one whose keys are most of its own, `likely` before others of
 /// as many; nothing when none of its keys is known.
-std::optional<DocumentKind> document_kind(const config::Json& document, std::optional<DocumentKind> likely = {});
+std::optional<DocumentKind> document_kind(const json::Json& document, std::optional<DocumentKind> likely = {});
 
 /// "an IMU error profile (imu_error)", "a scenario": for messages.
 std::string words_of(DocumentKind kind);

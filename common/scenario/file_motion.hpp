@@ -23,7 +23,7 @@ struct FileMotion {
   std::string path;
   std::string columns;
   std::string topic = catalog::kTruth.name;
-  io::TrajectoryLimits limits;
+  TrajectoryLimits limits;
   double position_feedback_per_s = 0.01;  ///< inverse_mechanization
   bool full_rotation_term = false;        ///< inverse_mechanization
   PathAttitude attitude_from_path;        ///< spline

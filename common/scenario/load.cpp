@@ -16,7 +16,7 @@ template <class Profile>
 Profile read_profile(const std::filesystem::path& file, const SensorAddress& target) {
   auto profile = read_document<Profile>(file, document_of(Profile::kind));
   profile.target = target;
-  if (auto broken = violation(profile)) throw config::Error(file.string(), *broken);
+  if (auto broken = violation(profile)) throw json::Error(file.string(), *broken);
   return profile;
 }
 
@@ -105,29 +105,29 @@ std::optional<Violation> missing_file(const Scenario& scenario, const std::files
   return files.missing;
 }
 
-io::TrajectoryReading read_rows(const std::filesystem::path& file, const FileMotion& motion) {
+trajectory::TrajectoryReading read_rows(const std::filesystem::path& file, const FileMotion& motion) {
   try {
-    return io::read_trajectory(file.string(), {motion.columns, motion.topic, true});
-  } catch (const io::ReadError& error) {
+    return trajectory::read_trajectory(file.string(), {motion.columns, motion.topic, true});
+  } catch (const files::ReadError& error) {
     const std::string prefix = file.string() + ": ";
     const std::string what = error.what();
-    throw config::Error(file.string(),
+    throw json::Error(file.string(),
                         {Rule::Readable, "", what.rfind(prefix, 0) == 0 ? what.substr(prefix.size()) : what});
   }
 }
 
 /// The rows of a trajectory's file, held to its limits and to what the method needs.
-std::shared_ptr<const io::TrajectoryFile> load_rows(const std::filesystem::path& file, const FileMotion& motion) {
-  io::TrajectoryReading reading = read_rows(file, motion);
-  if (reading.problems.empty()) io::judge_trajectory(reading, motion.limits, true);
-  if (!reading.problems.empty()) throw config::Error(file.string(), reading.problems.kept().front());
-  const io::TrajectoryRow& first = reading.file.rows.front();
+std::shared_ptr<const TrajectoryFile> load_rows(const std::filesystem::path& file, const FileMotion& motion) {
+  trajectory::TrajectoryReading reading = read_rows(file, motion);
+  if (reading.problems.empty()) trajectory::judge_trajectory(reading, motion.limits, true);
+  if (!reading.problems.empty()) throw json::Error(file.string(), reading.problems.kept().front());
+  const TrajectoryRow& first = reading.file.rows.front();
   if (motion.method == FileMethod::InverseMechanization && !(first.v_n && first.rpy)) {
-    throw config::Error(file.string(), {Rule::MethodNeeds, "",
+    throw json::Error(file.string(), {Rule::MethodNeeds, "",
                                         std::string("has no ") + (first.v_n ? "attitude" : "velocity") +
                                             "; expected both for the method inverse_mechanization"});
   }
-  return std::make_shared<const io::TrajectoryFile>(std::move(reading.file));
+  return std::make_shared<const TrajectoryFile>(std::move(reading.file));
 }
 
 void check_rows_cover_run(const LoadedScenario& loaded) {
@@ -135,10 +135,10 @@ void check_rows_cover_run(const LoadedScenario& loaded) {
       loaded.truth_grid().at_or_before(time::from_seconds(loaded.scenario.duration_s));
   const time::Nanoseconds last_row = loaded.trajectory_file->rows.back().time;
   if (last_sample <= last_row) return;
-  throw config::Error(loaded.file.string(), {Rule::FileCoversRun, "duration_s",
-                                             "is " + inslab::detail::number_text(loaded.scenario.duration_s) +
+  throw json::Error(loaded.file.string(), {Rule::FileCoversRun, "duration_s",
+                                             "is " + inslab::samples::detail::number_text(loaded.scenario.duration_s) +
                                                  "; the rows of the trajectory's file reach to " +
-                                                 inslab::detail::number_text(time::to_seconds(last_row)) + " s"});
+                                                 inslab::samples::detail::number_text(time::to_seconds(last_row)) + " s"});
 }
 
 /// Afterwards the scenario says all by itself: what is logged with a run needs no other file.
@@ -162,8 +162,8 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit, 
   loaded.unit = unit;
   loaded.scenario = read_document<Scenario>(file, DocumentKind::Scenario);
   const Scenario& scenario = loaded.scenario;
-  if (auto broken = violation(scenario)) throw config::Error(file.string(), *broken);
-  if (auto broken = missing_file(scenario, file.parent_path())) throw config::Error(file.string(), *broken);
+  if (auto broken = violation(scenario)) throw json::Error(file.string(), *broken);
+  if (auto broken = missing_file(scenario, file.parent_path())) throw json::Error(file.string(), *broken);
   loaded.truth_rate = time::Rate(scenario.truth_rate_hz);
   const std::filesystem::path folder = file.parent_path();
   for_each_sensor(scenario, [&](auto tag, const auto& sensor) {
@@ -197,12 +197,12 @@ std::vector<AnyProfile> load_swaps(const std::vector<ScheduledSwap>& swaps, cons
 
 std::vector<AnyProfile> load_schedule(const std::filesystem::path& file, std::uint64_t first_request_id) {
   const auto schedule = read_document<Schedule>(file, DocumentKind::Schedule);
-  if (auto broken = violation(schedule)) throw config::Error(file.string(), *broken);
+  if (auto broken = violation(schedule)) throw json::Error(file.string(), *broken);
   NamedFiles files(file.parent_path());
   for (std::size_t i = 0; i < schedule.swaps.size(); ++i) {
     files.look_for("swaps[" + std::to_string(i) + "].profile", schedule.swaps[i].profile);
   }
-  if (files.missing) throw config::Error(file.string(), *files.missing);
+  if (files.missing) throw json::Error(file.string(), *files.missing);
   return load_swaps(schedule.swaps, file.parent_path(), first_request_id);
 }
 
@@ -228,7 +228,7 @@ nav::Gravity LoadedScenario::gravity() const {
 }
 
 void LoadedScenario::no_such_sensor(std::string_view kind, const char* singular, std::uint32_t number) const {
-  throw config::Error(file.string(), {Rule::SensorExists, std::string(kind),
+  throw json::Error(file.string(), {Rule::SensorExists, std::string(kind),
                                       std::string("has no ") + singular + " number " + std::to_string(number)});
 }
 

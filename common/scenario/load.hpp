@@ -48,7 +48,7 @@ struct LoadedScenario {
   std::uint64_t truth_samples = 0;  ///< of truth_grid(), sample 0 included
   /// What the trajectory's file says, judged by its limits; null when the trajectory has none. Its rows reach from sim
   /// time 0 to the last sample at least, and they have what the method needs.
-  std::shared_ptr<const io::TrajectoryFile> trajectory_file;
+  std::shared_ptr<const TrajectoryFile> trajectory_file;
   std::vector<LoadedImu> imus;
   std::vector<LoadedGnss> gnss;
   std::vector<LoadedMagnetometer> magnetometers;

@@ -77,7 +77,7 @@ class Line {
   }
 
   [[noreturn]] void fail(Rule rule, const std::string& reason) const {
-    throw config::Error(file_, {rule, "line " + std::to_string(number_), reason});
+    throw json::Error(file_, {rule, "line " + std::to_string(number_), reason});
   }
 
  private:
@@ -97,7 +97,7 @@ class Line {
   }
 
   double number(std::string_view field, std::size_t column) const {
-    field = io::trimmed(field);
+    field = files::trimmed(field);
     double value = 0.0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value)) {
@@ -113,14 +113,14 @@ class Line {
     if (found && static_cast<double>(whole) == number) return *found;
     std::string known;
     for (const auto one : EnumNames<MotionType>::numbers) known += (known.empty() ? "" : ", ") + std::to_string(one);
-    fail(Rule::MotionMatrix, "column 1 is " + detail::number_text(number) + "; expected one of the types " + known);
+    fail(Rule::MotionMatrix, "column 1 is " + samples::detail::number_text(number) + "; expected one of the types " + known);
   }
 
   void set(Motion& motion, double Motion::*parameter, double value, int column) const {
     if (parameter != nullptr) {
       motion.*parameter = value;
     } else if (value != 0.0) {
-      fail(Rule::MotionMatrix, "column " + std::to_string(column) + " is " + detail::number_text(value) + "; " +
+      fail(Rule::MotionMatrix, "column " + std::to_string(column) + " is " + samples::detail::number_text(value) + "; " +
                                    std::string(enum_name(motion.type)) + " has no parameter there: expected 0");
     }
   }
@@ -130,11 +130,11 @@ class Line {
 };
 
 std::vector<Segment> read_segments(const std::string& file) {
-  io::TextLines lines(file);
+  files::TextLines lines(file);
   std::vector<Segment> segments;
   double total_s = 0.0;
   for (std::string_view text; lines.next(text);) {
-    const std::string_view row = io::trimmed(text);
+    const std::string_view row = files::trimmed(text);
     if (row.empty() || row.front() == '#') continue;
     const Line line(file, lines.number());
     segments.push_back(line.segment(row));
@@ -146,7 +146,7 @@ std::vector<Segment> read_segments(const std::string& file) {
       line.fail(Rule::TrajectoryLength, "brings the segments' total above 1e9 s");
     }
   }
-  if (segments.empty()) throw config::Error(file, {Rule::NotEmpty, "", "holds no segment"});
+  if (segments.empty()) throw json::Error(file, {Rule::NotEmpty, "", "holds no segment"});
   return segments;
 }
 
@@ -161,8 +161,8 @@ std::string without_file(const std::string& message, const std::string& file) {
 std::vector<Segment> read_motion_matrix(const std::filesystem::path& file) {
   try {
     return read_segments(file.string());
-  } catch (const io::ReadError& error) {
-    throw config::Error(file.string(), {Rule::Readable, "", without_file(error.what(), file.string())});
+  } catch (const files::ReadError& error) {
+    throw json::Error(file.string(), {Rule::Readable, "", without_file(error.what(), file.string())});
   }
 }
 

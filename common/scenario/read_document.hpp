@@ -9,14 +9,14 @@ namespace inslab::scenario {
 /// called what it is.
 template <class T>
 T read_document(const std::filesystem::path& file, DocumentKind expected) {
-  const config::Json json = config::read_json_file(file);
+  const json::Json json = json::read_json_file(file);
   try {
-    return config::from_json<T>(json, file.string());
-  } catch (const config::Error& error) {
+    return json::from_json<T>(json, file.string());
+  } catch (const json::Error& error) {
     const bool is_about_keys = error.rule() == Rule::KnownKey || error.rule() == Rule::RequiredKey;
     const auto kind = document_kind(json, expected);
     if (!is_about_keys || !kind || *kind == expected) throw;
-    throw config::Error(file.string(),
+    throw json::Error(file.string(),
                         {Rule::KnownKey, "", "is " + words_of(*kind) + "; expected " + words_of(expected)});
   }
 }

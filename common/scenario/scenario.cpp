@@ -33,12 +33,12 @@ std::optional<Violation> rate_violation(const NamedRate& rate, const std::vector
     const double apart_ns = time::least_distance_ns(time::Rate(rate.hz), time::Rate(other.hz));
     const auto least_ns = static_cast<double>(time::Grid::kLeastApart.count());
     if (apart_ns >= least_ns) continue;
-    const std::string hz = inslab::detail::number_text(rate.hz), other_hz = inslab::detail::number_text(other.hz);
+    const std::string hz = inslab::samples::detail::number_text(rate.hz), other_hz = inslab::samples::detail::number_text(other.hz);
     return Violation{Rule::SensorInstants, rate.path,
                      "is " + hz + ", and its instants come within " +
-                         inslab::detail::number_text(std::round(10.0 * apart_ns) / 10.0) + " ns of those of " +
+                         inslab::samples::detail::number_text(std::round(10.0 * apart_ns) / 10.0) + " ns of those of " +
                          other.path + ", " + other_hz + ", without meeting them: the truth has " +
-                         "a sample at each; expected at least " + inslab::detail::number_text(least_ns) +
+                         "a sample at each; expected at least " + inslab::samples::detail::number_text(least_ns) +
                          " ns: choose one rate for both, a whole multiple, or fewer digits"};
   }
   return std::nullopt;
@@ -229,7 +229,7 @@ std::optional<Violation> magnetic_date_violation(const Scenario& scenario) {
     if (scenario.magnetometer[i].field != MagneticModel::Wmm2025) continue;
     return Violation{Rule::MagneticModelDate, "magnetometer[" + std::to_string(i) + "].field",
                      "is wmm2025, which is valid from 2025 to the end of 2029, and the run begins in " +
-                         detail::number_text(std::floor(year)) +
+                         samples::detail::number_text(std::floor(year)) +
                          "; expected a start in these years, or wmm2025_extrapolated"};
   }
   return std::nullopt;

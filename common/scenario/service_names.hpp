@@ -7,7 +7,7 @@
 #include "inslab/data/catalog/services.hpp"
 #include "inslab/scenario/load.hpp"
 
-namespace inslab::app {
+namespace inslab::scenario {
 
 using ServiceKey = std::pair<std::string, std::uint32_t>;  // service, sensor number
 
@@ -23,7 +23,7 @@ inline constexpr const char* kEndedBySignal = "ended by a signal in mid-run";
 inline constexpr const char* kWaitsForApp = "waits for an app: ";
 
 /// The services that read the truth of a scenario, with their sensor numbers.
-inline std::vector<ServiceKey> truth_consumers(const scenario::LoadedScenario& scenario) {
+inline std::vector<ServiceKey> truth_consumers(const LoadedScenario& scenario) {
   std::vector<ServiceKey> services;
   for_each_sensor(scenario, [&services](auto kind, const auto& sensor) {
     services.emplace_back(decltype(kind)::type::service, sensor.number);
@@ -33,7 +33,7 @@ inline std::vector<ServiceKey> truth_consumers(const scenario::LoadedScenario& s
 }
 
 /// Those that must be ready before the first sample.
-inline std::vector<ServiceKey> required_services(const scenario::LoadedScenario& scenario) {
+inline std::vector<ServiceKey> required_services(const LoadedScenario& scenario) {
   std::vector<ServiceKey> services = truth_consumers(scenario);
   if (scenario.scenario.reference_nav) services.emplace_back(kReferenceNav, 0u);
   return services;
@@ -41,14 +41,14 @@ inline std::vector<ServiceKey> required_services(const scenario::LoadedScenario&
 
 /// Our consumers of a stream of sensor `number`: the logger, and the reference navigation app where it navigates by it.
 template <class Kind>
-std::vector<ServiceKey> stream_consumers(const scenario::Scenario& scenario, catalog::Audience audience,
+std::vector<ServiceKey> stream_consumers(const Scenario& scenario, catalog::Audience audience,
                                          std::uint32_t number) {
   std::vector<ServiceKey> services{{kTruthLogger, 0u}};
   const auto& app = scenario.reference_nav;
-  if (audience == catalog::Audience::App && app && scenario::sensor_of_the_app<Kind>(*app) == number) {
+  if (audience == catalog::Audience::App && app && sensor_of_the_app<Kind>(*app) == number) {
     services.emplace_back(kReferenceNav, 0u);
   }
   return services;
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::scenario

@@ -5,7 +5,7 @@
 #include "inslab/nav/strapdown.hpp"
 #include "inslab/noise/random/stream.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 
 /// The IMU's true state plus errors drawn from a covariance with these sigmas: position m, velocity m/s, phi rad, each
 /// in NED. What a filter that begins there with these sigmas believes of its errors is true. `draws`: numbers 0 to 8.
@@ -17,4 +17,4 @@ inline nav::NavState drawn_start(const ImuTruth& truth, const Vector9& sigmas, c
           nav::quaternion_from_rotation_vector(-e.tail<3>()) * truth.q_nb};
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::sim

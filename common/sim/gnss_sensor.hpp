@@ -19,7 +19,7 @@ struct SensorModel<catalog::Gnss> {
   }
   static bool takes_profiles_at(const time::Rate&, const TruthState&) { return true; }
   static std::optional<Output> process(Model& model, const TruthState& truth) { return model.observe(truth); }
-  static void hand(cli::RunSink& sink, std::size_t index, const Output& fix) { sink.gnss(index, fix); }
+  static void hand(RunSink& sink, std::size_t index, const Output& fix) { sink.gnss(index, fix); }
   static auto samples(Output& fix) { return std::tie(fix); }
 };
 

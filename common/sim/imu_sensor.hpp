@@ -22,7 +22,7 @@ struct SensorModel<catalog::Imu> {
     return rate.contains(time::Nanoseconds(truth.header.sim_time_ns - truth.interval_ns));
   }
   static std::optional<Output> process(Model& model, const TruthState& truth) { return model.measure(truth); }
-  static void hand(cli::RunSink& sink, std::size_t index, const Output& output) {
+  static void hand(RunSink& sink, std::size_t index, const Output& output) {
     sink.imu(index, output.sample, output.truth);
   }
   static auto samples(Output& output) { return std::tie(output.sample, output.truth); }

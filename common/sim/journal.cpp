@@ -8,7 +8,7 @@
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::swap {
+namespace inslab::sim {
 
 ProfileAck rejected(const AnyProfile& request, const std::string& field, const std::string& reason) {
   ProfileAck ack;
@@ -62,4 +62,4 @@ bool Journal::applies_at(time::Nanoseconds t) const {
   return std::binary_search(apply_times_.begin(), apply_times_.end(), t.count());
 }
 
-}  // namespace inslab::swap
+}  // namespace inslab::sim

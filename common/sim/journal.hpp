@@ -9,7 +9,7 @@
 #include "inslab/foundation/fields/violation.hpp"
 #include "inslab/foundation/time/grid.hpp"
 
-namespace inslab::swap {
+namespace inslab::sim {
 
 /// The answer to a request that changes nothing, with the field at fault and why.
 ProfileAck rejected(const AnyProfile& request, const std::string& field, const std::string& reason);
@@ -46,4 +46,4 @@ class Journal {
   std::vector<std::int64_t> apply_times_;  // sorted
 };
 
-}  // namespace inslab::swap
+}  // namespace inslab::sim

@@ -3,19 +3,19 @@
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/foundation/host/host.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 
 namespace {
 
 template <class... Profile>
-std::tuple<io::LogChannel<Profile>...> journal_channels(io::McapWriter& log, Types<Profile...>) {
-  return std::tuple<io::LogChannel<Profile>...>(io::LogChannel<Profile>(log, catalog::journal_topic(Profile::kind))...);
+std::tuple<log::LogChannel<Profile>...> journal_channels(mcap::McapWriter& log, Types<Profile...>) {
+  return std::tuple<log::LogChannel<Profile>...>(log::LogChannel<Profile>(log, catalog::journal_topic(Profile::kind))...);
 }
 
 }  // namespace
 
 LogSink::LogSink(const std::string& path, const scenario::LoadedScenario& scenario, const time::GpsTime& start)
-    : log_(path, scenario, app::cpu_features(), logger::RunLog::kChunkBytes, io::OutputFile::Kind::Result),
+    : log_(path, scenario, host::cpu_features(), RunLog::kChunkBytes, files::OutputFile::Kind::Result),
       utc_of_sim_time_zero_ns_(static_cast<std::uint64_t>(time::realtime_from_gps(start).count())),
       latest_utc_ns_(utc_of_sim_time_zero_ns_),
       truth_(log_.file(), catalog::kTruth.name),
@@ -31,7 +31,7 @@ LogSink::LogSink(const std::string& path, const scenario::LoadedScenario& scenar
 }
 
 template <class T>
-void LogSink::write(io::LogChannel<T>& channel, const T& sample, const StreamHeader& header) {
+void LogSink::write(log::LogChannel<T>& channel, const T& sample, const StreamHeader& header) {
   latest_utc_ns_ = utc_of_sim_time_zero_ns_ + static_cast<std::uint64_t>(header.sim_time_ns);
   channel.write(sample, static_cast<std::uint32_t>(header.sequence_number), latest_utc_ns_, latest_utc_ns_);
 }
@@ -40,7 +40,7 @@ void LogSink::journal(const AnyProfile& entry) {
   log_.add_profile(entry);
   std::visit(
       [this](const auto& profile) {
-        auto& channel = std::get<io::LogChannel<std::decay_t<decltype(profile)>>>(journals_);
+        auto& channel = std::get<log::LogChannel<std::decay_t<decltype(profile)>>>(journals_);
         channel.write(profile, journal_count_++, latest_utc_ns_, latest_utc_ns_);
       },
       entry);
@@ -72,4 +72,4 @@ void LogSink::ack(const ProfileAck& ack) {
   acks_.write(ack, ack_count_++, latest_utc_ns_, latest_utc_ns_);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::sim

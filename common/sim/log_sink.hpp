@@ -7,7 +7,7 @@
 #include "inslab/sim/offline_run.hpp"
 #include "inslab/sim/run_log.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 
 /// Writes an offline run to the same log as the truth logger does; log times are the GPS time of validity, as UTC.
 class LogSink : public RunSink {
@@ -29,24 +29,24 @@ class LogSink : public RunSink {
 
  private:
   template <class T>
-  void write(io::LogChannel<T>& channel, const T& sample, const StreamHeader& header);
+  void write(log::LogChannel<T>& channel, const T& sample, const StreamHeader& header);
   template <class... Sample>
   void write_streams(std::size_t index, const Sample&... samples);
 
-  logger::RunLog log_;
+  RunLog log_;
   std::uint64_t utc_of_sim_time_zero_ns_;
   std::uint64_t latest_utc_ns_;
-  io::LogChannel<TruthState> truth_;
-  std::optional<io::LogChannel<UsedVehicleState>> vehicle_states_;
-  io::LogChannel<ProfileAck> acks_;
-  Applied<std::tuple, Mapped<io::LogChannel, catalog::ProfileKinds>> journals_;
+  log::LogChannel<TruthState> truth_;
+  std::optional<log::LogChannel<UsedVehicleState>> vehicle_states_;
+  log::LogChannel<ProfileAck> acks_;
+  Applied<std::tuple, Mapped<log::LogChannel, catalog::ProfileKinds>> journals_;
   template <class Sample>
-  using Channels = std::deque<io::LogChannel<Sample>>;  // by the sensor's index
+  using Channels = std::deque<log::LogChannel<Sample>>;  // by the sensor's index
   Applied<std::tuple, Mapped<Channels, catalog::SensorSamples>> streams_;
-  std::optional<io::LogChannel<NavSolution>> nav_;
+  std::optional<log::LogChannel<NavSolution>> nav_;
   std::uint32_t ack_count_ = 0;
   std::uint32_t nav_count_ = 0;
   std::uint32_t journal_count_ = 0;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::sim

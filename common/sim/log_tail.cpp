@@ -3,7 +3,7 @@
 #include <atomic>
 #include <cstring>
 
-namespace inslab::logger {
+namespace inslab::sim {
 
 /// Begins the file; the messages follow, each with its own head.
 struct LogTail::Head {
@@ -69,4 +69,4 @@ void LogTail::publish() {
   std::memcpy(file_.data(), &head, sizeof(head));
 }
 
-}  // namespace inslab::logger
+}  // namespace inslab::sim

@@ -6,7 +6,7 @@
 
 #include "inslab/foundation/files/mapped_file.hpp"
 
-namespace inslab::logger {
+namespace inslab::sim {
 
 /// The messages that a logger has taken and that are not in its log file yet, in a file mapped into memory: a logger
 /// that is killed leaves them to the one that goes on. Each flush of the log begins a new generation.
@@ -37,9 +37,9 @@ class LogTail {
 
   void publish();
 
-  recovery::MappedFile file_;
+  files::MappedFile file_;
   std::uint64_t generation_ = 0;
   std::uint64_t used_ = 0;  ///< bytes of messages
 };
 
-}  // namespace inslab::logger
+}  // namespace inslab::sim

@@ -6,7 +6,7 @@
 #include "inslab/data/samples/vehicle_state.hpp"
 #include "inslab/scenario/load.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 
 /// The states that a logged run of a live vehicle used, in their order: with them it can be repeated. Throws
 /// io::ReadError, also when the log has none or some of them are missing.
@@ -17,4 +17,4 @@ std::vector<UsedVehicleState> logged_vehicle_states(const std::string& log_path)
 std::vector<UsedVehicleState> vehicle_states_for(const scenario::LoadedScenario& loaded,
                                                  const std::string& vehicle_log);
 
-}  // namespace inslab::cli
+}  // namespace inslab::sim

@@ -7,7 +7,7 @@
 #include "inslab/data/samples/service_status.hpp"
 #include "inslab/data/samples/stream_header.hpp"
 
-namespace inslab::logger {
+namespace inslab::sim {
 
 /// What a service said last of itself.
 struct LoggedService {
@@ -67,4 +67,4 @@ struct LoggerState {
   }
 };
 
-}  // namespace inslab::logger
+}  // namespace inslab::sim

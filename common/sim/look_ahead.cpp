@@ -12,7 +12,7 @@
 #include "inslab/models/navigation/navigation_filter.hpp"
 #include "inslab/sim/offline_run.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 
 namespace {
 
@@ -30,9 +30,9 @@ class Watcher final : public RunSink {
   /// Tries the alignment that has its yaw given beside the one that the scenario's app has, on the app's sensors.
   void try_levelled(const scenario::LoadedScenario& scenario) {
     const scenario::ReferenceNav& app = scenario.scenario.reference_nav.value();
-    reference_nav::AppSetup setup = reference_nav::setup_for(scenario, app);
-    if (setup.parameters.initial.attitude != reference_nav::InitialAttitude::StaticAlignment) return;
-    setup.parameters.initial.attitude = reference_nav::InitialAttitude::Levelled;
+    navigation::AppSetup setup = navigation::setup_for(scenario, app);
+    if (setup.parameters.initial.attitude != navigation::InitialAttitude::StaticAlignment) return;
+    setup.parameters.initial.attitude = navigation::InitialAttitude::Levelled;
     levelled_.emplace(setup.parameters, setup.gravity);
     app_ = app;
   }
@@ -129,10 +129,10 @@ class Watcher final : public RunSink {
   std::vector<ImuErrorProfile> swaps_;
   std::vector<std::array<OverScale, 2>> over_;
   scenario::ReferenceNav app_;
-  std::optional<reference_nav::NavigationFilter> levelled_;
+  std::optional<navigation::NavigationFilter> levelled_;
 };
 
-std::string why_it_does_not_begin(const reference_nav::NavigationFilter& filter) {
+std::string why_it_does_not_begin(const navigation::NavigationFilter& filter) {
   const std::string& at_rest = filter.alignment_refusal();
   return "at rest: " + (at_rest.empty() ? "it is too short" : at_rest) + "; in motion: " + filter.motion_refusal();
 }
@@ -178,7 +178,7 @@ LookAhead look_ahead(scenario::LoadedScenario scenario, double longest_s,
     watcher.ahead.filter = FilterOutlook{};
     watcher.try_levelled(scenario);
   }
-  OfflineRun run(scenario, scenario.start(app::realtime_now()), RunId{}, watcher);
+  OfflineRun run(scenario, scenario.start(host::realtime_now()), RunId{}, watcher);
   constexpr int kStepsBetweenLooks = 4096;
   const time::Nanoseconds end = time::from_seconds(longest_s);
   const bool needs_imus = std::any_of(scenario.imus.begin(), scenario.imus.end(),
@@ -229,4 +229,4 @@ std::string text_of(const LookAhead& ahead) {
                     ahead.filter->why_not, ahead.filter->begins_levelled ? "'levelled' and the yaw, or " : "");
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::sim

@@ -7,7 +7,7 @@
 
 #include "inslab/scenario/load.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 
 /// A value and the sim time of it.
 struct Extreme {
@@ -56,4 +56,4 @@ LookAhead look_ahead(scenario::LoadedScenario scenario, double longest_s,
 /// The lines of it, a warning for whatever speaks against a run.
 std::string text_of(const LookAhead& ahead);
 
-}  // namespace inslab::cli
+}  // namespace inslab::sim

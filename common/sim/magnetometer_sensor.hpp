@@ -18,7 +18,7 @@ struct SensorModel<catalog::Magnetometer> {
   }
   static bool takes_profiles_at(const time::Rate&, const TruthState&) { return true; }
   static std::optional<Output> process(Model& model, const TruthState& truth) { return model.observe(truth); }
-  static void hand(cli::RunSink& sink, std::size_t index, const Output& sample) { sink.magnetometer(index, sample); }
+  static void hand(RunSink& sink, std::size_t index, const Output& sample) { sink.magnetometer(index, sample); }
   static auto samples(Output& sample) { return std::tie(sample); }
 };
 

@@ -4,7 +4,7 @@
 
 #include "inslab/models/navigation/app_setup.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 
 OfflineRun::OfflineRun(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id,
                        RunSink& sink, std::vector<UsedVehicleState> vehicle_states)
@@ -13,7 +13,7 @@ OfflineRun::OfflineRun(const scenario::LoadedScenario& scenario, const time::Gps
     sensors<typename decltype(kind)::type>().emplace_back(scenario, sensor);
   });
   if (const auto& app = scenario.scenario.reference_nav) {
-    const reference_nav::AppSetup setup = reference_nav::setup_for(scenario, *app);
+    const navigation::AppSetup setup = navigation::setup_for(scenario, *app);
     navigator_.emplace(setup.parameters, setup.gravity);
     app_ = app;
   }
@@ -57,9 +57,9 @@ void OfflineRun::navigate(std::int64_t fixes_complete_up_to_ns) {
 template <class Kind>
 void OfflineRun::process(const TruthState& truth) {
   for (std::size_t i = 0; i < sensors<Kind>().size(); ++i) {
-    typename sim::Sensor<Kind>::Result result = sensors<Kind>()[i].process(truth);
+    typename Sensor<Kind>::Result result = sensors<Kind>()[i].process(truth);
     if (result.output) {
-      using Wiring = sim::SensorModel<Kind>;
+      using Wiring = SensorModel<Kind>;
       Wiring::hand(sink_, i, *result.output);
       if constexpr (scenario::is_navigated_by<Kind>) {
         const auto& sample = std::get<0>(Wiring::samples(*result.output));
@@ -72,7 +72,7 @@ void OfflineRun::process(const TruthState& truth) {
 
 bool OfflineRun::step() {
   if (!source_.has_next()) {
-    if (navigator_) navigate(reference_nav::Navigator::kEver);
+    if (navigator_) navigate(navigation::Navigator::kEver);
     for_each_of(sensors_, [this](auto& of_a_kind) {
       for (auto& sensor : of_a_kind) {
         for (const ProfileAck& ack : sensor.close(run_id_)) sink_.ack(ack);
@@ -89,4 +89,4 @@ bool OfflineRun::step() {
   return true;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::sim

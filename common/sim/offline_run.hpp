@@ -8,7 +8,7 @@
 #include "inslab/sim/sensors.hpp"
 #include "inslab/sim/truth_source.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 
 /// The models of all services in one process, without DDS, as fast as they go. For the same scenario and seed its
 /// samples are those of the live run, bit for bit (run id and publish times aside).
@@ -36,7 +36,7 @@ class OfflineRun {
 
   time::Nanoseconds sim_time() const { return sim_time_; }
   /// The reference navigation app; null when the scenario has none.
-  reference_nav::Navigator* navigator() { return navigator_ ? &*navigator_ : nullptr; }
+  navigation::Navigator* navigator() { return navigator_ ? &*navigator_ : nullptr; }
 
  private:
   template <class Kind>
@@ -50,15 +50,15 @@ class OfflineRun {
 
   RunSink& sink_;
   RunId run_id_;
-  trajectory::TruthSource source_;
+  TruthSource source_;
   template <class Kind>
-  using Sensors = std::vector<sim::Sensor<Kind>>;
+  using Sensors = std::vector<Sensor<Kind>>;
   Applied<std::tuple, Mapped<Sensors, catalog::SensorKinds>> sensors_;
   std::optional<scenario::ReferenceNav> app_;  ///< whose sensors the navigation app hears
-  std::optional<reference_nav::Navigator> navigator_;
+  std::optional<navigation::Navigator> navigator_;
   std::vector<UsedVehicleState> vehicle_states_;
   std::size_t next_vehicle_state_ = 0;
   time::Nanoseconds sim_time_{0};
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::sim

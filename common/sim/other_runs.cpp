@@ -1,6 +1,6 @@
 #include "inslab/sim/other_runs.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::sim {
 
 void OtherRuns::hear(const ServiceStatus& status, time::Nanoseconds now) {
   const bool in_another_run =
@@ -20,4 +20,4 @@ const ServiceStatus* OtherRuns::orphan(time::Nanoseconds now) const {
   return alone ? &*running_ : nullptr;
 }
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::sim

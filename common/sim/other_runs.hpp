@@ -5,7 +5,7 @@
 #include "inslab/data/samples/service_status.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::sim {
 
 /// What a trajectory server, the only one of its unit, hears of other runs before its own begins. Knows no bus and no
 /// clock.
@@ -25,4 +25,4 @@ class OtherRuns {
   time::Nanoseconds running_since_{0};  ///< when it was heard first
 };
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::sim

@@ -4,7 +4,7 @@
 
 #include "inslab/data/wire/cdr.hpp"
 
-namespace inslab::swap {
+namespace inslab::sim {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::vector<ProfileAck> ProfileDesk::close(const RunId& run) {
   return acks;
 }
 
-}  // namespace inslab::swap
+}  // namespace inslab::sim

@@ -13,7 +13,7 @@
 #include "inslab/data/samples/stream_header.hpp"
 #include "inslab/data/samples/truth_state.hpp"
 
-namespace inslab::swap {
+namespace inslab::sim {
 
 /// Where a service keeps the journal: it says when a truth sample may be processed, which profiles take effect before
 /// it, and what to acknowledge after the first sample under them. Entries may arrive late, early and in any order; the
@@ -63,4 +63,4 @@ class ProfileDesk {
   std::vector<ProfileAck> to_acknowledge_;
 };
 
-}  // namespace inslab::swap
+}  // namespace inslab::sim

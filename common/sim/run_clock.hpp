@@ -4,7 +4,7 @@
 
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::sim {
 
 /// Which instant of CLOCK_MONOTONIC belongs to which sim time of a real-time run. Sim time goes on at `rate` times real
 /// time while the run is not paused; pausing and changing the rate bend the line, nothing else moves it, so a late
@@ -60,4 +60,4 @@ class RunClock {
   bool paused_ = false;
 };
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::sim

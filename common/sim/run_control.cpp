@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace inslab::trajectory {
+namespace inslab::sim {
 
 namespace {
 
@@ -56,4 +56,4 @@ bool RunControl::note_sent(std::uint64_t sent) {
   return true;
 }
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::sim

@@ -6,7 +6,7 @@
 
 #include "inslab/data/requests/run_control.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::sim {
 
 /// Whether the run may send its next truth sample, as the commands say: running, paused, so many steps left, stopped.
 /// Judges commands; knows no clock and no bus.
@@ -41,4 +41,4 @@ class RunControl {
   std::optional<std::uint64_t> pause_at_;
 };
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::sim

@@ -2,14 +2,14 @@
 
 #include "inslab/data/json/json_writer.hpp"
 
-namespace inslab::logger {
+namespace inslab::sim {
 
 namespace {
 
 constexpr const char* kVersion = INSLAB_VERSION;
 
-io::McapWriter::Options log_options(std::size_t chunk_bytes, io::OutputFile::Kind kind) {
-  io::McapWriter::Options options;
+mcap::McapWriter::Options log_options(std::size_t chunk_bytes, files::OutputFile::Kind kind) {
+  mcap::McapWriter::Options options;
   options.kind = kind;
   options.chunk_bytes = chunk_bytes;
   options.library = std::string("inslab ") + kVersion;
@@ -23,12 +23,12 @@ std::string profile_record(ProfileKind kind, const SensorAddress& sensor, std::u
 }
 
 RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario, const std::string& cpu_features,
-               std::size_t chunk_bytes, io::OutputFile::Kind kind)
+               std::size_t chunk_bytes, files::OutputFile::Kind kind)
     : path_(path), file_(path, log_options(chunk_bytes, kind)) {
   file_.metadata("scenario", {{"file", scenario.file.filename().string()},
                               {"name", scenario.scenario.name},
                               {"unit", scenario.unit},
-                              {"json", config::to_json(scenario.scenario).dump(2)}});
+                              {"json", json::to_json(scenario.scenario).dump(2)}});
   file_.metadata("build", {{"version", kVersion}, {"cpu_features", cpu_features}});
   for_each_sensor(scenario, [this](auto of_kind, const auto& sensor) {
     for_each_profile(of_kind, sensor, [this](const auto& profile) { add_profile(profile); });
@@ -36,19 +36,19 @@ RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario
 }
 
 RunLog::RunLog(const std::string& path, std::size_t chunk_bytes)
-    : RunLog(path, io::mcap::read_unfinished(path), chunk_bytes) {}
+    : RunLog(path, mcap::read_unfinished(path), chunk_bytes) {}
 
-RunLog::RunLog(const std::string& path, const io::mcap::UnfinishedLog& unfinished, std::size_t chunk_bytes)
-    : path_(path), file_(path, log_options(chunk_bytes, io::OutputFile::Kind::Log), unfinished) {
-  for (const io::mcap::MetadataIndex& record : unfinished.metadata) {
+RunLog::RunLog(const std::string& path, const mcap::UnfinishedLog& unfinished, std::size_t chunk_bytes)
+    : path_(path), file_(path, log_options(chunk_bytes, files::OutputFile::Kind::Log), unfinished) {
+  for (const mcap::MetadataIndex& record : unfinished.metadata) {
     if (record.name.rfind("ack/", 0) == 0) ++acks_;
     if (record.name.rfind("recovery/", 0) == 0) ++recoveries_;
     if (record.name.rfind("profile/", 0) == 0) profiles_.insert(record.name);
   }
 }
 
-void RunLog::add_recovery(const std::string& what, const io::mcap::StringMap& details) {
-  io::mcap::StringMap record = details;
+void RunLog::add_recovery(const std::string& what, const mcap::StringMap& details) {
+  mcap::StringMap record = details;
   record["what"] = what;
   file_.metadata("recovery/" + std::to_string(++recoveries_), record);
 }
@@ -61,11 +61,11 @@ void RunLog::add_profile(const AnyProfile& entry) {
                  {{"name", name_of(entry)},
                   {"journal_number", std::to_string(request.journal_number)},
                   {"apply_at_ns", std::to_string(request.apply_at_ns)},
-                  {"json", std::visit([](const auto& profile) { return config::to_json(profile).dump(2); }, entry)}});
+                  {"json", std::visit([](const auto& profile) { return json::to_json(profile).dump(2); }, entry)}});
 }
 
 void RunLog::add_ack(const ProfileAck& ack) {
-  file_.metadata("ack/" + std::to_string(++acks_), {{"json", config::wire_to_json(ack).dump(2)}});
+  file_.metadata("ack/" + std::to_string(++acks_), {{"json", json::wire_to_json(ack).dump(2)}});
 }
 
-}  // namespace inslab::logger
+}  // namespace inslab::sim

@@ -7,7 +7,7 @@
 #include "inslab/formats/log/log_channel.hpp"
 #include "inslab/scenario/load.hpp"
 
-namespace inslab::logger {
+namespace inslab::sim {
 
 /// The log of one run, live or offline: what every channel and metadata record is called and holds.
 ///
@@ -19,14 +19,14 @@ class RunLog {
  public:
   /// Creates the file and describes the scenario in it. Throws io::WriteError.
   RunLog(const std::string& path, const scenario::LoadedScenario& scenario, const std::string& cpu_features,
-         std::size_t chunk_bytes = kChunkBytes, io::OutputFile::Kind kind = io::OutputFile::Kind::Log);
+         std::size_t chunk_bytes = kChunkBytes, files::OutputFile::Kind kind = files::OutputFile::Kind::Log);
 
   /// Goes on with the log that a killed process left. Throws io::ReadError, io::WriteError.
   RunLog(const std::string& path, std::size_t chunk_bytes);
 
   static constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
 
-  io::McapWriter& file() { return file_; }
+  mcap::McapWriter& file() { return file_; }
   const std::string& path() const { return path_; }
 
   /// Keeps an entry of the journal as JSON, once.
@@ -35,13 +35,13 @@ class RunLog {
   void add_ack(const ProfileAck& ack);
 
   /// Keeps that a stream, or the log itself, was interrupted because its process was started again.
-  void add_recovery(const std::string& what, const io::mcap::StringMap& details);
+  void add_recovery(const std::string& what, const mcap::StringMap& details);
 
  private:
-  RunLog(const std::string& path, const io::mcap::UnfinishedLog& unfinished, std::size_t chunk_bytes);
+  RunLog(const std::string& path, const mcap::UnfinishedLog& unfinished, std::size_t chunk_bytes);
 
   std::string path_;
-  io::McapWriter file_;
+  mcap::McapWriter file_;
   std::uint64_t acks_ = 0;
   std::uint64_t recoveries_ = 0;
   std::set<std::string> profiles_;  ///< records that are there
@@ -50,4 +50,4 @@ class RunLog {
 /// Name of the metadata record of a profile.
 std::string profile_record(ProfileKind kind, const SensorAddress& sensor, std::uint32_t journal_number);
 
-}  // namespace inslab::logger
+}  // namespace inslab::sim

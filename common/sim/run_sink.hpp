@@ -10,7 +10,7 @@
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/data/samples/vehicle_state.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 
 /// Where the samples of an offline run go; every function is called in the order of sim time.
 class RunSink {
@@ -26,4 +26,4 @@ class RunSink {
   virtual void ack(const ProfileAck& ack) = 0;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::sim

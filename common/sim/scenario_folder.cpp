@@ -4,7 +4,7 @@
 #include "inslab/formats/text/nav_text.hpp"
 #include "inslab/foundation/files/output_file.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 
 namespace {
 
@@ -17,13 +17,13 @@ class Folder {
   /// Writes what a declared struct says; returns the file's name.
   template <class T>
   std::string write(const std::string& name, const T& value) const {
-    io::write_file(path_of(name), config::to_json(value).dump(2) + "\n");
+    files::write_file(path_of(name), json::to_json(value).dump(2) + "\n");
     return name;
   }
 
-  std::string write_rows(const std::string& name, const io::TrajectoryFile& trajectory) const {
-    io::NavTextWriter file(path_of(name));
-    for (const io::TrajectoryRow& row : trajectory.rows) file.write(trajectory.start + row.time, row);
+  std::string write_rows(const std::string& name, const TrajectoryFile& trajectory) const {
+    recordings::NavTextWriter file(path_of(name));
+    for (const TrajectoryRow& row : trajectory.rows) file.write(trajectory.start + row.time, row);
     file.close();
     return name;
   }
@@ -43,7 +43,7 @@ void write_rest(const scenario::LoadedGnss& gnss, scenario::GnssSensor& sensor) 
 }  // namespace
 
 std::string write_scenario_folder(const scenario::LoadedScenario& loaded,
-                                  const reference_nav::NavigationParameters& parameters, const std::string& folder) {
+                                  const navigation::NavigationParameters& parameters, const std::string& folder) {
   const Folder files(folder);
   scenario::Scenario scenario = loaded.scenario;
   for_each(catalog::SensorKinds{}, [&](auto tag) {
@@ -68,4 +68,4 @@ std::string write_scenario_folder(const scenario::LoadedScenario& loaded,
   return files.path_of(files.write("scenario.json", scenario));
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::sim

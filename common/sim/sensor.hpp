@@ -80,7 +80,7 @@ class Sensor {
 
   time::Rate rate_;
   typename Wiring::Model model_;
-  swap::ProfileDesk desk_;
+  ProfileDesk desk_;
 };
 
 }  // namespace inslab::sim

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace inslab::trajectory {
+namespace inslab::sim {
 
 namespace {
 
@@ -21,8 +21,8 @@ TruthSource::TruthSource(const scenario::LoadedScenario& scenario, const time::G
       grid_(scenario.truth_grid()),
       samples_(scenario.truth_samples),
       start_(start),
-      model_(make_truth_model(scenario, start)),
-      live_vehicle_(dynamic_cast<LiveVehicleModel*>(model_.get())),
+      model_(trajectory::make_truth_model(scenario, start)),
+      live_vehicle_(dynamic_cast<trajectory::LiveVehicleModel*>(model_.get())),
       journal_(sensors_of(scenario), grid_, grid_.at(samples_ == 0 ? 0 : samples_ - 1)),
       next_(model_->current()) {}
 
@@ -67,4 +67,4 @@ TruthState TruthSource::take() {
   return sample;
 }
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::sim

@@ -7,7 +7,7 @@
 #include "inslab/scenario/load.hpp"
 #include "inslab/sim/journal.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::sim {
 
 /// The truth of a run together with its journal: what the trajectory server sends, without bus and clock. The live
 /// server and the one-process runner drive the same class.
@@ -48,9 +48,9 @@ class TruthSource {
   time::Grid grid_;
   std::uint64_t samples_;
   time::GpsTime start_;
-  std::unique_ptr<TruthModel> model_;
-  LiveVehicleModel* live_vehicle_;  ///< model_, when it is one
-  swap::Journal journal_;
+  std::unique_ptr<trajectory::TruthModel> model_;
+  trajectory::LiveVehicleModel* live_vehicle_;  ///< model_, when it is one
+  Journal journal_;
   TruthState next_;
   bool prepared_ = true;
   std::uint64_t taken_ = 0;
@@ -58,4 +58,4 @@ class TruthSource {
   time::Nanoseconds last_time_{0};  ///< of the sample taken last; 0 before the first
 };
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::sim

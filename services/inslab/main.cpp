@@ -26,27 +26,27 @@ int carried_out(const std::function<int()>& action) {
   using namespace inslab;
   try {
     return action();
-  } catch (const config::Error& error) {
+  } catch (const json::Error& error) {
     say(error.what());
-    return app::kBadInput;
-  } catch (const app::UsageError& error) {
+    return host::kBadInput;
+  } catch (const host::UsageError& error) {
     say(error.what());
-    return app::kBadInput;
-  } catch (const app::PlaceTaken& taken) {
+    return host::kBadInput;
+  } catch (const service::PlaceTaken& taken) {
     say(taken.what());
-    return app::kBadInput;
-  } catch (const io::OutputRefused& error) {
+    return host::kBadInput;
+  } catch (const files::OutputRefused& error) {
     say(error.what());
-    return app::kBadInput;
-  } catch (const io::ReadError& error) {
+    return host::kBadInput;
+  } catch (const files::ReadError& error) {
     say(error.what());
-    return app::kBadInput;
+    return host::kBadInput;
   } catch (const std::bad_alloc&) {
     say("there is not enough memory for this input or its result");
-    return app::kFailed;
+    return host::kFailed;
   } catch (const std::exception& error) {
     say(error.what());
-    return app::kFailed;
+    return host::kFailed;
   }
 }
 
@@ -58,16 +58,16 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", INSLAB_VERSION);
   std::function<int()> action;
-  cli::add_commands(app, action);
-  io::set_output_rule(io::OutputRule::KeepResults);  // a command's --overwrite loosens it
+  commands::add_commands(app, action);
+  files::set_output_rule(files::OutputRule::KeepResults);  // a command's --overwrite loosens it
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return cli::answer(app, error);
+    return commands::answer(app, error);
   }
   spdlog::set_default_logger(spdlog::stderr_color_mt("inslab"));
   spdlog::set_pattern("%H:%M:%S.%e %n %^%l%$: %v");
-  app::install_signal_handlers();
-  app::CommandEnding ending(cli::command_words(app), io::discard_unfinished);
+  host::install_signal_handlers();
+  host::CommandEnding ending(commands::command_words(app), files::discard_unfinished);
   return ending.finished(carried_out(action));
 }

@@ -10,7 +10,7 @@
 
 namespace inslab::reference_nav {
 
-using app::monotonic_now;
+using host::monotonic_now;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
@@ -19,14 +19,14 @@ namespace {
 /// Solutions in a message, in lockstep.
 constexpr std::size_t kBlockSolutions = 32;
 
-Navigator navigator_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app) {
-  const AppSetup setup = setup_for(scenario, app);
-  return Navigator(setup.parameters, setup.gravity);
+navigation::Navigator navigator_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app) {
+  const navigation::AppSetup setup = navigation::setup_for(scenario, app);
+  return navigation::Navigator(setup.parameters, setup.gravity);
 }
 
 }  // namespace
 
-NavigatorOnBus::NavigatorOnBus(app::Context& context, const scenario::ReferenceNav& app)
+NavigatorOnBus::NavigatorOnBus(service::Context& context, const scenario::ReferenceNav& app)
     : context_(context),
       app_(app),
       truth_grid_(context.scenario().truth_grid()),
@@ -40,10 +40,10 @@ NavigatorOnBus::NavigatorOnBus(app::Context& context, const scenario::ReferenceN
       solutions_(context.participant(), dds::topics::nav()),
       blocks_(context.participant(), dds::topics::block(dds::topics::nav())),
       imu_(context, dds::topics::stream<ImuSample>(app.imu, context.scenario().sensor<catalog::Imu>(app.imu).rate.hz()),
-           [this](app::Arrived<ImuSample> arrived) { mailbox_.put(std::move(arrived)); }),
+           [this](service::Arrived<ImuSample> arrived) { mailbox_.put(std::move(arrived)); }),
       gnss_(context,
             dds::topics::stream<GnssFix>(app.gnss, context.scenario().sensor<catalog::Gnss>(app.gnss).rate.hz()),
-            [this](app::Arrived<GnssFix> arrived) { mailbox_.put(std::move(arrived)); }),
+            [this](service::Arrived<GnssFix> arrived) { mailbox_.put(std::move(arrived)); }),
       credits_(context, dds::topics::credit(),
                [this](const Credit& credit, const dds::SampleOrigin&) {
                  const bool of_our_receiver =
@@ -60,7 +60,7 @@ void NavigatorOnBus::handle(const Message& message) {
   std::visit([this](const auto& what) { handle(what); }, message);
 }
 
-void NavigatorOnBus::handle(const app::Arrived<ImuSample>& arrived) {
+void NavigatorOnBus::handle(const service::Arrived<ImuSample>& arrived) {
   imu_.add(arrived);
   while (const auto sample = imu_.take()) {
     navigator_.add(*sample);
@@ -68,7 +68,7 @@ void NavigatorOnBus::handle(const app::Arrived<ImuSample>& arrived) {
   }
 }
 
-void NavigatorOnBus::handle(const app::Arrived<GnssFix>& arrived) {
+void NavigatorOnBus::handle(const service::Arrived<GnssFix>& arrived) {
   gnss_.add(arrived);
   while (const auto fix = gnss_.take()) {
     navigator_.add(*fix);
@@ -83,7 +83,7 @@ void NavigatorOnBus::handle(const SimStatus& status) {
   if (status.run_id != run_id_) {
     run_id_ = status.run_id;
     lockstep_ = status.clock == ClockMode::Lockstep;
-    navigator_.fixes_complete_up_to(lockstep_ ? -1 : Navigator::kEver);
+    navigator_.fixes_complete_up_to(lockstep_ ? -1 : navigation::Navigator::kEver);
     board_.set_run(run_id_);
     imu_.begin_run(run_id_, status.clock);
     gnss_.begin_run(run_id_, status.clock);
@@ -101,7 +101,7 @@ void NavigatorOnBus::handle(const ServiceStatus& status) {
     return;
   }
   if (status.service == catalog::Gnss::service && status.sensor_number == app_.gnss) {
-    navigator_.fixes_complete_up_to(Navigator::kEver);
+    navigator_.fixes_complete_up_to(navigation::Navigator::kEver);
   }
   if (status.service != catalog::Imu::service || status.sensor_number != app_.imu) return;
   for (const StreamStatus& stream : status.streams) {
@@ -177,15 +177,15 @@ void NavigatorOnBus::stay_for_the_log() {
   if (!run_ended_ || next_imu_ == 0) return;
   bool told = false;
   const time::Nanoseconds begun = monotonic_now();
-  while (!log_word_.is_closed(run_id_) && !app::shutdown_requested() &&
-         monotonic_now() - run_ended_at_ < app::kTimeToComeBack) {
+  while (!log_word_.is_closed(run_id_) && !host::shutdown_requested() &&
+         monotonic_now() - run_ended_at_ < service::kTimeToComeBack) {
     const auto message = mailbox_.take(milliseconds(50));
     if (message && std::holds_alternative<Credit>(*message)) handle(*message);
     board_.tick();
     if (told || monotonic_now() - begun < seconds(2)) continue;
     told = true;
     spdlog::info("waits until the logger has closed its log, at most {} s",
-                 std::chrono::duration_cast<seconds>(app::kTimeToComeBack).count());
+                 std::chrono::duration_cast<seconds>(service::kTimeToComeBack).count());
   }
 }
 
@@ -196,12 +196,12 @@ int NavigatorOnBus::end() {
                counts.restarts);
   solutions_.wait_for_acknowledgments(seconds(2));
   blocks_.wait_for_acknowledgments(seconds(2));
-  const bool by_signal = app::shutdown_requested() && !run_ended_;
+  const bool by_signal = host::shutdown_requested() && !run_ended_;
   std::string failure;
   if (!fault_.empty()) {
     failure = "the run ended as a fault: " + fault_;
   } else if (by_signal && run_began_) {
-    failure = app::kEndedBySignal;
+    failure = scenario::kEndedBySignal;
   } else if (!by_signal && (!imu_sent_ || next_imu_ < *imu_sent_)) {
     failure = "IMU samples are missing";
   }
@@ -210,7 +210,7 @@ int NavigatorOnBus::end() {
                failure.empty() && by_signal ? "ended by a signal before a run" : failure);
   board_.flush(seconds(2));
   stay_for_the_log();
-  return app::after_the_last_word(failure.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed);
+  return host::after_the_last_word(failure.empty() && context_.writers().fault().empty() ? host::kOk : host::kFailed);
 }
 
 }  // namespace inslab::reference_nav

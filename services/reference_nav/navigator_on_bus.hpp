@@ -23,17 +23,17 @@ namespace inslab::reference_nav {
 class NavigatorOnBus {
  public:
   /// Throws config::Error when what the app is told is not good.
-  NavigatorOnBus(app::Context& context, const scenario::ReferenceNav& app);
+  NavigatorOnBus(service::Context& context, const scenario::ReferenceNav& app);
 
   /// Returns the exit code.
   int run();
 
  private:
-  using Message = std::variant<app::Arrived<ImuSample>, app::Arrived<GnssFix>, SimStatus, ServiceStatus, Credit>;
+  using Message = std::variant<service::Arrived<ImuSample>, service::Arrived<GnssFix>, SimStatus, ServiceStatus, Credit>;
 
   void handle(const Message& message);
-  void handle(const app::Arrived<ImuSample>& arrived);
-  void handle(const app::Arrived<GnssFix>& arrived);
+  void handle(const service::Arrived<ImuSample>& arrived);
+  void handle(const service::Arrived<GnssFix>& arrived);
   void handle(const SimStatus& status);
   void handle(const ServiceStatus& status);
   void handle(const Credit& credit);
@@ -45,33 +45,33 @@ class NavigatorOnBus {
   void stay_for_the_log();
   int end();
 
-  app::Context& context_;
+  service::Context& context_;
   scenario::ReferenceNav app_;
   time::Grid truth_grid_;
-  Navigator navigator_;
-  Refusals refusals_;  ///< of the alignment, that were said
-  app::Mailbox<Message> mailbox_;
+  navigation::Navigator navigator_;
+  navigation::Refusals refusals_;  ///< of the alignment, that were said
+  host::Mailbox<Message> mailbox_;
   RunId run_id_;
   bool lockstep_ = false;
-  app::StopGrace grace_;
+  host::StopGrace grace_;
   bool run_began_ = false;
   bool run_ended_ = false;
   time::Nanoseconds run_ended_at_{0};
-  app::LogWord log_word_;
+  service::LogWord log_word_;
   std::string fault_;                      ///< why the run ended as a fault; empty: it did not
   std::uint64_t next_imu_ = 0;             ///< samples before this one are answered
   std::uint64_t next_fix_ = 0;             ///< fixes before this one have come
   std::optional<std::uint64_t> imu_sent_;  ///< how many samples there were, when the injector has said it
   Block<NavSolution> gathered_;
-  app::StreamMonitor sent_;
-  app::StatusBoard board_;
+  streams::StreamMonitor sent_;
+  service::StatusBoard board_;
   dds::Writer<NavSolution> solutions_;
   dds::Writer<Block<NavSolution>> blocks_;
-  app::StreamInput<ImuSample> imu_;
-  app::StreamInput<GnssFix> gnss_;
-  app::SetReader<Credit> credits_;
-  app::SetReader<ServiceStatus> service_status_;
-  app::SetReader<SimStatus> sim_status_;
+  service::StreamInput<ImuSample> imu_;
+  service::StreamInput<GnssFix> gnss_;
+  service::SetReader<Credit> credits_;
+  service::SetReader<ServiceStatus> service_status_;
+  service::SetReader<SimStatus> sim_status_;
 };
 
 }  // namespace inslab::reference_nav

@@ -8,9 +8,9 @@ namespace inslab::sensor {
 
 /// One sensor on the bus: what it puts out goes to its streams and to inslab/profile_ack.
 template <class Kind>
-class SensorOnBus : public app::TruthConsumer {
+class SensorOnBus : public service::TruthConsumer {
  public:
-  SensorOnBus(app::Context& context, const scenario::Loaded<Kind>& sensor)
+  SensorOnBus(service::Context& context, const scenario::Loaded<Kind>& sensor)
       : sensor_(context.scenario(), sensor),
         paced_by_nav_app_(Kind::sets_the_pace && context.scenario().scenario.require_nav_app &&
                           scenario::sensors_of<Kind>(context.scenario()).front().number == sensor.number),
@@ -44,18 +44,18 @@ class SensorOnBus : public app::TruthConsumer {
     if (const std::string missing = outputs_.missing_readers(); !missing.empty()) return missing;
     return acks_.matched_readers() > 0 ? "" : std::string("waits for a reader of ") + catalog::kProfileAck.name;
   }
-  void save(recovery::StateWriter& writer) const override {
+  void save(state::StateWriter& writer) const override {
     writer(sensor_);
     outputs_.save(writer);
   }
-  void load(recovery::StateReader& reader) override {
+  void load(state::StateReader& reader) override {
     reader(sensor_);
     outputs_.load(reader);
   }
   void report(ServiceStatus& status) const override { outputs_.report(status); }
   void flush(time::Nanoseconds deadline) override {
     outputs_.wait_for_acknowledgments(deadline);
-    acks_.wait_for_acknowledgments(app::time_left(deadline));
+    acks_.wait_for_acknowledgments(service::time_left(deadline));
   }
 
  private:
@@ -68,10 +68,10 @@ class SensorOnBus : public app::TruthConsumer {
 /// The service of one sensor of a kind: its main().
 template <class Kind>
 int run_sensor(int argc, char** argv) {
-  return app::run_service(Kind::service, Kind::purpose, {true, false}, argc, argv, [](app::Context& context) {
+  return service::run_service(Kind::service, Kind::purpose, {true, false}, argc, argv, [](service::Context& context) {
     const std::uint32_t number = context.options().sensor;
     SensorOnBus<Kind> bus(context, context.scenario().template sensor<Kind>(number));
-    return app::TruthFollower(context, number, bus).run();
+    return service::TruthFollower(context, number, bus).run();
   });
 }
 

@@ -13,7 +13,7 @@ namespace inslab::sensor {
 template <class Kind>
 class SensorOutputs {
  public:
-  SensorOutputs(app::Context& context, const scenario::Loaded<Kind>& sensor, bool paced_by_nav_app)
+  SensorOutputs(service::Context& context, const scenario::Loaded<Kind>& sensor, bool paced_by_nav_app)
       : outputs_(outputs(context, sensor, paced_by_nav_app, catalog::SamplesOf<Kind>{})) {}
 
   void begin_run(const RunId& run, ClockMode clock) {
@@ -53,10 +53,10 @@ class SensorOutputs {
     });
     return missing;
   }
-  void save(recovery::StateWriter& writer) const {
+  void save(state::StateWriter& writer) const {
     for_each_of(outputs_, [&writer](const auto& output) { output->save(writer); });
   }
-  void load(recovery::StateReader& reader) {
+  void load(state::StateReader& reader) {
     for_each_of(outputs_, [&reader](auto& output) { output->load(reader); });
   }
   void report(ServiceStatus& status) const {
@@ -70,22 +70,22 @@ class SensorOutputs {
 
  private:
   template <class Sample>
-  using Output = std::unique_ptr<app::StreamOutput<Sample>>;
+  using Output = std::unique_ptr<service::StreamOutput<Sample>>;
   using Outputs = Applied<std::tuple, Mapped<Output, catalog::SamplesOf<Kind>>>;
 
   template <class... Sample>
-  static Outputs outputs(app::Context& context, const scenario::Loaded<Kind>& sensor, bool paced_by_nav_app,
+  static Outputs outputs(service::Context& context, const scenario::Loaded<Kind>& sensor, bool paced_by_nav_app,
                          Types<Sample...>) {
     return {output<Sample>(context, sensor, paced_by_nav_app)...};  // braces: in their order
   }
   template <class Sample>
-  static Output<Sample> output(app::Context& context, const scenario::Loaded<Kind>& sensor, bool paced_by_nav_app) {
-    using Stream = app::StreamOutput<Sample>;
+  static Output<Sample> output(service::Context& context, const scenario::Loaded<Kind>& sensor, bool paced_by_nav_app) {
+    using Stream = service::StreamOutput<Sample>;
     const catalog::Audience audience = catalog::kStream<Sample>.audience;
     const double rate_hz = sensor.rate.hz();
     return std::make_unique<Stream>(
         context, dds::topics::stream<Sample>(sensor.number, rate_hz),
-        typename Stream::Settings{app::stream_consumers<Kind>(context.scenario().scenario, audience, sensor.number),
+        typename Stream::Settings{scenario::stream_consumers<Kind>(context.scenario().scenario, audience, sensor.number),
                                   paced_by_nav_app && audience == catalog::Audience::App, Stream::kWindowSamples,
                                   Stream::half_a_minute(rate_hz)});
   }

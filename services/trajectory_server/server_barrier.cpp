@@ -14,9 +14,9 @@
 #include "inslab/scenario/service_names.hpp"
 #include "inslab/services/trajectory_server/server_on_bus.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::trajectory_server {
 
-using app::monotonic_now;
+using host::monotonic_now;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
@@ -25,7 +25,7 @@ namespace {
 /// What services need to start and to find each other is no wait worth telling.
 constexpr time::Nanoseconds kTimeToStart = milliseconds(800);
 
-bool waits_for_app(const std::string& message) { return message.rfind(app::kWaitsForApp, 0) == 0; }
+bool waits_for_app(const std::string& message) { return message.rfind(scenario::kWaitsForApp, 0) == 0; }
 
 void append(std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; }
 
@@ -34,7 +34,7 @@ void append(std::string& list, const std::string& name) { list += (list.empty() 
 /// The services that are not ready by themselves; one that waits for the app alone is not among them.
 std::string ServerOnBus::missing_services() const {
   std::string missing;
-  for (const auto& [service, number] : app::required_services(scenario_)) {
+  for (const auto& [service, number] : scenario::required_services(scenario_)) {
     const auto found = services_.find({service, number});
     const std::string message = found == services_.end() ? "" : found->second.message;
     const bool ready = found != services_.end() && found->second.state == ServiceState::Ready;
@@ -46,7 +46,7 @@ std::string ServerOnBus::missing_services() const {
 
 /// What the scenario demands of others: readers of streams, solutions, states of a vehicle.
 std::string ServerOnBus::missing_apps() const {
-  const std::size_t prefix = std::strlen(app::kWaitsForApp);
+  const std::size_t prefix = std::strlen(scenario::kWaitsForApp);
   std::set<std::string> wanted;  // several services may wait for the same
   for (const auto& [key, heard] : services_) {
     const bool ended = heard.state == ServiceState::Finished || heard.state == ServiceState::Fault;
@@ -72,14 +72,14 @@ std::string ServerOnBus::missing_peers() const {
 /// server, and leaves by itself: only one that stays counts.
 std::string ServerOnBus::stranger_among_services() {
   constexpr time::Nanoseconds kTimeToLeave = milliseconds(1500);
-  const auto required = app::required_services(scenario_);
-  for (const app::Identity& member : app::members_of(context_.participant(), context_.identity().unit)) {
+  const auto required = scenario::required_services(scenario_);
+  for (const streams::Identity& member : service::members_of(context_.participant(), context_.identity().unit)) {
     if (std::find(required.begin(), required.end(), member.role()) == required.end()) continue;
-    const std::string why = app::difference(context_.identity(), member);
+    const std::string why = streams::difference(context_.identity(), member);
     if (why.empty()) continue;
     if (!stranger_since_) stranger_since_ = monotonic_now();
     if (monotonic_now() - *stranger_since_ < kTimeToLeave) return "";
-    return app::words_of(member) + " does not belong to this trajectory server's run: " + why;
+    return streams::words_of(member) + " does not belong to this trajectory server's run: " + why;
   }
   stranger_since_.reset();
   return "";
@@ -92,7 +92,7 @@ void ServerOnBus::warn_of_other_versions() {
     const auto peer = context_.participant().peers().find(other.participant);
     spdlog::warn("{} {} {} as {}: it was built with another version of the types and does not match; this set has {}*",
                  peer ? dds::words_of(*peer) : "a participant that has left", other.is_writer ? "writes" : "reads",
-                 other.topic, other.type, wire::kModule);
+                 other.topic, other.type, catalog::kModule);
   }
 }
 
@@ -119,12 +119,12 @@ int ServerOnBus::end_run_of(const ServiceStatus& orphan) {
     return std::any_of(services_.begin(), services_.end(),
                        [](const auto& service) { return service.second.state == ServiceState::Running; });
   };
-  while (still_running() && monotonic_now() < deadline && !app::shutdown_requested()) {
+  while (still_running() && monotonic_now() < deadline && !host::shutdown_requested()) {
     handle_messages(milliseconds(50));
     board_.tick();
   }
   board_.flush(seconds(2));
-  return app::kFailed;
+  return host::kFailed;
 }
 
 /// Into the status and, when it is news, into the log.
@@ -141,7 +141,7 @@ bool ServerOnBus::wait_until_ready() {
   const auto deadline = begun + time::from_seconds(timeout_s);
   board_.enter(ServiceState::Ready);
   for (std::string names = missing_peers(); !names.empty(); names = missing_peers()) {
-    if (app::shutdown_requested() || control_.stop_requested()) return false;
+    if (host::shutdown_requested() || control_.stop_requested()) return false;
     if (others_.orphan(monotonic_now()) != nullptr) return false;
     if (const std::string stranger = stranger_among_services(); !stranger.empty()) {
       spdlog::error("{}", stranger);
@@ -162,4 +162,4 @@ bool ServerOnBus::wait_until_ready() {
   return true;
 }
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::trajectory_server

@@ -8,9 +8,9 @@
 #include "inslab/scenario/service_names.hpp"
 #include "inslab/services/trajectory_server/server_on_bus.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::trajectory_server {
 
-using app::monotonic_now;
+using host::monotonic_now;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
@@ -35,12 +35,12 @@ void ServerOnBus::watch_consumers() {
 /// the logger and the navigation app, it goes on; in lockstep nobody who has left gives credit.
 std::string ServerOnBus::fault_of_a_service() const {
   if (!fault_heard_) return "";
-  for (const auto& [service, number] : app::required_services(scenario_)) {
+  for (const auto& [service, number] : scenario::required_services(scenario_)) {
     const auto found = services_.find({service, number});
     if (found == services_.end() || !found->second.is_fault_of_this_run) continue;
     const std::string& message = found->second.message;
     const bool makes_data = catalog::is_of_a_sensor_kind(service);
-    const bool was_told = message.rfind(app::kEndedBySignal, 0) == 0;
+    const bool was_told = message.rfind(scenario::kEndedBySignal, 0) == 0;
     if (clock_stands() || (makes_data && !was_told)) return service + " " + std::to_string(number) + ": " + message;
   }
   return "";
@@ -53,7 +53,7 @@ void ServerOnBus::serve_stragglers(time::Nanoseconds deadline) {
     if (log_word_.is_closed(run_id_)) return true;  // nobody else writes down what comes
     if (status_.clock == ClockMode::Lockstep && truth_.lowest_wanted() < source_->taken()) return false;
     if (!truth_.is_logged()) return false;
-    for (const auto& [service, number] : app::required_services(scenario_)) {
+    for (const auto& [service, number] : scenario::required_services(scenario_)) {
       if (service == app::kTruthLogger) continue;  // it ends after this service
       const auto found = services_.find({service, number});
       if (found == services_.end()) continue;  // the run had not begun
@@ -61,7 +61,7 @@ void ServerOnBus::serve_stragglers(time::Nanoseconds deadline) {
     }
     return true;
   };
-  while (!all_ended() && monotonic_now() < deadline && !app::shutdown_requested()) {
+  while (!all_ended() && monotonic_now() < deadline && !host::shutdown_requested()) {
     handle_messages(milliseconds(20));
     board_.tick();
   }
@@ -71,7 +71,7 @@ void ServerOnBus::serve_stragglers(time::Nanoseconds deadline) {
 void ServerOnBus::stay_for_the_log(time::Nanoseconds deadline) {
   const time::Nanoseconds begun = monotonic_now();
   bool told = false;
-  while (!log_word_.is_closed(run_id_) && monotonic_now() < deadline && !app::shutdown_requested()) {
+  while (!log_word_.is_closed(run_id_) && monotonic_now() < deadline && !host::shutdown_requested()) {
     handle_messages(milliseconds(20));
     board_.tick();
     if (told || monotonic_now() - begun < seconds(2)) continue;
@@ -81,4 +81,4 @@ void ServerOnBus::stay_for_the_log(time::Nanoseconds deadline) {
   }
 }
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::trajectory_server

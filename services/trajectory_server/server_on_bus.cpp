@@ -12,9 +12,9 @@
 #include "inslab/foundation/host/shutdown.hpp"
 #include "inslab/scenario/service_names.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::trajectory_server {
 
-using app::monotonic_now;
+using host::monotonic_now;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
@@ -28,16 +28,16 @@ std::size_t truth_kept(const scenario::LoadedScenario& scenario) {
 
 }  // namespace
 
-ServerOnBus::ServerOnBus(app::Context& context)
+ServerOnBus::ServerOnBus(service::Context& context)
     : context_(context),
       scenario_(context.scenario()),
       shortest_period_s_(scenario_.truth_grid().shortest_period_s()),
-      run_id_(context.identity().run_id == RunId{} ? app::random_run_id() : context.identity().run_id),
+      run_id_(context.identity().run_id == RunId{} ? host::random_run_id() : context.identity().run_id),
       others_(run_id_),
       control_(scenario_.scenario.clock.mode, scenario_.scenario.clock.start_paused),
       clock_(time::Nanoseconds(0), scenario_.scenario.clock.rate),
       truth_(context, dds::topics::truth(scenario_.truth_grid().hz()),
-             {app::truth_consumers(scenario_), false, 2 * app::StreamOutput<TruthState>::kWindowSamples,
+             {scenario::truth_consumers(scenario_), false, 2 * service::StreamOutput<TruthState>::kWindowSamples,
               truth_kept(scenario_)}),
       board_(context, 0,
              [this](ServiceStatus& status) {
@@ -85,7 +85,7 @@ void ServerOnBus::open_profile_topics(dds::Participant& participant) {
 }
 
 void ServerOnBus::judge(const AnyProfile& request) {
-  auto verdict = has_ended(status_.state) ? swap::rejected(request, "request.apply_at_ns", "the run has ended")
+  auto verdict = has_ended(status_.state) ? sim::rejected(request, "request.apply_at_ns", "the run has ended")
                                           : source_->submit(request);
   if (const auto* entry = std::get_if<AnyProfile>(&verdict)) {
     write_journal_[kind_of(*entry)](*entry);
@@ -105,7 +105,7 @@ void ServerOnBus::judge(const AnyProfile& request) {
 
 /// What became of a command stands in the status at once.
 void ServerOnBus::obey(const SimCommand& command) {
-  const RunControl::Verdict verdict = control_.judge(command, source_->taken());
+  const sim::RunControl::Verdict verdict = control_.judge(command, source_->taken());
   status_.last_command_id = command.request_id;
   status_.last_command_refusal = verdict.refusal;
   if (!verdict.refusal.empty()) spdlog::warn("refused {}: {}", enum_name(command.kind), verdict.refusal);
@@ -147,9 +147,9 @@ void ServerOnBus::handle_messages(time::Nanoseconds patience) {
 }
 
 void ServerOnBus::begin() {
-  app::use_precise_timers();
+  host::use_precise_timers();
   // Sim time 0 lies a little ahead, so that the first deadlines are met too.
-  const time::Nanoseconds realtime = app::realtime_now();
+  const time::Nanoseconds realtime = host::realtime_now();
   // An app whose answers pace the run must be heard from its first one on: it may know our readers a little later than
   // we know its writer.
   time::Nanoseconds zero = monotonic_now() + milliseconds(scenario_.scenario.require_nav_app ? 500 : 100);
@@ -157,7 +157,7 @@ void ServerOnBus::begin() {
     const time::Nanoseconds into_second = realtime % seconds(1);
     zero = monotonic_now() + seconds(1) - into_second + (into_second > milliseconds(900) ? seconds(1) : seconds(0));
   }
-  clock_ = RunClock(zero, clock_.rate());
+  clock_ = sim::RunClock(zero, clock_.rate());
   if (control_.paused()) clock_.pause(zero);
   status_.state = control_.paused() ? RunState::Paused : RunState::Running;
   next_report_ = time::Nanoseconds(0);
@@ -194,7 +194,7 @@ void ServerOnBus::send_at_deadline() {
     board_.tick();
     return;
   }
-  app::sleep_until(deadline);
+  host::sleep_until(deadline);
   handle_messages(time::Nanoseconds(0));
   if (control_.paused() || clock_.deadline(source_->next_time()) > monotonic_now()) return;  // a command moved it
   TruthState sample = source_->take();
@@ -242,7 +242,7 @@ void ServerOnBus::send_time_mark() {
   TimeMark mark;
   mark.run_id = run_id_;
   const time::Nanoseconds before = monotonic_now();
-  const time::Nanoseconds realtime = app::realtime_now();
+  const time::Nanoseconds realtime = host::realtime_now();
   const time::Nanoseconds after = monotonic_now();
   const time::Nanoseconds sim_time = clock_.sim_time(before + (after - before) / 2);
   const time::GpsTime gps = scenario_.start(realtime - sim_time) + sim_time;
@@ -270,11 +270,11 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   if (vehicle_) vehicle_->report(*source_, run_id_, status_.sim_time_ns);
   sim_status_.write(status_);
   const bool there_was_a_run = source_->taken() > 0;
-  const time::Nanoseconds stays_until = monotonic_now() + (there_was_a_run ? app::kTimeToComeBack : seconds(10));
+  const time::Nanoseconds stays_until = monotonic_now() + (there_was_a_run ? service::kTimeToComeBack : seconds(10));
   serve_stragglers(stays_until);
   const time::Nanoseconds deadline = monotonic_now() + seconds(2);
   truth_.wait_for_acknowledgments(deadline);
-  sim_status_.wait_for_acknowledgments(app::time_left(deadline));
+  sim_status_.wait_for_acknowledgments(service::time_left(deadline));
   if (vehicle_) vehicle_->flush(seconds(5));
   const bool good = state != RunState::Fault && context_.writers().fault().empty();
   board_.enter(good ? ServiceState::Finished : ServiceState::Fault, message);
@@ -282,11 +282,11 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   if (there_was_a_run) stay_for_the_log(stays_until);
   spdlog::info("{}: {} truth samples, {} overruns, largest lag {:.3f} ms{}", enum_name(state), source_->taken(),
                status_.overruns, status_.lag_max_s * 1e3, message.empty() ? "" : ": " + message);
-  return app::after_the_last_word(good ? app::kOk : app::kFailed);
+  return host::after_the_last_word(good ? host::kOk : host::kFailed);
 }
 
 int ServerOnBus::run() {
-  source_ = std::make_unique<TruthSource>(scenario_, scenario_.start(app::realtime_now()), run_id_);
+  source_ = std::make_unique<sim::TruthSource>(scenario_, scenario_.start(host::realtime_now()), run_id_);
   for_each_sensor(scenario_, [this](auto tag, const auto& sensor) {
     using Kind = typename decltype(tag)::type;
     const InstallationProfile& nominal = sensor.nominal_installation;
@@ -295,7 +295,7 @@ int ServerOnBus::run() {
   });
   if (!wait_until_ready()) {
     if (const auto exit_code = end_run_without_server()) return *exit_code;
-    if (!app::shutdown_requested() && !control_.stop_requested()) return end(RunState::Fault, status_.message);
+    if (!host::shutdown_requested() && !control_.stop_requested()) return end(RunState::Fault, status_.message);
     return end(RunState::Stopped, "stopped while it waited for " + missing_peers());
   }
   begin();
@@ -308,7 +308,7 @@ int ServerOnBus::run() {
 
 int ServerOnBus::run_to_end() {
   const double max_lag_s = scenario_.scenario.clock.max_lag_ms * 1e-3;
-  while (source_->has_next() && !app::shutdown_requested() && !control_.stop_requested()) {
+  while (source_->has_next() && !host::shutdown_requested() && !control_.stop_requested()) {
     if (control_.paused()) {
       wait_paused();
     } else if (status_.clock == ClockMode::Lockstep) {
@@ -327,4 +327,4 @@ int ServerOnBus::run_to_end() {
   return source_->has_next() ? end(RunState::Stopped, "stopped before its end") : end(RunState::Finished, "");
 }
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::trajectory_server

@@ -19,7 +19,7 @@
 #include "inslab/sim/run_control.hpp"
 #include "inslab/sim/truth_source.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::trajectory_server {
 
 /// The trajectory server on the bus: waits until every service that the scenario needs is ready, then sends the truth,
 /// on a grid of absolute deadlines or as fast as its consumers give credit, journals the requests for swaps, obeys the
@@ -31,7 +31,7 @@ namespace inslab::trajectory {
 /// not begin.
 class ServerOnBus {
  public:
-  explicit ServerOnBus(app::Context& context);
+  explicit ServerOnBus(service::Context& context);
 
   /// Returns the exit code.
   int run();
@@ -76,15 +76,15 @@ class ServerOnBus {
   void say(const std::string& message) { status_.message = text::cut(text::shown(message), 256); }
   int end(RunState state, const std::string& message);
 
-  app::Context& context_;
+  service::Context& context_;
   const scenario::LoadedScenario& scenario_;
   double shortest_period_s_;
   RunId run_id_;
-  OtherRuns others_;
-  std::unique_ptr<TruthSource> source_;
+  sim::OtherRuns others_;
+  std::unique_ptr<sim::TruthSource> source_;
   SimStatus status_;
-  RunControl control_;
-  RunClock clock_;
+  sim::RunControl control_;
+  sim::RunClock clock_;
   time::Nanoseconds next_report_{0};    ///< CLOCK_MONOTONIC
   time::Nanoseconds blocked_since_{0};  ///< CLOCK_MONOTONIC since no consumer gave credit; 0: not blocked
   std::uint64_t time_marks_ = 0;
@@ -92,11 +92,11 @@ class ServerOnBus {
   std::optional<time::Nanoseconds> stranger_since_;  ///< CLOCK_MONOTONIC; nothing: there is none
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
   bool fault_heard_ = false;  ///< of a service, in this run
-  app::LogWord log_word_;
-  app::Mailbox<Message> mailbox_;
+  service::LogWord log_word_;
+  host::Mailbox<Message> mailbox_;
   std::unique_ptr<VehicleOnBus> vehicle_;  ///< null when the scenario has no live vehicle
-  app::StreamOutput<TruthState> truth_;
-  app::StatusBoard board_;
+  service::StreamOutput<TruthState> truth_;
+  service::StatusBoard board_;
   dds::Writer<SimStatus> sim_status_;
   dds::Writer<Installation> installation_;
   dds::Writer<TimeMark> time_mark_;
@@ -104,8 +104,8 @@ class ServerOnBus {
   std::vector<std::shared_ptr<void>> entities_;  ///< request readers and journal writers of every kind
   std::map<ProfileKind, std::function<void(const AnyProfile&)>> write_journal_;
   dds::OpenReader<SimCommand> commands_;
-  app::SetReader<ServiceStatus> service_status_;
-  app::SetReader<Credit> credits_;
+  service::SetReader<ServiceStatus> service_status_;
+  service::SetReader<Credit> credits_;
 };
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::trajectory_server

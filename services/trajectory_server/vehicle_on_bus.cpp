@@ -5,9 +5,9 @@
 #include "inslab/data/streams/stamp.hpp"
 #include "inslab/foundation/host/host.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::trajectory_server {
 
-VehicleOnBus::VehicleOnBus(app::Context& context, const scenario::LiveVehicle& options,
+VehicleOnBus::VehicleOnBus(service::Context& context, const scenario::LiveVehicle& options,
                            std::function<void(const VehicleState&)> put)
     : used_(context.participant(), dds::topics::vehicle_state_used(options.nominal_rate_hz)),
       link_(context.participant(), dds::topics::vehicle_link()),
@@ -16,19 +16,19 @@ VehicleOnBus::VehicleOnBus(app::Context& context, const scenario::LiveVehicle& o
                   dds::topics::vehicle_state().name, false,
                   [put = std::move(put)](const VehicleState& state, const dds::SampleOrigin&) { put(state); })) {}
 
-void VehicleOnBus::take(const VehicleState& state, TruthSource& source) {
+void VehicleOnBus::take(const VehicleState& state, sim::TruthSource& source) {
   const std::uint64_t refused = source.vehicle_link()->refused;
   if (auto used = source.receive(state)) {
-    used_.write(app::stamped(*used));
+    used_.write(streams::stamped(*used));
     return;
   }
   if (source.vehicle_link()->refused == refused) return;
-  if (app::monotonic_now() - last_warning_ < std::chrono::seconds(1)) return;
-  last_warning_ = app::monotonic_now();
+  if (host::monotonic_now() - last_warning_ < std::chrono::seconds(1)) return;
+  last_warning_ = host::monotonic_now();
   spdlog::warn("state {} of the vehicle refused: {}", state.sequence_number, source.vehicle_link()->last_refusal);
 }
 
-void VehicleOnBus::report(const TruthSource& source, const RunId& run_id, std::int64_t sim_time_ns) {
+void VehicleOnBus::report(const sim::TruthSource& source, const RunId& run_id, std::int64_t sim_time_ns) {
   VehicleLink link = *source.vehicle_link();
   link.run_id = run_id;
   link.sim_time_ns = sim_time_ns;
@@ -54,4 +54,4 @@ bool VehicleOnBus::flush(std::chrono::nanoseconds timeout) {
   return used_.wait_for_acknowledgments(timeout) && link_.wait_for_acknowledgments(timeout);
 }
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::trajectory_server

@@ -7,13 +7,13 @@
 #include "inslab/bus/service/service.hpp"
 #include "inslab/sim/truth_source.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::trajectory_server {
 
 /// The topics of a live vehicle: its states come in, those that the truth was made from and how well they came go out.
 class VehicleOnBus {
  public:
   /// `put` hands a state to the worker; it is called by a thread of DDS.
-  VehicleOnBus(app::Context& context, const scenario::LiveVehicle& options,
+  VehicleOnBus(service::Context& context, const scenario::LiveVehicle& options,
                std::function<void(const VehicleState&)> put);
 
   /// Whether anybody is there who writes states.
@@ -21,10 +21,10 @@ class VehicleOnBus {
 
   /// Gives a state to the truth, and says so when it is used. A reason to refuse is logged when it is the first of its
   /// kind within a second.
-  void take(const VehicleState& state, TruthSource& source);
+  void take(const VehicleState& state, sim::TruthSource& source);
 
   /// Latched, and at the end of the run once more.
-  void report(const TruthSource& source, const RunId& run_id, std::int64_t sim_time_ns);
+  void report(const sim::TruthSource& source, const RunId& run_id, std::int64_t sim_time_ns);
 
   /// The streams in the heartbeat.
   void fill(ServiceStatus& status, const VehicleLink& link) const;
@@ -39,4 +39,4 @@ class VehicleOnBus {
   dds::OpenReader<VehicleState> states_;
 };
 
-}  // namespace inslab::trajectory
+}  // namespace inslab::trajectory_server

@@ -9,7 +9,7 @@
 #include "inslab/scenario/service_names.hpp"
 #include "inslab/services/truth_logger/logger_on_bus.hpp"
 
-namespace inslab::logger {
+namespace inslab::truth_logger {
 
 using std::chrono::milliseconds;
 
@@ -26,11 +26,11 @@ template <class T>
 void add_to(score::Scorer& /*scorer*/, const T& /*sample*/) {}
 
 /// What a logger before this one has written is not thrown away.
-RunLog new_log(const app::Context& context, const std::string& path) {
+sim::RunLog new_log(const service::Context& context, const std::string& path) {
   if (!context.options().go_on.empty() && std::filesystem::exists(path)) {
     throw std::runtime_error(path + ": cannot be gone on with: the logger that was killed could keep no state");
   }
-  return RunLog(path, context.scenario(), app::cpu_features(), kChunkBytes);
+  return sim::RunLog(path, context.scenario(), host::cpu_features(), kChunkBytes);
 }
 
 std::uint64_t hash_of(const std::vector<std::uint8_t>& bytes) {
@@ -39,11 +39,11 @@ std::uint64_t hash_of(const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
-LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
+LoggerOnBus::LoggerOnBus(service::Context& context, const std::string& path)
     : context_(context),
       checkpoint_(context),
       interrupted_(interrupted(context, checkpoint_)),
-      log_(interrupted_ ? RunLog(interrupted_->path, kChunkBytes) : new_log(context, path)),
+      log_(interrupted_ ? sim::RunLog(interrupted_->path, kChunkBytes) : new_log(context, path)),
       scorer_(context.scenario().scenario),
       board_(context, 0,
              [this](ServiceStatus& status) {
@@ -73,13 +73,13 @@ LoggerOnBus::LoggerOnBus(app::Context& context, const std::string& path)
 }
 
 template <class T>
-LoggerOnBus::Channel& LoggerOnBus::add_reader(app::Context& context, const dds::Topic<T>& topic, Writers writers) {
+LoggerOnBus::Channel& LoggerOnBus::add_reader(service::Context& context, const dds::Topic<T>& topic, Writers writers) {
   const std::size_t index = channels_.size();
   channels_.emplace_back();
   Channel& channel = channels_.back();
   channel.topic = topic.name;
   const auto enqueue = [this, index](const dds::Received<T>& sample, const dds::SampleOrigin& origin) {
-    mailbox_.put({index, sample.cdr, app::realtime_now().count(), dds::participant_of(origin)});
+    mailbox_.put({index, sample.cdr, host::realtime_now().count(), dds::participant_of(origin)});
   };
   if (writers == Writers::Anybody) {
     channel.reader = std::make_shared<dds::OpenReader<T>>(context.participant(), topic, enqueue);
@@ -93,7 +93,7 @@ LoggerOnBus::Channel& LoggerOnBus::add_reader(app::Context& context, const dds::
     channel.matched = [reader] { return reader->matched_writers() > 0; };
     channel.reader = reader;
   } else {
-    auto reader = std::make_shared<app::SetReader<T>>(context, topic, enqueue);
+    auto reader = std::make_shared<service::SetReader<T>>(context, topic, enqueue);
     channel.matched = [reader] { return reader->matched_writers() > 0; };
     channel.reader = reader;
   }
@@ -102,9 +102,9 @@ LoggerOnBus::Channel& LoggerOnBus::add_reader(app::Context& context, const dds::
 
 /// A topic that goes to the log as it comes, each message numbered and timed by its arrival.
 template <class T>
-LoggerOnBus::Channel& LoggerOnBus::add_channel(app::Context& context, const dds::Topic<T>& topic, Writers writers) {
+LoggerOnBus::Channel& LoggerOnBus::add_channel(service::Context& context, const dds::Topic<T>& topic, Writers writers) {
   Channel& channel = add_reader(context, topic, writers);
-  channel.log_id = io::LogChannel<T>(log_.file(), topic.name).id();
+  channel.log_id = log::LogChannel<T>(log_.file(), topic.name).id();
   channel.take = [this, &channel](const Message& message) {
     if (channel.on_message) channel.on_message(message);
     if (!failure_.empty()) return;
@@ -124,9 +124,9 @@ void LoggerOnBus::log_once(Channel& channel) {
 
 /// A stream that comes as single samples alone.
 template <class T>
-LoggerOnBus::Channel& LoggerOnBus::add_singles(app::Context& context, const dds::Topic<T>& topic) {
-  app::StreamMonitor& monitor =
-      streams_.emplace(topic.name, app::StreamMonitor(topic.name, StreamDirection::In)).first->second;
+LoggerOnBus::Channel& LoggerOnBus::add_singles(service::Context& context, const dds::Topic<T>& topic) {
+  streams::StreamMonitor& monitor =
+      streams_.emplace(topic.name, streams::StreamMonitor(topic.name, StreamDirection::In)).first->second;
   Channel& singles = add_channel(context, topic);
   singles.take = [this, &monitor, &singles](const Message& message) {
     T sample;
@@ -140,9 +140,9 @@ LoggerOnBus::Channel& LoggerOnBus::add_singles(app::Context& context, const dds:
 
 /// A stream that comes as single samples or in blocks, and goes to one channel of the log either way.
 template <class T>
-void LoggerOnBus::add_stream(app::Context& context, const dds::Topic<T>& topic) {
+void LoggerOnBus::add_stream(service::Context& context, const dds::Topic<T>& topic) {
   Channel& singles = add_singles(context, topic);
-  app::StreamMonitor& monitor = streams_.at(topic.name);
+  streams::StreamMonitor& monitor = streams_.at(topic.name);
   Channel& blocks = add_reader<Block<T>>(context, dds::topics::block(topic), Writers::Ours);
   blocks.take = [this, &monitor, &singles](const Message& message) {
     Block<T> block;
@@ -158,7 +158,7 @@ void LoggerOnBus::add_stream(app::Context& context, const dds::Topic<T>& topic) 
 }
 
 template <class Profile>
-void LoggerOnBus::add_profile_channels(app::Context& context) {
+void LoggerOnBus::add_profile_channels(service::Context& context) {
   add_channel(context, dds::topics::request<Profile>(), Writers::Anybody);
   Channel& journal = add_channel(context, dds::topics::journal<Profile>());
   log_once(journal);
@@ -171,7 +171,7 @@ void LoggerOnBus::add_profile_channels(app::Context& context) {
 }
 
 /// The answers of the app under test, single or in blocks: they go to one channel of the log either way.
-void LoggerOnBus::add_nav_channels(app::Context& context) {
+void LoggerOnBus::add_nav_channels(service::Context& context) {
   Channel& singles = add_channel(context, dds::topics::nav(), Writers::OneApp);
   singles.on_message = [this](const Message& message) {
     NavSolution solution;
@@ -194,7 +194,7 @@ void LoggerOnBus::add_nav_channels(app::Context& context) {
   };
 }
 
-void LoggerOnBus::add_vehicle_channels(app::Context& context) {
+void LoggerOnBus::add_vehicle_channels(service::Context& context) {
   const double nominal_hz = context.scenario().scenario.trajectory.vehicle.nominal_rate_hz;
   // It may come late: the barrier of the trajectory server knows whether the run waits for it.
   add_channel(context, dds::topics::vehicle_state(nominal_hz), Writers::OneApp).matched = [] { return true; };
@@ -202,7 +202,7 @@ void LoggerOnBus::add_vehicle_channels(app::Context& context) {
   add_channel(context, dds::topics::vehicle_link());
 }
 
-void LoggerOnBus::add_control_channels(app::Context& context) {
+void LoggerOnBus::add_control_channels(service::Context& context) {
   add_channel(context, dds::topics::installation());
   add_channel(context, dds::topics::time_mark());
   Channel& acks = add_channel(context, dds::topics::profile_ack());
@@ -222,14 +222,14 @@ void LoggerOnBus::add_control_channels(app::Context& context) {
     clock_ = status.clock;
     if (!has_ended(status.state) || run_ended_) return;
     run_ended_ = true;
-    run_ended_at_ = app::monotonic_now();
+    run_ended_at_ = host::monotonic_now();
     next_credits_ = time::Nanoseconds(0);
     sent_[dds::topics::truth().name] = status.truth_samples;
   };
   add_channel(context, dds::topics::service_status()).on_message = [this](const Message& message) {
     ServiceStatus status;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), status)) return;
-    services_[{status.service, status.sensor_number}] = {status.state, app::monotonic_now()};
+    services_[{status.service, status.sensor_number}] = {status.state, host::monotonic_now()};
     if (status.state != ServiceState::Finished && status.state != ServiceState::Fault) return;
     for (const StreamStatus& stream : status.streams) {
       if (stream.direction == StreamDirection::Out) sent_[stream.topic] = stream.samples;
@@ -237,4 +237,4 @@ void LoggerOnBus::add_control_channels(app::Context& context) {
   };
 }
 
-}  // namespace inslab::logger
+}  // namespace inslab::truth_logger

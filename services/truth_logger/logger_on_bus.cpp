@@ -13,13 +13,13 @@
 #include "inslab/referee/score/score_text.hpp"
 #include "inslab/scenario/service_names.hpp"
 
-namespace inslab::logger {
+namespace inslab::truth_logger {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 /// Counts a sample; false when it came before.
-bool LoggerOnBus::note(app::StreamMonitor& monitor, const StreamHeader& header, const Message& message) {
+bool LoggerOnBus::note(streams::StreamMonitor& monitor, const StreamHeader& header, const Message& message) {
   if (!context_.obeys(header.run_id) || (run_id_ != RunId{} && header.run_id != run_id_)) return false;
   if (!monitor.received(header, message.received_realtime_ns)) return false;
   watch_the_sender(monitor.topic(), header, message);
@@ -50,19 +50,19 @@ void LoggerOnBus::give_credit(const std::string& topic, std::uint64_t next_seque
 /// Whether the others must stay for it.
 void LoggerOnBus::say_of_the_log(bool is_closed) {
   if (run_id_ == RunId{}) return;
-  if (!log_words_.write(app::log_word(run_id_, is_closed))) spdlog::warn("the word on the log could not be sent");
+  if (!log_words_.write(service::log_word(run_id_, is_closed))) spdlog::warn("the word on the log could not be sent");
 }
 
 /// Asks again for what is missing; in lockstep also says again how far this service is, since a credit that got lost
 /// must not stop the run, and so it does when the run has ended: the others stay until everything is here.
 void LoggerOnBus::repeat_credits() {
-  if (run_id_ == RunId{} || app::monotonic_now() < next_credits_) return;
-  next_credits_ = app::monotonic_now() + milliseconds(run_ended_ ? 50 : 200);
+  if (run_id_ == RunId{} || host::monotonic_now() < next_credits_) return;
+  next_credits_ = host::monotonic_now() + milliseconds(run_ended_ ? 50 : 200);
   for (const auto& [topic, monitor] : streams_) {
     const auto sent = sent_.find(topic);
     // In lockstep the next block follows upon a credit; one that was sent before this process listened is sent again.
     // At the end of a run nothing follows the last sample that would show that it is missing.
-    const auto silence_ns = app::realtime_now().count() - sources_[topic].received_realtime_ns;
+    const auto silence_ns = host::realtime_now().count() - sources_[topic].received_realtime_ns;
     const time::Nanoseconds patience = milliseconds(clock_ == ClockMode::Lockstep ? 400 : 1000);
     const bool silent = (clock_ == ClockMode::Lockstep || run_ended_) && silence_ns > patience.count();
     const bool lacks = silent || monitor.first_missing() < monitor.next_sequence() ||
@@ -96,7 +96,7 @@ void LoggerOnBus::handle(const Message& message) {
 void LoggerOnBus::take(const Message& message) {
   try {
     channels_[message.channel].take(message);
-  } catch (const io::WriteError& error) {
+  } catch (const files::WriteError& error) {
     note_failure(error.what());
   }
 }
@@ -106,7 +106,7 @@ std::string LoggerOnBus::missing() const {
   for (const Channel& channel : channels_) {
     if (channel.matched()) continue;
     const bool is_of_app = channel.topic == catalog::kNav.name;
-    return (is_of_app ? app::kWaitsForApp : std::string("waits for ")) + "a writer of " + channel.topic;
+    return (is_of_app ? scenario::kWaitsForApp : std::string("waits for ")) + "a writer of " + channel.topic;
   }
   return "";
 }
@@ -114,7 +114,7 @@ std::string LoggerOnBus::missing() const {
 /// Names the services that have not said that they ended; empty when all have.
 std::string LoggerOnBus::unfinished_services() const {
   std::string names;
-  for (const auto& [service, number] : app::required_services(context_.scenario())) {
+  for (const auto& [service, number] : scenario::required_services(context_.scenario())) {
     if (service == app::kTruthLogger) continue;
     const auto found = services_.find({service, number});
     const bool ended = found != services_.end() &&
@@ -130,7 +130,7 @@ bool LoggerOnBus::all_services_ended() const {
   constexpr time::Nanoseconds kSilence = seconds(15);
   for (const auto& [service, heard] : services_) {
     const bool ended = heard.state == ServiceState::Finished || heard.state == ServiceState::Fault;
-    if (service.first != app::kTruthLogger && !ended && app::monotonic_now() - heard.at < kSilence) return false;
+    if (service.first != app::kTruthLogger && !ended && host::monotonic_now() - heard.at < kSilence) return false;
   }
   return true;
 }
@@ -146,9 +146,9 @@ bool LoggerOnBus::all_samples_here() const {
 
 bool LoggerOnBus::finished() const {
   // The others do not stay for longer.
-  constexpr time::Nanoseconds kPatience = app::kTimeToComeBack - seconds(5);
+  constexpr time::Nanoseconds kPatience = service::kTimeToComeBack - seconds(5);
   return run_ended_ &&
-         ((all_services_ended() && all_samples_here()) || app::monotonic_now() - run_ended_at_ > kPatience);
+         ((all_services_ended() && all_samples_here()) || host::monotonic_now() - run_ended_at_ > kPatience);
 }
 
 int LoggerOnBus::run() {
@@ -160,8 +160,8 @@ int LoggerOnBus::run() {
       board_.enter(waits_for.empty() ? ServiceState::Ready : ServiceState::Starting, waits_for);
     }
     board_.tick();
-    if (app::monotonic_now() < next_flush_ || !failure_.empty()) continue;
-    next_flush_ = app::monotonic_now() + milliseconds(500);
+    if (host::monotonic_now() < next_flush_ || !failure_.empty()) continue;
+    next_flush_ = host::monotonic_now() + milliseconds(500);
     flush();
   }
   return end();
@@ -179,7 +179,7 @@ void LoggerOnBus::add_score() {
 
 int LoggerOnBus::end() {
   while (const auto message = mailbox_.take(milliseconds(0))) handle(*message);
-  const bool by_signal = app::shutdown_requested() && !run_ended_;
+  const bool by_signal = host::shutdown_requested() && !run_ended_;
   if (failure_.empty() && !by_signal && !all_samples_here())
     failure_ = "samples that were sent are missing from the log";
   if (failure_.empty() && !by_signal && !unfinished_services().empty()) {
@@ -188,18 +188,18 @@ int LoggerOnBus::end() {
   if (mailbox_.dropped() > 0)
     failure_ = std::to_string(mailbox_.dropped()) + " messages came faster than the disk took them";
   if (failure_.empty() && by_signal && run_began_)
-    failure_ = std::string(app::kEndedBySignal) + ": the rest is missing";
+    failure_ = std::string(scenario::kEndedBySignal) + ": the rest is missing";
   board_.enter(failure_.empty() ? ServiceState::Finished : ServiceState::Fault,
                failure_.empty() && by_signal ? "ended by a signal before a run" : failure_);
   // The others stay for the log and go on saying so, once a second each: there is no end of messages to wait for.
-  const time::Nanoseconds closes_at = app::monotonic_now() + milliseconds(200);
-  while (app::monotonic_now() < closes_at) {
+  const time::Nanoseconds closes_at = host::monotonic_now() + milliseconds(200);
+  while (host::monotonic_now() < closes_at) {
     if (const auto message = mailbox_.take(milliseconds(20))) handle(*message);
   }
   try {
     add_score();
     log_.file().close();
-  } catch (const io::WriteError& error) {
+  } catch (const files::WriteError& error) {
     note_failure(error.what());
   }
   checkpoint_.forget();
@@ -208,7 +208,7 @@ int LoggerOnBus::end() {
   log_words_.wait_for_acknowledgments(seconds(2));
   spdlog::info("log {} ({:.1f} MB)", log_.path(), static_cast<double>(log_.file().file_size()) * 1e-6);
   if (!failure_.empty()) spdlog::error("{}", failure_);
-  return app::after_the_last_word(failure_.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed);
+  return host::after_the_last_word(failure_.empty() && context_.writers().fault().empty() ? host::kOk : host::kFailed);
 }
 
-}  // namespace inslab::logger
+}  // namespace inslab::truth_logger

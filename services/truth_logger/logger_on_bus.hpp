@@ -22,7 +22,7 @@
 #include "inslab/sim/logger_state.hpp"
 #include "inslab/sim/run_log.hpp"
 
-namespace inslab::logger {
+namespace inslab::truth_logger {
 
 /// The logger on the bus: writes everything it hears to the log as it came over the wire, counts every stream, and ends
 /// when the run has ended and what the services say they sent is there. It scores the navigation app as it listens. A
@@ -32,7 +32,7 @@ namespace inslab::logger {
 /// in its LogTail, and what has been sent since is asked for again.
 class LoggerOnBus {
  public:
-  LoggerOnBus(app::Context& context, const std::string& path);
+  LoggerOnBus(service::Context& context, const std::string& path);
 
   /// Returns the exit code.
   int run();
@@ -62,24 +62,24 @@ class LoggerOnBus {
 
   enum class Writers { Ours, OneApp, Anybody };
 
-  static std::optional<LoggerState> interrupted(app::Context& context, app::Checkpoint& checkpoint);
-  LoggerState state() const;
+  static std::optional<sim::LoggerState> interrupted(service::Context& context, service::Checkpoint& checkpoint);
+  sim::LoggerState state() const;
   void begin_run(const RunId& run);
   void open_tail();
   void go_on();
   void flush();
 
   template <class T>
-  Channel& add_reader(app::Context& context, const dds::Topic<T>& topic, Writers writers);
+  Channel& add_reader(service::Context& context, const dds::Topic<T>& topic, Writers writers);
   template <class T>
-  Channel& add_channel(app::Context& context, const dds::Topic<T>& topic, Writers writers = Writers::Ours);
+  Channel& add_channel(service::Context& context, const dds::Topic<T>& topic, Writers writers = Writers::Ours);
   void log_once(Channel& channel);
   template <class T>
-  Channel& add_singles(app::Context& context, const dds::Topic<T>& topic);
+  Channel& add_singles(service::Context& context, const dds::Topic<T>& topic);
   template <class T>
-  void add_stream(app::Context& context, const dds::Topic<T>& topic);
+  void add_stream(service::Context& context, const dds::Topic<T>& topic);
   void watch_the_sender(const std::string& topic, const StreamHeader& header, const Message& message);
-  bool note(app::StreamMonitor& monitor, const StreamHeader& header, const Message& message);
+  bool note(streams::StreamMonitor& monitor, const StreamHeader& header, const Message& message);
   void log(const Channel& channel, const StreamHeader& header, const Message& message,
            const std::vector<std::uint8_t>& cdr);
   void add_score();
@@ -87,10 +87,10 @@ class LoggerOnBus {
   void say_of_the_log(bool is_closed);
   void repeat_credits();
   template <class Profile>
-  void add_profile_channels(app::Context& context);
-  void add_nav_channels(app::Context& context);
-  void add_vehicle_channels(app::Context& context);
-  void add_control_channels(app::Context& context);
+  void add_profile_channels(service::Context& context);
+  void add_nav_channels(service::Context& context);
+  void add_vehicle_channels(service::Context& context);
+  void add_control_channels(service::Context& context);
 
   void handle(const Message& message);
   void take(const Message& message);
@@ -102,20 +102,20 @@ class LoggerOnBus {
   bool finished() const;
   int end();
 
-  app::Context& context_;
-  app::Checkpoint checkpoint_;
-  std::optional<LoggerState> interrupted_;  ///< what another process of this run left
-  RunLog log_;
-  std::unique_ptr<LogTail> tail_;  ///< null: there is no place for it
+  service::Context& context_;
+  service::Checkpoint checkpoint_;
+  std::optional<sim::LoggerState> interrupted_;  ///< what another process of this run left
+  sim::RunLog log_;
+  std::unique_ptr<sim::LogTail> tail_;  ///< null: there is no place for it
   std::uint64_t generation_ = 1;
   bool replaying_ = false;  ///< what lay in the tail is being logged
   std::map<std::string, Source> sources_;
   std::set<std::uint64_t> once_;  ///< hashes of the messages of channels that are logged once
   score::Scorer scorer_;
   std::string failure_;
-  app::Mailbox<Message> mailbox_{200'000};
+  host::Mailbox<Message> mailbox_{200'000};
   std::vector<Channel> channels_;
-  std::map<std::string, app::StreamMonitor> streams_;
+  std::map<std::string, streams::StreamMonitor> streams_;
   std::vector<std::uint8_t> encoded_;
   RunId run_id_;
   ClockMode clock_ = ClockMode::RealTime;
@@ -127,15 +127,15 @@ class LoggerOnBus {
     time::Nanoseconds at;  ///< CLOCK_MONOTONIC
   };
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
-  app::StopGrace grace_;
+  host::StopGrace grace_;
   bool run_began_ = false;
   bool run_ended_ = false;
   time::Nanoseconds run_ended_at_{0};
-  app::StatusBoard board_;
+  service::StatusBoard board_;
   dds::Writer<Credit> credits_;
   /// A word that is said once stays the first in its writer's history. Among credits by the thousand that would leave a
   /// gap as wide as the run, which each reader counts through, one by one, whenever it has missed something.
   dds::Writer<Credit> log_words_;
 };
 
-}  // namespace inslab::logger
+}  // namespace inslab::truth_logger

@@ -9,19 +9,19 @@
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/services/truth_logger/logger_on_bus.hpp"
 
-namespace inslab::logger {
+namespace inslab::truth_logger {
 
 using std::chrono::seconds;
 
 /// What a process before this one left of the run that is going on. Only after one that did not end in order is there
 /// anything to find out, and then the run's status, if any, is there within a moment; who started this process may
 /// know.
-std::optional<LoggerState> LoggerOnBus::interrupted(app::Context& context, app::Checkpoint& checkpoint) {
-  auto run = app::run_id_of(context.options().go_on);
+std::optional<sim::LoggerState> LoggerOnBus::interrupted(service::Context& context, service::Checkpoint& checkpoint) {
+  auto run = host::run_id_of(context.options().go_on);
   if (!run && !checkpoint.left_behind()) return std::nullopt;
   if (!run) {
-    app::Mailbox<SimStatus> mailbox;
-    const app::SetReader<SimStatus> reader(
+    host::Mailbox<SimStatus> mailbox;
+    const service::SetReader<SimStatus> reader(
         context, dds::topics::sim_status(),
         [&](const SimStatus& status, const dds::SampleOrigin&) { mailbox.put(status); });
     const auto status = mailbox.take(seconds(2));
@@ -29,17 +29,17 @@ std::optional<LoggerState> LoggerOnBus::interrupted(app::Context& context, app::
     run = status->run_id;
   }
   checkpoint.begin(*run);
-  LoggerState state;
-  const auto head = checkpoint.resume([&](recovery::StateReader& from) { from(state); });
+  sim::LoggerState state;
+  const auto head = checkpoint.resume([&](state::StateReader& from) { from(state); });
   if (!head) return std::nullopt;
   spdlog::warn("goes on with {}, {:.3f} s after its last flush", state.path,
-               static_cast<double>(app::realtime_now().count() - head->kept_realtime_ns) * 1e-9);
+               static_cast<double>(host::realtime_now().count() - head->kept_realtime_ns) * 1e-9);
   state.run_id = *run;
   return state;
 }
 
-LoggerState LoggerOnBus::state() const {
-  LoggerState state;
+sim::LoggerState LoggerOnBus::state() const {
+  sim::LoggerState state;
   state.path = log_.path();
   state.generation = generation_;
   for (const auto& [topic, monitor] : streams_) {
@@ -70,7 +70,7 @@ void LoggerOnBus::begin_run(const RunId& run) {
 void LoggerOnBus::open_tail() {
   tail_.reset();
   try {
-    tail_ = std::make_unique<LogTail>(checkpoint_.path("tail"));
+    tail_ = std::make_unique<sim::LogTail>(checkpoint_.path("tail"));
   } catch (const std::exception& error) {
     spdlog::warn("killed, this service would lose what it has not written yet: {}", error.what());
   }
@@ -80,9 +80,9 @@ void LoggerOnBus::go_on() {
   run_id_ = interrupted_->run_id;
   run_began_ = interrupted_->run_began;
   run_ended_ = interrupted_->run_ended;
-  run_ended_at_ = app::monotonic_now();
+  run_ended_at_ = host::monotonic_now();
   clock_ = interrupted_->clock;
-  for (const LoggedStream& stream : interrupted_->streams) {
+  for (const sim::LoggedStream& stream : interrupted_->streams) {
     const auto monitor = streams_.find(stream.topic);
     if (monitor != streams_.end()) monitor->second.go_on(run_id_, stream.samples, stream.next_sequence);
   }
@@ -90,17 +90,17 @@ void LoggerOnBus::go_on() {
     channels_[i].count = interrupted_->channel_counts[i];
   }
   once_.insert(interrupted_->once.begin(), interrupted_->once.end());
-  for (const LoggedService& service : interrupted_->services) {
-    services_[{service.service, service.number}] = {service.state, app::monotonic_now()};
+  for (const sim::LoggedService& service : interrupted_->services) {
+    services_[{service.service, service.number}] = {service.state, host::monotonic_now()};
   }
-  for (const LoggedStream& stream : interrupted_->sent) sent_[stream.topic] = stream.samples;
+  for (const sim::LoggedStream& stream : interrupted_->sent) sent_[stream.topic] = stream.samples;
   board_.set_run(run_id_);
   say_of_the_log(false);
   std::uint64_t rescued = 0;
   replaying_ = true;
   open_tail();
   if (tail_) {
-    tail_->for_each(interrupted_->generation, [&](const LogTail::Message& message) {
+    tail_->for_each(interrupted_->generation, [&](const sim::LogTail::Message& message) {
       if (message.channel >= channels_.size()) return;
       take({message.channel, {message.data, message.data + message.size}, message.received_realtime_ns});
       ++rescued;
@@ -116,13 +116,13 @@ void LoggerOnBus::go_on() {
 void LoggerOnBus::flush() {
   try {
     log_.file().flush();
-  } catch (const io::WriteError& error) {
+  } catch (const files::WriteError& error) {
     note_failure(error.what());
     return;
   }
   if (run_id_ == RunId{}) return;
   ++generation_;
-  const bool kept = checkpoint_.keep(checkpoint_.state([&](recovery::StateWriter& to) { to(state()); }));
+  const bool kept = checkpoint_.keep(checkpoint_.state([&](state::StateWriter& to) { to(state()); }));
   if (tail_) tail_->begin(generation_);
   // Of a state that does not know what is in the file by now the log would get messages twice.
   if (!kept) checkpoint_.forget();
@@ -144,4 +144,4 @@ void LoggerOnBus::watch_the_sender(const std::string& topic, const StreamHeader&
   if (!replaying_) source = {message.sender, message.received_realtime_ns, header.sequence_number};
 }
 
-}  // namespace inslab::logger
+}  // namespace inslab::truth_logger

@@ -16,34 +16,34 @@ using namespace inslab;
 
 bool is_whole(const std::string& log) {
   try {
-    return io::McapReader(log).closed_properly();
-  } catch (const io::ReadError&) {
+    return mcap::McapReader(log).closed_properly();
+  } catch (const files::ReadError&) {
     return false;
   }
 }
 
-std::string log_path(const app::Context& context) {
+std::string log_path(const service::Context& context) {
   if (!context.options().log_file.empty()) return context.options().log_file;
   const std::string& unit = context.options().network.unit;
-  return io::fresh_file("runs/" + context.scenario().scenario.name + (unit.empty() ? "" : "-" + unit) + "-" +
-                            app::utc_text(app::realtime_now()),
+  return files::fresh_file("runs/" + context.scenario().scenario.name + (unit.empty() ? "" : "-" + unit) + "-" +
+                            host::utc_text(host::realtime_now()),
                         ".mcap");
 }
 
-int write_log(app::Context& context) {
-  io::set_output_rule(context.options().overwrites ? io::OutputRule::ReplaceResults : io::OutputRule::KeepResults);
+int write_log(service::Context& context) {
+  files::set_output_rule(context.options().overwrites ? files::OutputRule::ReplaceResults : files::OutputRule::KeepResults);
   const std::filesystem::path path = log_path(context);
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
   if (!context.options().go_on.empty() && is_whole(path.string())) {
     spdlog::info("{} is whole: the logger before this one had closed it", path.string());
-    return app::kOk;
+    return host::kOk;
   }
-  return logger::LoggerOnBus(context, path.string()).run();
+  return truth_logger::LoggerOnBus(context, path.string()).run();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return app::run_service(app::kTruthLogger, "Writes everything it hears to an MCAP log", {false, true}, argc, argv,
+  return service::run_service(app::kTruthLogger, "Writes everything it hears to an MCAP log", {false, true}, argc, argv,
                           write_log);
 }

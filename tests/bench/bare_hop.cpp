@@ -25,9 +25,9 @@ std::size_t sample_count(const BareHop& hop) { return static_cast<std::size_t>(h
 
 template <class Condition>
 bool wait_until(Condition condition, std::chrono::nanoseconds timeout) {
-  const auto deadline = app::monotonic_now() + timeout;
+  const auto deadline = host::monotonic_now() + timeout;
   while (!condition()) {
-    if (app::monotonic_now() > deadline) return false;
+    if (host::monotonic_now() > deadline) return false;
     std::this_thread::sleep_for(milliseconds(5));
   }
   return true;
@@ -39,15 +39,15 @@ int write_bare_hop(const BareHop& hop) {
   dds::Participant participant(hop.network);
   dds::Writer<TruthState> writer(participant, ping_topic(hop.rate_hz));
   if (!wait_until([&] { return writer.matched_readers() == hop.readers; }, seconds(10))) return 1;
-  app::use_precise_timers();
+  host::use_precise_timers();
   const time::Rate rate(hop.rate_hz);
   // The same head start as the trajectory server gives.
-  const time::Nanoseconds zero = app::monotonic_now() + milliseconds(100);
+  const time::Nanoseconds zero = host::monotonic_now() + milliseconds(100);
   TruthState sample;
   for (std::size_t k = 0; k < sample_count(hop); ++k) {
-    app::sleep_until(zero + static_cast<std::int64_t>(k) * rate.period());
+    host::sleep_until(zero + static_cast<std::int64_t>(k) * rate.period());
     sample.header.sequence_number = k;
-    if (!writer.write(app::stamped(sample))) return 1;
+    if (!writer.write(streams::stamped(sample))) return 1;
   }
   return writer.wait_for_acknowledgments(seconds(5)) ? 0 : 1;
 }
@@ -58,7 +58,7 @@ int read_bare_hop(const BareHop& hop, const std::string& result_file) {
   dds::Participant participant(hop.network);
   dds::Reader<TruthState> reader(
       participant, ping_topic(hop.rate_hz), [&](const TruthState& sample, const dds::SampleOrigin&) {
-        const auto age = app::monotonic_now() - time::Nanoseconds(sample.header.publish_monotonic_ns);
+        const auto age = host::monotonic_now() - time::Nanoseconds(sample.header.publish_monotonic_ns);
         const std::size_t k = count.load(std::memory_order_relaxed);
         if (k < latencies.size()) latencies[k] = time::to_seconds(age);
         count.store(k + 1, std::memory_order_release);

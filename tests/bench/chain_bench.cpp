@@ -107,10 +107,10 @@ void print(double rate_hz, const std::string& transport, const Rows& rows) {
 }
 
 void measure(const Options& options, double rate_hz, const std::string& transport, const std::string& folder) {
-  app::NetworkOptions network;
+  service::NetworkOptions network;
   network.domain = options.domain;
   network.transport = transport;
-  const bench::BareHop hop{app::participant_options(network, "bench"), rate_hz, options.duration_s, 1};
+  const bench::BareHop hop{service::participant_options(network, "bench"), rate_hz, options.duration_s, 1};
   const bench::BareHop fan{hop.network, rate_hz, options.duration_s, 3};
   const bench::ChainSettings settings{rate_hz, options.duration_s, transport, options.domain, folder};
   bench::ChainSettings copying = settings;
@@ -181,10 +181,10 @@ void measure_swaps(const Options& options, const std::string& folder) {
 }
 
 int run_body(const Options& options) {
-  app::NetworkOptions network;
+  service::NetworkOptions network;
   network.domain = options.domain;
   network.transport = options.transports.front();
-  const bench::BareHop hop{app::participant_options(network, options.body), options.rates_hz.front(),
+  const bench::BareHop hop{service::participant_options(network, options.body), options.rates_hz.front(),
                            options.duration_s, options.readers};
   return options.body == "bare-writer" ? bench::write_bare_hop(hop) : bench::read_bare_hop(hop, options.result_file);
 }

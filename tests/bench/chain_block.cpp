@@ -52,7 +52,7 @@ std::string write_scenario(const ChainSettings& settings) {
 }
 
 template <class T>
-T decoded(const io::mcap::Message& message) {
+T decoded(const mcap::Message& message) {
   T value;
   if (!wire::decode(message.data, message.size, value))
     throw std::runtime_error("the log holds bytes that are no sample");
@@ -69,11 +69,11 @@ void note_receipt(const ServiceStatus& status, ChainBlock& block) {
 }
 
 void read_latencies(const std::string& log_file, ChainBlock& block) {
-  const io::McapReader log(log_file);
+  const mcap::McapReader log(log_file);
   std::map<std::uint16_t, std::string> topics;
   for (const auto& [id, channel] : log.channels()) topics[id] = channel.topic;
   std::map<std::int64_t, StreamHeader> truth;  // by sim time
-  log.for_each([&](const io::mcap::Message& message) {
+  log.for_each([&](const mcap::Message& message) {
     if (topics[message.channel_id] == catalog::kServiceStatus.name)
       note_receipt(decoded<ServiceStatus>(message), block);
     if (topics[message.channel_id] != catalog::kTruth.name) return true;
@@ -85,7 +85,7 @@ void read_latencies(const std::string& log_file, ChainBlock& block) {
                                             truth.begin()->second.publish_realtime_ns);
   constexpr std::int64_t kWarmUp_ns = 500'000'000;
   std::map<std::uint64_t, std::int64_t> imu_published_ns;  // CLOCK_REALTIME, by sequence number
-  log.for_each([&](const io::mcap::Message& message) {
+  log.for_each([&](const mcap::Message& message) {
     if (topics[message.channel_id] != catalog::stream_topic<ImuSample>(0)) return true;
     const StreamHeader imu = decoded<ImuSample>(message).header;
     imu_published_ns[imu.sequence_number] = imu.publish_realtime_ns;
@@ -96,7 +96,7 @@ void read_latencies(const std::string& log_file, ChainBlock& block) {
         1e-9 * static_cast<double>(static_cast<std::int64_t>(message.log_time_ns) - cause.publish_realtime_ns));
     return true;
   });
-  log.for_each([&](const io::mcap::Message& message) {
+  log.for_each([&](const mcap::Message& message) {
     if (topics[message.channel_id] != catalog::kNav.name) return true;
     const auto solution = decoded<NavSolution>(message);
     // While it aligns the filter has nothing to do.
@@ -114,7 +114,7 @@ ChainServices::ChainServices(const ChainSettings& settings) {
   const std::vector<std::string> common{
       "--scenario",  scenario_file,      "--domain",    std::to_string(settings.domain),
       "--transport", settings.transport, "--log-level", "warn"};
-  for (const auto& [service, sensor] : app::required_services(scenario::load(scenario_file))) {
+  for (const auto& [service, sensor] : scenario::required_services(scenario::load(scenario_file))) {
     std::vector<std::string> arguments = common;
     if (service == app::kTruthLogger) {
       arguments.insert(arguments.end(), {"--log", settings.folder + "/chain.mcap", "--overwrite"});

@@ -85,14 +85,14 @@ std::vector<Step> make_steps() {
 }
 
 template <class T>
-std::uint16_t add(io::McapWriter& writer, const std::string& topic) {
+std::uint16_t add(mcap::McapWriter& writer, const std::string& topic) {
   const auto schema =
-      writer.add_schema(wire::WireType<T>::name, "omgidl", wire::self_contained_idl(wire::WireType<T>::idl_file));
+      writer.add_schema(catalog::WireType<T>::name, "omgidl", catalog::self_contained_idl(catalog::WireType<T>::idl_file));
   return writer.add_channel(schema, topic, "cdr");
 }
 
 template <class T>
-std::size_t put(io::McapWriter& writer, std::uint16_t channel, const T& sample) {
+std::size_t put(mcap::McapWriter& writer, std::uint16_t channel, const T& sample) {
   const auto time = static_cast<std::uint64_t>(sample.header.sim_time_ns);
   const std::size_t size = wire::encoded_size(sample);
   wire::encode_to(sample,
@@ -104,11 +104,11 @@ std::string log_path() { return (std::filesystem::temp_directory_path() / "insla
 
 void BM_LogWrite(benchmark::State& state) {
   const std::vector<Step> steps = make_steps();
-  io::McapWriter::Options options;
+  mcap::McapWriter::Options options;
   options.compression_level = static_cast<int>(state.range(0));
   options.chunk_bytes = static_cast<std::size_t>(state.range(1)) << 10;
   double payload = 0.0;
-  io::McapWriter writer(log_path(), options);
+  mcap::McapWriter writer(log_path(), options);
   const std::uint16_t truth = add<TruthState>(writer, "inslab/truth");
   const std::uint16_t imu = add<ImuSample>(writer, "inslab/imu/0");
   const std::uint16_t imu_truth = add<ImuTruth>(writer, "inslab/imu_truth/0");

@@ -6,7 +6,7 @@
 
 /// Price of the models on one core. Goals: 12 ns a normal number, 3 M samples/s of an IMU with bias and noise, 1 M of
 /// one with every term.
-namespace inslab {
+namespace inslab::bench {
 namespace {
 
 constexpr std::int64_t kPeriodNs = 5000000;
@@ -183,4 +183,4 @@ void BM_GnssFix(benchmark::State& state) {
 BENCHMARK(BM_GnssFix);
 
 }  // namespace
-}  // namespace inslab
+}  // namespace inslab::bench

@@ -5,22 +5,22 @@
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/strapdown.hpp"
 
-namespace inslab::nav {
+namespace inslab::bench {
 namespace {
 
 constexpr double kDt_s = 0.005;
 
-NavState start() { return {{0.5, 2.0, 100.0}, {10.0, -5.0, 0.0}, Quaternion::Identity()}; }
+nav::NavState start() { return {{0.5, 2.0, 100.0}, {10.0, -5.0, 0.0}, nav::Quaternion::Identity()}; }
 
 /// Level turning, rocked and shaken from one interval to the next: coning and sculling terms are not 0.
-ImuIncrements increments(int k) {
-  static const double g_m_per_s2 = Gravity().g_n(start().position).z();
+nav::ImuIncrements increments(int k) {
+  static const double g_m_per_s2 = nav::Gravity().g_n(start().position).z();
   const double sign = k % 2 == 0 ? 1.0 : -1.0;
   return {{1e-3 * sign, -1e-3 * sign, 2e-3}, {0.01 * sign, 0.02 * sign, -g_m_per_s2 * kDt_s}, kDt_s};
 }
 
 void advance(benchmark::State& state, bool full_rotation_term) {
-  Strapdown strapdown(start(), Gravity(), {full_rotation_term});
+  nav::Strapdown strapdown(start(), nav::Gravity(), {full_rotation_term});
   int k = 0;
   for (auto _ : state) strapdown.advance(increments(++k));
   benchmark::DoNotOptimize(strapdown);
@@ -31,7 +31,7 @@ void StrapdownAsPrinted(benchmark::State& state) { advance(state, false); }
 void StrapdownWithFullRotation(benchmark::State& state) { advance(state, true); }
 
 void StrapdownInverse(benchmark::State& state) {
-  Strapdown strapdown(start(), Gravity(), {});
+  nav::Strapdown strapdown(start(), nav::Gravity(), {});
   strapdown.advance(increments(0));
   double sum = 0.0;
   for (auto _ : state) {
@@ -46,4 +46,4 @@ BENCHMARK(StrapdownWithFullRotation)->Iterations(720000);
 BENCHMARK(StrapdownInverse);
 
 }  // namespace
-}  // namespace inslab::nav
+}  // namespace inslab::bench

@@ -13,11 +13,11 @@
 #include "inslab/sim/offline_run.hpp"
 #include "tests/unit/sim/journal_of_faults.hpp"
 
-namespace inslab::cli {
+namespace inslab::bench {
 namespace {
 
 /// Counts and forgets.
-class NoSink : public RunSink {
+class NoSink : public sim::RunSink {
  public:
   void journal(const AnyProfile&) override {}
   void truth(const TruthState&) override {}
@@ -32,13 +32,13 @@ class NoSink : public RunSink {
 scenario::LoadedScenario vehicle() { return scenario::load(INSLAB_SOURCE_DIR "/config/scenarios/vehicle.json"); }
 
 /// Steps until the benchmark has enough; begins again when the twenty minutes are over.
-void drive(benchmark::State& state, const scenario::LoadedScenario& loaded, RunSink& sink) {
-  const time::GpsTime start = loaded.start(app::realtime_now());
-  auto run = std::make_unique<OfflineRun>(loaded, start, RunId{}, sink);
+void drive(benchmark::State& state, const scenario::LoadedScenario& loaded, sim::RunSink& sink) {
+  const time::GpsTime start = loaded.start(host::realtime_now());
+  auto run = std::make_unique<sim::OfflineRun>(loaded, start, RunId{}, sink);
   for (auto _ : state) {
     if (run->step()) continue;
     state.PauseTiming();
-    run = std::make_unique<OfflineRun>(loaded, start, RunId{}, sink);
+    run = std::make_unique<sim::OfflineRun>(loaded, start, RunId{}, sink);
     state.ResumeTiming();
   }
   state.SetItemsProcessed(state.iterations());
@@ -56,7 +56,7 @@ BENCHMARK(BM_OfflineWithoutLog);
 void BM_OfflineWithLog(benchmark::State& state) {
   const scenario::LoadedScenario loaded = vehicle();
   const std::string path = (std::filesystem::temp_directory_path() / "inslab_offline_bench.mcap").string();
-  LogSink sink(path, loaded, loaded.start(app::realtime_now()));
+  sim::LogSink sink(path, loaded, loaded.start(host::realtime_now()));
   drive(state, loaded, sink);
   sink.close();
   state.counters["log_bytes_per_step"] =
@@ -69,10 +69,10 @@ BENCHMARK(BM_OfflineWithLog);
 /// number.
 void BM_SwapWindows(benchmark::State& state) {
   const auto swaps = static_cast<std::uint32_t>(state.range(0));
-  const LogSummary summary = journal_of_faults(swaps);
+  const evidence::LogSummary summary = sim::journal_of_faults(swaps);
   for (auto _ : state) {
-    SwapWindowsOfLog windows(summary);
-    for (std::uint32_t i = 1; i <= swaps; ++i) windows.add(sample_after(i, swaps), ImuTruth{}, TruthState{});
+    evidence::SwapWindowsOfLog windows(summary);
+    for (std::uint32_t i = 1; i <= swaps; ++i) windows.add(sim::sample_after(i, swaps), ImuTruth{}, TruthState{});
     benchmark::DoNotOptimize(windows.all().size());
   }
   state.SetItemsProcessed(state.iterations() * swaps);
@@ -81,4 +81,4 @@ void BM_SwapWindows(benchmark::State& state) {
 BENCHMARK(BM_SwapWindows)->Range(2000, 16000)->Complexity();
 
 }  // namespace
-}  // namespace inslab::cli
+}  // namespace inslab::bench

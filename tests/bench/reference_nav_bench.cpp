@@ -5,7 +5,7 @@
 #include "inslab/models/navigation/navigation_filter.hpp"
 #include "inslab/nav/attitude.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::bench {
 namespace {
 
 constexpr std::int64_t kPeriod_ns = 5'000'000;
@@ -26,10 +26,10 @@ ImuSample sample_at(std::uint64_t k, const nav::NavState& state, const nav::Grav
 void filter_epochs(benchmark::State& state, double covariance_interval_s, double max_latency_s) {
   const nav::Gravity gravity;
   const nav::NavState rest{{0.5, 2.0, 100.0}, Vector3::Zero(), nav::Quaternion::Identity()};
-  NavigationParameters parameters;
+  navigation::NavigationParameters parameters;
   parameters.covariance_interval_s = covariance_interval_s;
   parameters.max_latency_s = max_latency_s;
-  NavigationFilter filter(parameters, gravity);
+  navigation::NavigationFilter filter(parameters, gravity);
   filter.start(rest, 0);
   GnssFix fix;
   fix.fix_type = FixType::Fixed;
@@ -61,4 +61,4 @@ BENCHMARK(FilterEpochCovarianceEveryEpoch)->Iterations(kHour);
 BENCHMARK(FilterEpochWithoutPast)->Iterations(kHour);
 
 }  // namespace
-}  // namespace inslab::reference_nav
+}  // namespace inslab::bench

@@ -9,7 +9,7 @@
 #include "inslab/models/trajectory/smooth_model.hpp"
 #include "inslab/models/trajectory/waypoint_motion.hpp"
 
-namespace inslab::trajectory {
+namespace inslab::bench {
 namespace {
 
 /// A vehicle that weaves to and fro over rolling ground at up to 15 m/s, with attitude.
@@ -67,4 +67,4 @@ BENCHMARK(Waypoints)->Iterations(240000);
 BENCHMARK(MakeCurves)->Arg(100)->Arg(10000)->Arg(720000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace inslab::trajectory
+}  // namespace inslab::bench

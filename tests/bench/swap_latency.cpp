@@ -18,21 +18,21 @@ using std::chrono::seconds;
 
 std::vector<double> measure_swap_latency(const ChainSettings& settings, int count) {
   const ChainServices services(settings);
-  app::NetworkOptions network;
+  service::NetworkOptions network;
   network.domain = settings.domain;
   network.transport = settings.transport;
-  dds::Participant participant(app::participant_options(network, "bench"));
-  cli::RunClient client(participant);
+  dds::Participant participant(service::participant_options(network, "bench"));
+  client::RunClient client(participant);
   std::atomic<std::uint32_t> revision{0};
   std::atomic<std::int64_t> changed_at_ns{0};
   const dds::Reader<ImuSample> reader(participant, dds::topics::stream<ImuSample>(0),
                                       [&](const ImuSample& sample, const dds::SampleOrigin&) {
                                         if (sample.revisions.imu_error == revision.load()) return;
-                                        changed_at_ns = app::monotonic_now().count();
+                                        changed_at_ns = host::monotonic_now().count();
                                         revision = sample.revisions.imu_error;
                                       });
   const auto running = [&] { return client.connected() && client.status() && client.status()->sim_time_ns > 0; };
-  if (!cli::wait_for(app::monotonic_now() + seconds(30), running, "the set"))
+  if (!client::wait_for(host::monotonic_now() + seconds(30), running, "the set"))
     throw std::runtime_error("the set did not start");
 
   std::vector<AnyProfile> profiles;
@@ -47,10 +47,10 @@ std::vector<double> measure_swap_latency(const ChainSettings& settings, int coun
     AnyProfile& profile = profiles[static_cast<std::size_t>(i) % 2];
     request_of(profile).request_id = static_cast<std::uint64_t>(i) + 1;
     const std::uint32_t before = revision;
-    const time::Nanoseconds sent_at = app::monotonic_now();
+    const time::Nanoseconds sent_at = host::monotonic_now();
     if (!client.send(profile)) throw std::runtime_error("a swap could not be sent");
     while (revision == before) {
-      if (app::monotonic_now() - sent_at > seconds(5)) throw std::runtime_error("a swap did not show");
+      if (host::monotonic_now() - sent_at > seconds(5)) throw std::runtime_error("a swap did not show");
       std::this_thread::sleep_for(std::chrono::microseconds(200));
     }
     waits_s.push_back(time::to_seconds(time::Nanoseconds(changed_at_ns) - sent_at));

@@ -14,7 +14,7 @@ using Bytes = std::vector<std::uint8_t>;
 template <class T>
 class AnyBytes : public fast_dds::TopicDataType {
  public:
-  explicit AnyBytes(const std::string& name = std::string(wire::WireType<T>::name)) {
+  explicit AnyBytes(const std::string& name = std::string(catalog::WireType<T>::name)) {
     set_name(name);
     max_serialized_type_size = 65536;
     is_compute_key_provided = generated_type<T>().is_keyed();

@@ -85,7 +85,7 @@ class HostileWriter : public testing::Test {
 template <class... Types>
 using WithBlocks =
     testing::Types<Types..., Block<TruthState>, Block<ImuSample>, Block<ImuTruth>, Block<GnssFix>, Block<NavSolution>>;
-using AttackedTypes = wire::EveryWireType<WithBlocks>;
+using AttackedTypes = catalog::EveryWireType<WithBlocks>;
 TYPED_TEST_SUITE(HostileWriter, AttackedTypes);
 
 /// One participant is attacked in every way: making three of them for each way would take most of the time.

@@ -11,7 +11,7 @@
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/scenario/service_names.hpp"
 
-namespace inslab::cli {
+namespace inslab::dds {
 namespace run_client_test {
 
 using std::chrono::seconds;
@@ -28,11 +28,11 @@ bool eventually(Condition condition, seconds patience = seconds(20)) {
 
 /// Reads every kind of request, as the trajectory server does, and the logger.
 struct RequestReaders {
-  explicit RequestReaders(dds::Participant& participant) {
+  explicit RequestReaders(Participant& participant) {
     for_each(catalog::ProfileKinds{}, [&](auto kind) {
       using Profile = typename decltype(kind)::type;
-      std::get<Reader<Profile>>(readers) = std::make_unique<dds::OpenReader<Profile>>(
-          participant, dds::topics::request<Profile>(), [this](const Profile&, const dds::SampleOrigin&) { ++came; });
+      std::get<Reader<Profile>>(readers) = std::make_unique<OpenReader<Profile>>(
+          participant, dds::topics::request<Profile>(), [this](const Profile&, const SampleOrigin&) { ++came; });
     });
   }
   bool are_matched() const {
@@ -40,35 +40,35 @@ struct RequestReaders {
   }
 
   template <class Profile>
-  using Reader = std::unique_ptr<dds::OpenReader<Profile>>;
+  using Reader = std::unique_ptr<OpenReader<Profile>>;
   std::atomic<int> came{0};
   Applied<std::tuple, Mapped<Reader, catalog::ProfileKinds>> readers;
 };
 
-app::Identity identity_of(const char* service) {
-  app::Identity identity;
+streams::Identity identity_of(const char* service) {
+  streams::Identity identity;
   identity.service = service;
-  identity.host = app::host_name();
-  identity.process_space = app::process_space();
-  identity.pid = app::process_id();
-  identity.started_ticks = app::started_ticks(identity.pid).value_or(0);
+  identity.host = host::host_name();
+  identity.process_space = host::process_space();
+  identity.pid = host::process_id();
+  identity.started_ticks = host::started_ticks(identity.pid).value_or(0);
   return identity;
 }
 
 /// On a busy host the server's readers are known some time after the logger's, and after its status.
 TEST(RunClient, IsConnectedOnlyOnceTheTrajectoryServerItselfHearsEveryKindOfRequest) {
-  app::NetworkOptions network;
+  service::NetworkOptions network;
   network.domain = 40 + static_cast<std::uint32_t>(getpid() % 150);
-  dds::Participant of_logger(app::participant_options(network, identity_of(app::kTruthLogger)));
-  dds::Participant of_server(app::participant_options(network, identity_of(app::kTrajectoryServer)));
-  dds::Participant own(app::participant_options(network, "inslab-follow"));
+  Participant of_logger(service::participant_options(network, identity_of(app::kTruthLogger)));
+  Participant of_server(service::participant_options(network, identity_of(app::kTrajectoryServer)));
+  Participant own(service::participant_options(network, "inslab-follow"));
   const RequestReaders logger(of_logger);
-  const dds::OpenReader<SimCommand> commands(of_server, dds::topics::sim_command(),
-                                             [](const SimCommand&, const dds::SampleOrigin&) {});
-  dds::Writer<SimStatus> statuses(of_server, dds::topics::sim_status());
-  RunClient client(own);
+  const OpenReader<SimCommand> commands(of_server, dds::topics::sim_command(),
+                                             [](const SimCommand&, const SampleOrigin&) {});
+  Writer<SimStatus> statuses(of_server, dds::topics::sim_status());
+  client::RunClient client(own);
   SimStatus status;
-  status.run_id = app::random_run_id();
+  status.run_id = host::random_run_id();
   ASSERT_TRUE(statuses.write(status));
   ASSERT_TRUE(eventually([&] { return client.status() && logger.are_matched() && commands.matched_writers() > 0; }));
   EXPECT_FALSE(eventually([&] { return client.connected(); }, seconds(2))) << "only the logger hears requests";
@@ -80,4 +80,4 @@ TEST(RunClient, IsConnectedOnlyOnceTheTrajectoryServerItselfHearsEveryKindOfRequ
 }
 
 }  // namespace run_client_test
-}  // namespace inslab::cli
+}  // namespace inslab::dds

@@ -132,7 +132,7 @@ TYPED_TEST(Codec, RefusesEveryTruncation) {
   Plain filled;
   ASSERT_TRUE(wire::decode(bytes.data(), bytes.size(), filled));
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    if (test::is_whole_in_the_version_before(filled, size)) continue;
+    if (wire::test::is_whole_in_the_version_before(filled, size)) continue;
     Plain back;
     EXPECT_FALSE(wire::decode(bytes.data(), size, back)) << size << " of " << bytes.size() << " bytes";
   }
@@ -154,7 +154,7 @@ TYPED_TEST(Codec, AdapterTakesNameSizeAndKeyFromTheGeneratedType) {
   EXPECT_EQ(fast_dds::name_of(adapter), fast_dds::name_of(generated));
   EXPECT_EQ(adapter.max_serialized_type_size, fast_dds::max_size_of(generated));
   EXPECT_EQ(adapter.is_compute_key_provided, fast_dds::is_keyed(generated));
-  EXPECT_EQ(fast_dds::name_of(adapter), wire::WireType<typename TypeParam::PlainType>::name);
+  EXPECT_EQ(fast_dds::name_of(adapter), catalog::WireType<typename TypeParam::PlainType>::name);
 }
 
 }  // namespace type_adapter_test

@@ -95,9 +95,9 @@ class ForeignApp : public testing::TestWithParam<App> {
     EXPECT_EQ(solutions_logged(), 1200U);
   }
   std::size_t solutions_logged() const {
-    const io::McapReader log(log_);
+    const mcap::McapReader log(log_);
     std::size_t count = 0;
-    log.for_each([&](const io::mcap::Message& message) {
+    log.for_each([&](const mcap::Message& message) {
       count += log.channels().at(message.channel_id).topic == "inslab/nav" ? 1 : 0;
       return true;
     });

@@ -42,15 +42,15 @@ class Foe {
 
  private:
   static dds::ParticipantOptions options() {
-    app::NetworkOptions network;
+    service::NetworkOptions network;
     network.domain = static_cast<std::uint32_t>(std::stoul(own_domain()));
-    return app::participant_options(network, "foe");
+    return service::participant_options(network, "foe");
   }
 
   template <class T>
   void send(const dds::Topic<T>& topic, std::vector<dds::Bytes>& attacks) {
     namespace efd = eprosima::fastdds::dds;
-    const std::string type(wire::WireType<T>::name);
+    const std::string type(catalog::WireType<T>::name);
     if (participant_.dds().find_type(type).empty()) {
       ASSERT_EQ(efd::TypeSupport(new dds::AnyBytes<T>()).register_type(&participant_.dds()), efd::RETCODE_OK);
     }
@@ -81,19 +81,19 @@ TEST(HostileMessages, EndNoServiceAndAreCounted) {
   ASSERT_EQ(ready.wait(seconds(60)), 0) << ready.output() << run.output();
   {
     Foe foe;
-    foe.send_garbage(topics::nav());
-    foe.send_garbage(topics::sim_command());
-    foe.send_garbage(topics::service_status());
-    foe.send_garbage(topics::credit());
-    foe.send_garbage(topics::request<ImuErrorProfile>());
-    foe.send_garbage(topics::request<VibrationProfile>());
-    foe.send_garbage(topics::request<InstallationProfile>());
-    foe.send_garbage(topics::request<GnssErrorProfile>());
-    foe.send_garbage(topics::request<FaultProfile>());
-    foe.send_without_numbers(topics::nav());
-    foe.send_without_numbers(topics::request<ImuErrorProfile>());
-    foe.send_without_numbers(topics::request<VibrationProfile>());
-    foe.send_without_numbers(topics::request<FaultProfile>());
+    foe.send_garbage(dds::topics::nav());
+    foe.send_garbage(dds::topics::sim_command());
+    foe.send_garbage(dds::topics::service_status());
+    foe.send_garbage(dds::topics::credit());
+    foe.send_garbage(dds::topics::request<ImuErrorProfile>());
+    foe.send_garbage(dds::topics::request<VibrationProfile>());
+    foe.send_garbage(dds::topics::request<InstallationProfile>());
+    foe.send_garbage(dds::topics::request<GnssErrorProfile>());
+    foe.send_garbage(dds::topics::request<FaultProfile>());
+    foe.send_without_numbers(dds::topics::nav());
+    foe.send_without_numbers(dds::topics::request<ImuErrorProfile>());
+    foe.send_without_numbers(dds::topics::request<VibrationProfile>());
+    foe.send_without_numbers(dds::topics::request<FaultProfile>());
   }
   Process resume("inslab", {"resume", "--domain", own_domain()});
   ASSERT_EQ(resume.wait(seconds(30)), 0) << resume.output() << run.output();

@@ -108,7 +108,7 @@ TEST(LiveRun, StoppedByCtrlCClosesItsLog) {
   live.send(SIGINT);
   EXPECT_EQ(live.wait(seconds(20)), 1) << live.output();
   EXPECT_THAT(live.output(), HasSubstr("result: FAILED, exit code 1: stopped by a signal"));
-  EXPECT_TRUE(io::McapReader(folder / "live.mcap").closed_properly());
+  EXPECT_TRUE(mcap::McapReader(folder / "live.mcap").closed_properly());
 }
 
 TEST(LiveRun, OfWhichAServiceIsToldToStopSaysWhichAndWhenAndFails) {
@@ -179,7 +179,7 @@ TEST(OutputFiles, NoFormatReplacesTheLogThatItReadsAndNoResultIsReplacedUnasked)
     std::vector<std::string> arguments{"export", log, "--format", format, "-o", log, "--overwrite"};
     if (format == "imu" || format == "novatel") arguments.insert(arguments.end(), {"--topic", "inslab/imu/0"});
     EXPECT_THAT(run(arguments), testing::StartsWith("2: ")) << format;
-    ASSERT_TRUE(io::McapReader(log).closed_properly()) << format;
+    ASSERT_TRUE(mcap::McapReader(log).closed_properly()) << format;
   }
   EXPECT_THAT(run({"report", log, "--junit", log, "--overwrite"}), HasSubstr("is an input of this command"));
   EXPECT_THAT(run({"simulate", source("tests/data/short.json"), "-o", folder / ""}),
@@ -189,7 +189,7 @@ TEST(OutputFiles, NoFormatReplacesTheLogThatItReadsAndNoResultIsReplacedUnasked)
   EXPECT_THAT(run({"run", source("tests/data/short.json"), "--log", log, "--domain", own_domain()}),
               testing::StartsWith("2: "))
       << "before anything is started";
-  EXPECT_TRUE(io::McapReader(log).closed_properly());
+  EXPECT_TRUE(mcap::McapReader(log).closed_properly());
 }
 
 }  // namespace live_run_test

@@ -30,9 +30,9 @@ class LiveVehicle : public testing::Test {
 
   template <class T>
   T last(const std::string& topic) const {
-    const io::McapReader log(log_);
+    const mcap::McapReader log(log_);
     T latest;
-    log.for_each([&](const io::mcap::Message& message) {
+    log.for_each([&](const mcap::Message& message) {
       if (log.channels().at(message.channel_id).topic == topic) wire::decode(message.data, message.size, latest);
       return true;
     });

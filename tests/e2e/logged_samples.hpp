@@ -16,9 +16,9 @@ namespace inslab::e2e {
 /// All samples of one topic of a log, in the order of their sequence numbers.
 template <class T>
 std::vector<T> samples_of(const std::string& log_path, const std::string& topic) {
-  const io::McapReader log(log_path);
+  const mcap::McapReader log(log_path);
   std::map<std::uint64_t, T> by_sequence;
-  log.for_each([&](const io::mcap::Message& message) {
+  log.for_each([&](const mcap::Message& message) {
     if (log.channels().at(message.channel_id).topic != topic) return true;
     T sample;
     if (wire::decode(message.data, message.size, sample)) by_sequence[sample.header.sequence_number] = sample;
@@ -32,9 +32,9 @@ std::vector<T> samples_of(const std::string& log_path, const std::string& topic)
 /// All messages of one topic of a log, in the order of the file; for types without a header.
 template <class T>
 std::vector<T> samples_of_kind(const std::string& log_path, const std::string& topic) {
-  const io::McapReader log(log_path);
+  const mcap::McapReader log(log_path);
   std::vector<T> samples;
-  log.for_each([&](const io::mcap::Message& message) {
+  log.for_each([&](const mcap::Message& message) {
     T sample;
     const bool of_it = log.channels().at(message.channel_id).topic == topic;
     if (of_it && wire::decode(message.data, message.size, sample)) samples.push_back(sample);

@@ -55,11 +55,11 @@ class OneSet : public testing::Test {
   std::unique_ptr<Process> run(const std::string& log) const {
     return std::make_unique<Process>("inslab", Names{"run", scenario(), "--log", log, "--domain", own_domain()});
   }
-  static bool is_running(const cli::RunClient& client) {
+  static bool is_running(const client::RunClient& client) {
     return eventually([&] { return client.status() && client.status()->state == RunState::Running; }, seconds(30));
   }
-  static app::NetworkOptions network() {
-    app::NetworkOptions options;
+  static service::NetworkOptions network() {
+    service::NetworkOptions options;
     options.domain = static_cast<std::uint32_t>(std::stoul(own_domain()));
     return options;
   }
@@ -78,8 +78,8 @@ TEST_F(OneSet, ASecondOneAndAnyServiceOfItIsRefusedAndTheFirstGoesOnToTheBit) {
   const std::string reference = offline();
   const std::string other = other_scenario();
   const auto first = run(log_);
-  dds::Participant participant(app::participant_options(network(), "test"));
-  const cli::RunClient client(participant);
+  dds::Participant participant(service::participant_options(network(), "test"));
+  const client::RunClient client(participant);
   ASSERT_TRUE(is_running(client)) << first->output();
 
   const std::string second_log = folder_ / "second.mcap";
@@ -104,7 +104,7 @@ TEST_F(OneSet, ASecondOneAndAnyServiceOfItIsRefusedAndTheFirstGoesOnToTheBit) {
 
   EXPECT_EQ(first->wait(seconds(60)), 0) << first->output();
   expect_same_run(log_, reference);
-  EXPECT_EQ(io::inspect_log(log_).run_ids.size(), 1u);
+  EXPECT_EQ(log::inspect_log(log_).run_ids.size(), 1u);
 }
 
 TEST_F(OneSet, OfTwoThatStartTogetherOneRuns) {
@@ -143,13 +143,13 @@ TEST_F(OneSet, AServiceWithAnotherScenarioIsNamedBeforeTheRun) {
 }
 
 TEST_F(OneSet, AnnouncesTheHashOfWhatTheFilesSayWhateverClockTheCommandLineGives) {
-  dds::Participant participant(app::participant_options(network(), "test"));
+  dds::Participant participant(service::participant_options(network(), "test"));
   Process set("inslab",
               {"run", scenario(), "--log", log_, "--domain", own_domain(), "--clock", "lockstep", "--paused"});
   const auto hashes = [&participant] {
     std::map<std::string, std::string> of;
     for (const dds::Peer& peer : participant.peers().all()) {
-      const auto identity = app::identity_in(peer.user_data);
+      const auto identity = streams::identity_in(peer.user_data);
       if (identity) of[identity->service] = identity->scenario_hash;
     }
     return of;
@@ -162,8 +162,8 @@ TEST_F(OneSet, AnnouncesTheHashOfWhatTheFilesSayWhateverClockTheCommandLineGives
 
 TEST_F(OneSet, AServiceThatComesToAServerOfAnotherScenarioDoesNotStartAndAnAppOfAnotherVersionIsNamed) {
   const auto server = start("inslab-trajectory-server", scenario());
-  dds::Participant participant(app::participant_options(network(), "old_app"));
-  const cli::RunClient client(participant);
+  dds::Participant participant(service::participant_options(network(), "old_app"));
+  const client::RunClient client(participant);
   ASSERT_TRUE(eventually([&] { return client.status().has_value(); }, seconds(20))) << server->output();
   const auto odd = start("inslab-imu-injector", other_scenario());
   EXPECT_EQ(odd->wait(seconds(20)), kCannotStart) << odd->output();
@@ -190,8 +190,8 @@ TEST_F(OneSet, AServiceThatComesToAServerOfAnotherScenarioDoesNotStartAndAnAppOf
 TEST_F(OneSet, AWriterThatIsNotOfTheSetIsAFaultAtOnceAndTheRowsStayTheSets) {
   const std::string reference = offline();
   const auto set = run(log_);
-  dds::Participant foe(app::participant_options(network(), "foe"));
-  const cli::RunClient client(foe);
+  dds::Participant foe(service::participant_options(network(), "foe"));
+  const client::RunClient client(foe);
   dds::Writer<TruthState> truth(foe, dds::topics::truth());
   dds::Writer<ImuSample> imu(foe, dds::topics::stream<ImuSample>(0));
   dds::Writer<ImuErrorProfile> journal(foe, dds::topics::journal<ImuErrorProfile>());
@@ -216,8 +216,8 @@ TEST_F(OneSet, AWriterThatIsNotOfTheSetIsAFaultAtOnceAndTheRowsStayTheSets) {
   entry.request.apply_at_ns = 1;
   entry.gyro.bias_constant_deg_per_h.setConstant(1e308);
   journal.write(entry);
-  dds::Participant onlooker(app::participant_options(network(), "onlooker"));
-  cli::RunClient watching(onlooker);
+  dds::Participant onlooker(service::participant_options(network(), "onlooker"));
+  client::RunClient watching(onlooker);
   ASSERT_TRUE(is_running(watching));
   ASSERT_TRUE(eventually([&] { return status.matched_readers() >= 6; }, seconds(20)));
   SimStatus over = *client.status();
@@ -241,8 +241,8 @@ TEST_F(OneSet, InLockstepAConsumerThatNobodyExpectsAndThatStandsHoldsTheClockFor
   const std::string reference = offline();
   Process set("inslab",
               {"run", scenario(), "--log", log_, "--domain", own_domain(), "--clock", "lockstep", "--paused"});
-  dds::Participant participant(app::participant_options(network(), "ghost"));
-  cli::RunClient client(participant);
+  dds::Participant participant(service::participant_options(network(), "ghost"));
+  client::RunClient client(participant);
   dds::Writer<Credit> credits(participant, dds::topics::credit());
   ASSERT_TRUE(eventually([&] { return client.status() && client.status()->state == RunState::Paused; }, seconds(30)))
       << set.output();
@@ -265,11 +265,11 @@ TEST_F(OneSet, InLockstepAConsumerThatNobodyExpectsAndThatStandsHoldsTheClockFor
 /// Whoever speaks in the trajectory server's name: what breaks the limits reaches no model.
 TEST_F(OneSet, AJournalEntryIsJudgedWhereItIsObeyed) {
   const auto injector = start("inslab-imu-injector", scenario());
-  app::ServiceOptions options;
+  service::ServiceOptions options;
   options.network = network();
   scenario::LoadedScenario loaded = scenario::load(scenario());
-  const app::Identity identity = app::identity_of(app::kTrajectoryServer, options, loaded);
-  app::Context server(identity, options, std::move(loaded));
+  const streams::Identity identity = service::identity_of(app::kTrajectoryServer, options, loaded);
+  service::Context server(identity, options, std::move(loaded));
   dds::Writer<ImuErrorProfile> journal(server.participant(), dds::topics::journal<ImuErrorProfile>());
   ASSERT_TRUE(eventually([&] { return journal.matched_readers() > 0; }, seconds(20))) << injector->output();
   ImuErrorProfile entry;
@@ -288,7 +288,7 @@ using RequiredApp = OneSet;
 
 /// An app that is there, as the barrier asks, and never says where it is.
 TEST_F(RequiredApp, ThatSaysNothingFailsTheRun) {
-  dds::Participant participant(app::participant_options(network(), "bench"));
+  dds::Participant participant(service::participant_options(network(), "bench"));
   const dds::Writer<NavSolution> silent(participant, dds::topics::nav());
   Process run("inslab",
               {"run", source("tests/data/required_app.json"), "--domain", own_domain(), "--log", folder_ / "log.mcap"});

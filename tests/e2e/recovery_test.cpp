@@ -65,7 +65,7 @@ class Recovery : public testing::Test {
     expect_same_bits<ImuTruth>(log_, reference, "inslab/imu_truth/0", 2000);
     expect_same_bits<ImuSample>(log_, reference, "inslab/imu/1", 500);
     expect_same_bits<GnssFix>(log_, reference, "inslab/gnss/0", samples_of<GnssFix>(reference, "inslab/gnss/0").size());
-    EXPECT_TRUE(io::McapReader(log_).closed_properly());
+    EXPECT_TRUE(mcap::McapReader(log_).closed_properly());
   }
   std::optional<SimStatus> status() { return client_.status(); }
   bool reaches(double sim_time_s) {
@@ -74,15 +74,15 @@ class Recovery : public testing::Test {
   }
 
   static dds::ParticipantOptions network() {
-    app::NetworkOptions options;
+    service::NetworkOptions options;
     options.domain = static_cast<std::uint32_t>(std::stoul(own_domain()));
-    return app::participant_options(options, "bench");
+    return service::participant_options(options, "bench");
   }
 
   TestFolder folder_;
   std::string log_ = folder_ / "live.mcap";
   dds::Participant participant_{network()};
-  cli::RunClient client_{participant_};
+  client::RunClient client_{participant_};
 };
 
 TEST_F(Recovery, EachServiceThatIsKilledGoesOnAndNoBitIsLost) {
@@ -103,8 +103,8 @@ TEST_F(Recovery, EachServiceThatIsKilledGoesOnAndNoBitIsLost) {
   EXPECT_THAT(run.output(), HasSubstr("recovered: inslab/gnss/0: its service was started again"));
   EXPECT_THAT(run.output(), HasSubstr("recovered: the logger was started again and went on with this log"));
   expect_whole_run(reference);
-  const io::McapReader log(log_);
-  for (const io::mcap::Metadata& record : log.metadata()) {
+  const mcap::McapReader log(log_);
+  for (const mcap::Metadata& record : log.metadata()) {
     if (record.values.count("silence_s") > 0 && record.values.at("what") == "inslab/imu/0") {
       RecordProperty("imu_silence_s", record.values.at("silence_s"));
     }
@@ -142,7 +142,7 @@ TEST_F(Recovery, OfAServiceThatIsKilledAtTheVeryEndNothingIsMissing) {
 /// its own.
 TEST_F(Recovery, AServiceThatHasEndedItsStreamStaysForALoggerThatHasNotHeardItsLastWord) {
   const std::string reference = offline("recovery_by_hand");
-  app::Mailbox<ServiceStatus> statuses;
+  host::Mailbox<ServiceStatus> statuses;
   const dds::Reader<ServiceStatus> reader(
       participant_, dds::topics::service_status(),
       [&](const ServiceStatus& status, const dds::SampleOrigin&) { statuses.put(status); });
@@ -189,7 +189,7 @@ TEST_F(Recovery, ARunWhoseClockIsKilledSaysSoInItsLastLine) {
   EXPECT_EQ(run.wait(seconds(40)), 1) << run.output();
   EXPECT_THAT(run.output(), ContainsRegex("\nresult: FAILED, exit code 1: inslab-trajectory-server was ended by signal "
                                           "9 .Killed., at about [^\n]*it is the run's clock[^\n]*\n$"));
-  EXPECT_TRUE(io::McapReader(log_).closed_properly());
+  EXPECT_TRUE(mcap::McapReader(log_).closed_properly());
 }
 
 TEST_F(Recovery, ServicesEndWithTheOneWhoStartedThemHoweverThatOneEnds) {
@@ -204,7 +204,7 @@ TEST_F(Recovery, ServicesEndWithTheOneWhoStartedThemHoweverThatOneEnds) {
   for (const pid_t pid : services) {
     EXPECT_TRUE(eventually([pid] { return !is_at_work(pid); }, seconds(20))) << pid;
   }
-  EXPECT_TRUE(io::McapReader(log_).closed_properly());
+  EXPECT_TRUE(mcap::McapReader(log_).closed_properly());
 }
 
 TEST_F(Recovery, InLockstepAKilledConsumerStopsTheClockUntilItIsBack) {
@@ -262,7 +262,7 @@ TEST_F(Recovery, ARunWhoseTrajectoryServerWasKilledIsEndedByTheNextOneAndNotRunA
     EXPECT_THAT((*process)->output(), HasSubstr("the run ended as a fault"));
   }
   EXPECT_TRUE(log->wait(seconds(30))) << log->output();
-  const io::McapReader reader(log_);
+  const mcap::McapReader reader(log_);
   EXPECT_TRUE(reader.closed_properly());
   const auto logged = samples_of<TruthState>(log_, "inslab/truth");
   ASSERT_GT(logged.size(), 200u);

@@ -41,9 +41,9 @@ TEST(ReferenceNav, AnswersEachImuSampleLiveAndIsAccepted) {
 
 TEST(ReferenceNav, InLockstepItsSolutionsAndTheStreamsAreShownToWhoListensAndNobodyWaitsForThat) {
   const TestFolder folder;
-  app::NetworkOptions network;
+  service::NetworkOptions network;
   network.domain = static_cast<std::uint32_t>(std::stoul(own_domain()));
-  dds::ParticipantOptions onlooker = app::participant_options(network, "onlooker");
+  dds::ParticipantOptions onlooker = service::participant_options(network, "onlooker");
   onlooker.looks_on = true;
   dds::Participant participant(onlooker);
   std::atomic<int> came_singly{0};

@@ -28,7 +28,7 @@ std::string text_of(const std::string& path) {
 
 /// What the logger made of the app while it listened.
 std::string live_score(const std::string& log_path) {
-  const io::McapReader log(log_path);
+  const mcap::McapReader log(log_path);
   for (const auto& record : log.metadata()) {
     if (record.name == "score") return record.values.at("json");
   }

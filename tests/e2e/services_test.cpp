@@ -93,7 +93,7 @@ TEST_F(Services, TerminatedLoggerClosesItsLog) {
   log->send(SIGTERM);
   EXPECT_EQ(log->wait(seconds(20)), 1) << log->output();  // it left a run
   EXPECT_THAT(log->output(), HasSubstr("ended by a signal in mid-run: the rest is missing"));
-  EXPECT_TRUE(io::McapReader(log_).closed_properly());
+  EXPECT_TRUE(mcap::McapReader(log_).closed_properly());
   EXPECT_EQ(truth->wait(seconds(30)), 0) << truth->output();
 }
 
@@ -106,7 +106,7 @@ TEST_F(Services, KilledLoggerLeavesALogUpToTheLastSecond) {
   ASSERT_TRUE(eventually([this] { return logged() > 400; }, seconds(20))) << truth->output();
   log->send(SIGKILL);
   ASSERT_EQ(log->wait(seconds(5)), 128 + SIGKILL);
-  const io::McapReader left(log_);
+  const mcap::McapReader left(log_);
   EXPECT_FALSE(left.closed_properly());
   // 2 s were there when it was killed; at most one more second may be missing from what it had by then.
   const auto samples = samples_of<TruthState>(log_, "inslab/truth");

@@ -33,9 +33,9 @@ std::chrono::nanoseconds length_of_the_storm() {
 }
 
 dds::ParticipantOptions network(const char* name) {
-  app::NetworkOptions options;
+  service::NetworkOptions options;
   options.domain = static_cast<std::uint32_t>(std::stoul(own_domain()));
-  return app::participant_options(options, name);
+  return service::participant_options(options, name);
 }
 
 /// The profiles that the storm hurls about, a different one each time.
@@ -79,11 +79,11 @@ class Bench {
     return static_cast<std::size_t>(
         std::count_if(sent_.begin(), sent_.end(), [this](auto id) { return client_.acks(id).empty(); }));
   }
-  cli::RunClient& client() { return client_; }
+  client::RunClient& client() { return client_; }
 
  private:
   dds::Participant participant_;
-  cli::RunClient client_;
+  client::RunClient client_;
   std::uint64_t id_;
   std::vector<std::uint64_t> sent_;
 };
@@ -120,7 +120,7 @@ class Hostile {
   static constexpr std::uint64_t kFirstId = 9'000'000;
   dds::Participant participant_;
   dds::Participant garbage_participant_;
-  cli::RunClient client_;
+  client::RunClient client_;
   eprosima::fastdds::dds::DataWriter* garbage_ = nullptr;
   std::mt19937 random_{20261125};
   std::uint64_t attacks_ = 0;

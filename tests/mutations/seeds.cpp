@@ -40,8 +40,8 @@ std::string simulated_log(const std::string& folder) {
   loaded.scenario.swaps.clear();
   const time::GpsTime start{2401, 36000'000'000'000};
   const std::string path = folder + "/seed.mcap";
-  cli::LogSink log(path, loaded, start);
-  cli::OfflineRun run(loaded, start, RunId{}, log);
+  sim::LogSink log(path, loaded, start);
+  sim::OfflineRun run(loaded, start, RunId{}, log);
   while (run.step()) continue;
   log.close();
   return path;
@@ -49,12 +49,12 @@ std::string simulated_log(const std::string& folder) {
 
 /// The same log with one chunk as it is, no checksum and no summary.
 std::string bare(const std::string& path) {
-  const io::McapReader log(path);
+  const mcap::McapReader log(path);
   std::vector<std::uint8_t> records, out;
-  io::ByteWriter in_chunk(records), writer(out);
+  files::ByteWriter in_chunk(records), writer(out);
   std::uint64_t first_ns = ~std::uint64_t{0}, last_ns = 0;
-  log.for_each([&](const io::mcap::Message& message) {
-    const std::size_t at = in_chunk.begin_record(io::mcap::kMessage);
+  log.for_each([&](const mcap::Message& message) {
+    const std::size_t at = in_chunk.begin_record(mcap::kMessage);
     in_chunk.number(message.channel_id);
     in_chunk.number(message.sequence);
     in_chunk.number(message.log_time_ns);
@@ -65,16 +65,16 @@ std::string bare(const std::string& path) {
     last_ns = std::max(last_ns, message.log_time_ns);
     return true;
   });
-  io::mcap::put_header("", "inslab", out);
-  for (const auto& [id, schema] : log.schemas()) io::mcap::put_schema(schema, out);
-  for (const auto& [id, channel] : log.channels()) io::mcap::put_channel(channel, out);
+  mcap::put_header("", "inslab", out);
+  for (const auto& [id, schema] : log.schemas()) mcap::put_schema(schema, out);
+  for (const auto& [id, channel] : log.channels()) mcap::put_channel(channel, out);
   for (const auto& metadata : log.metadata()) {
-    const std::size_t at = writer.begin_record(io::mcap::kMetadata);
+    const std::size_t at = writer.begin_record(mcap::kMetadata);
     writer.text(metadata.name);
     writer.text_map(metadata.values);
     writer.end_record(at);
   }
-  const std::size_t chunk = writer.begin_record(io::mcap::kChunk);
+  const std::size_t chunk = writer.begin_record(mcap::kChunk);
   writer.number(first_ns);
   writer.number(last_ns);
   writer.number(std::uint64_t{records.size()});
@@ -83,25 +83,25 @@ std::string bare(const std::string& path) {
   writer.number(std::uint64_t{records.size()});
   out.insert(out.end(), records.begin(), records.end());
   writer.end_record(chunk);
-  const std::size_t end = writer.begin_record(io::mcap::kDataEnd);
+  const std::size_t end = writer.begin_record(mcap::kDataEnd);
   writer.number(std::uint32_t{0});
   writer.end_record(end);
-  const std::size_t footer = writer.begin_record(io::mcap::kFooter);
+  const std::size_t footer = writer.begin_record(mcap::kFooter);
   writer.number(std::uint64_t{0});
   writer.number(std::uint64_t{0});
   writer.number(std::uint32_t{0});
   writer.end_record(footer);
-  out.insert(out.end(), io::mcap::kMagic.begin(), io::mcap::kMagic.end());
+  out.insert(out.end(), mcap::kMagic.begin(), mcap::kMagic.end());
   return std::string(out.begin(), out.end());
 }
 
-std::string exported(const std::string& log, const std::string& folder, io::FileFormat format,
+std::string exported(const std::string& log, const std::string& folder, exports::FileFormat format,
                      const std::string& topic) {
-  io::FileExportOptions options;
+  exports::FileExportOptions options;
   options.format = format;
   options.destination = folder + "/exported";
   options.topic = topic;
-  io::export_file(log, options);
+  exports::export_file(log, options);
   return contents(options.destination);
 }
 
@@ -126,8 +126,8 @@ std::vector<Seed> profile_seeds() {
 
 std::vector<Seed> text_seeds(const std::string& folder) {
   const std::string log = simulated_log(folder);
-  const std::string imu = exported(log, folder, io::FileFormat::Imu, "");
-  io::export_log(log, io::ExportFormat::Csv, folder + "/csv", {"inslab/truth", "inslab/imu/0"});
+  const std::string imu = exported(log, folder, exports::FileFormat::Imu, "");
+  exports::export_log(log, exports::ExportFormat::Csv, folder + "/csv", {"inslab/truth", "inslab/imu/0"});
   const std::string named_imu =
       "#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],a_RS_S_x [m s^-2],a_RS_S_y [m "
       "s^-2],a_RS_S_z [m s^-2]\n1403636579758555392,-0.1,0.14,0.01,8.14,-0.37,-2.4\n1403636579763555584,-0.1,0.14,0.03,"
@@ -145,9 +145,9 @@ std::vector<Seed> text_seeds(const std::string& folder) {
           {"euroc.csv", "recording", named_imu},
           {"imu.csv", "recording", contents(folder + "/csv/inslab_imu_0.csv")},
           {"imu.txt", "imu_text", imu},
-          {"gnss.txt", "gnss_text", exported(log, folder, io::FileFormat::Gnss, "")},
-          {"gnss.txt", "trajectory", exported(log, folder, io::FileFormat::Gnss, "")},
-          {"truth.nav", "trajectory", exported(log, folder, io::FileFormat::Nav, "")},
+          {"gnss.txt", "gnss_text", exported(log, folder, exports::FileFormat::Gnss, "")},
+          {"gnss.txt", "trajectory", exported(log, folder, exports::FileFormat::Gnss, "")},
+          {"truth.nav", "trajectory", exported(log, folder, exports::FileFormat::Nav, "")},
           {"truth.csv", "trajectory", contents(folder + "/csv/inslab_truth.csv")},
           {"solution.pos", "trajectory", rtklib},
           {"receiver.nmea", "trajectory",

@@ -27,7 +27,7 @@ namespace inslab::mutations {
 namespace {
 
 /// Takes what comes and forgets it.
-class Nothing : public cli::RunSink {
+class Nothing : public sim::RunSink {
  public:
   void journal(const AnyProfile&) override {}
   void truth(const TruthState&) override {}
@@ -42,7 +42,7 @@ void run_scenario(const std::string& path) {
   const scenario::LoadedScenario loaded = scenario::load(path);
   if (loaded.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) return;
   Nothing nothing;
-  cli::OfflineRun run(loaded, loaded.start(time::Nanoseconds(1'800'000'000'000'000'000)), RunId{}, nothing);
+  sim::OfflineRun run(loaded, loaded.start(time::Nanoseconds(1'800'000'000'000'000'000)), RunId{}, nothing);
   try {
     for (int i = 0; i < kSteps && run.step(); ++i) continue;
   } catch (const std::domain_error& error) {  // as inslab simulate says it
@@ -52,7 +52,7 @@ void run_scenario(const std::string& path) {
 
 void read_profile(const std::string& path, const std::string& what) {
   if (what == "navigation") {
-    reference_nav::read_parameters(path);
+    navigation::read_parameters(path);
     return;
   }
   const ProfileKind kind = scenario::profile_kind_named(what).value();
@@ -61,56 +61,56 @@ void read_profile(const std::string& path, const std::string& what) {
 }
 
 void read_trajectory(const std::string& path) {
-  io::TrajectoryReading reading = io::read_trajectory(path, {"", "inslab/truth", false});
+  trajectory::TrajectoryReading reading = trajectory::read_trajectory(path, {"", "inslab/truth", false});
   if (reading.file.rows.size() < 2) return;
-  const io::TrajectoryLimits limits;
-  io::judge_trajectory(reading, limits, false);
+  const TrajectoryLimits limits;
+  trajectory::judge_trajectory(reading, limits, false);
   if (!reading.file.rows.front().v_n || !reading.file.rows.front().rpy) return;
-  std::vector<io::RepairNote> notes;
-  io::repaired(reading, limits, io::RepairBounds{}, notes);
+  std::vector<trajectory::RepairNote> notes;
+  trajectory::repaired(reading, limits, trajectory::RepairBounds{}, notes);
 }
 
 void read_text(const std::string& path, const std::string& what) {
   if (what == "trajectory") read_trajectory(path);
   if (what == "matrix") scenario::read_motion_matrix(path);
   if (what == "recording") {
-    io::read_imu_recording(
-        path, {}, [](const io::ImuRecordingInfo&) {}, [](const io::ImuIncrements&) {});
+    recordings::read_imu_recording(
+        path, {}, [](const recordings::ImuRecordingInfo&) {}, [](const recordings::ImuIncrements&) {});
   }
-  if (what == "imu_text") cli::for_each_text_sample(path, 2401, [](const ImuSample&) {});
+  if (what == "imu_text") navigate::for_each_text_sample(path, 2401, [](const ImuSample&) {});
   if (what == "gnss_text") {
-    io::GnssTextReader reader(path);
-    for (io::GnssTextRecord record; reader.next(record);) continue;
+    recordings::GnssTextReader reader(path);
+    for (recordings::GnssTextRecord record; reader.next(record);) continue;
   }
   if (what == "novatel") {
-    io::NovatelImuReader reader(path);
-    for (io::NovatelImuRecord record; reader.next(record);) continue;
+    novatel::NovatelImuReader reader(path);
+    for (novatel::NovatelImuRecord record; reader.next(record);) continue;
   }
 }
 
 void import(const std::string& path, const std::string& what) {
-  const cli::ImportOptions options{200.0, ""};
-  const cli::ImportedProfile imported = what == "kf-gins"  ? cli::import_kf_gins(path, options)
-                                        : what == "gazebo" ? cli::import_gazebo(path, options)
-                                                           : cli::import_gnss_ins_sim(path, options);
-  cli::profile_text(imported.profile);
+  const profile_import::ImportOptions options{200.0, ""};
+  const profile_import::ImportedProfile imported = what == "kf-gins"  ? profile_import::import_kf_gins(path, options)
+                                        : what == "gazebo" ? profile_import::import_gazebo(path, options)
+                                                           : profile_import::import_gnss_ins_sim(path, options);
+  calibrate::profile_text(imported.profile);
 }
 
 void read_log(const std::string& path, const std::string& folder) {
-  io::inspect_log(path);
-  const io::McapReader log(path);
-  const cli::ReportData data = cli::report_data(log);
-  cli::report_text(data);
-  config::json_text(cli::report_json(data));
-  io::export_log(path, io::ExportFormat::Csv, folder + "/tables", {});
-  for (const io::FileFormat format :
-       {io::FileFormat::Nav, io::FileFormat::Imu, io::FileFormat::Gnss, io::FileFormat::Kml}) {
-    io::FileExportOptions options;
+  log::inspect_log(path);
+  const mcap::McapReader log(path);
+  const report::ReportData data = report::report_data(log);
+  report::report_text(data);
+  json::json_text(report::report_json(data));
+  exports::export_log(path, exports::ExportFormat::Csv, folder + "/tables", {});
+  for (const exports::FileFormat format :
+       {exports::FileFormat::Nav, exports::FileFormat::Imu, exports::FileFormat::Gnss, exports::FileFormat::Kml}) {
+    exports::FileExportOptions options;
     options.format = format;
     options.destination = folder + "/out";
-    io::export_file(path, options);
+    exports::export_file(path, options);
   }
-  io::read_trajectory(path, {"", "inslab/truth", false});
+  trajectory::read_trajectory(path, {"", "inslab/truth", false});
 }
 
 }  // namespace

@@ -7,14 +7,14 @@
 #include "inslab/models/gnss/model.hpp"
 #include "inslab/nav/geodesy.hpp"
 
-namespace inslab::gnss {
+namespace inslab::statistical {
 namespace gnss_statistics_test {
 
 /// Errors of every epoch, north east down of position (m) and of velocity (m/s).
 std::array<std::vector<double>, 6> errors_of(const GnssErrorProfile& profile, std::uint64_t seed, std::int64_t epochs) {
-  GnssModel::Setup setup{seed, 0, time::Rate(1.0), profile, {}, {}, {}};
+  gnss::GnssModel::Setup setup{seed, 0, time::Rate(1.0), profile, {}, {}, {}};
   setup.installation.target.kind = SensorKind::Gnss;
-  GnssModel model(setup);
+  gnss::GnssModel model(setup);
   TruthState truth;
   truth.latitude_rad = 0.53;
   truth.longitude_rad = 1.996;
@@ -71,4 +71,4 @@ TEST(GnssStatistics, ErrorsAreWhiteAndIndependentOfEachOther) {
 }
 
 }  // namespace gnss_statistics_test
-}  // namespace inslab::gnss
+}  // namespace inslab::statistical

@@ -10,7 +10,7 @@
 /// The random errors of the whole IMU model, read off its output by Allan variance: several seeds and three axes give
 /// independent estimates, and the tolerance is 4 standard errors from their own spread. (With 48 estimates that is
 /// exceeded by chance at 2e-4 a point.)
-namespace inslab::imu {
+namespace inslab::statistical {
 namespace imu_statistics_test {
 
 using allan::allan_variance;
@@ -29,7 +29,7 @@ TruthState nothing(std::int64_t k, std::int64_t period_ns) {
 /// Integrated output of the three gyros (0..2, rad) and accelerometers (3..5, m/s).
 std::array<std::vector<double>, 6> integrated_output(const ImuErrorProfile& errors, std::uint64_t seed, double rate_hz,
                                                      std::int64_t samples) {
-  ImuModel model({seed, 0, time::Rate(rate_hz), nav::Gravity(), errors, {}, {}});
+  imu::ImuModel model({seed, 0, time::Rate(rate_hz), nav::Gravity(), errors, {}, {}});
   const std::int64_t period_ns = time::Rate(rate_hz).period().count();
   std::array<std::vector<double>, 6> angle;
   for (auto& axis : angle) axis.assign(1, 0.0);
@@ -127,4 +127,4 @@ TEST(ImuStatistics, TurnOnBiasesSpreadOverRunsAsTheirSigma) {
 }
 
 }  // namespace imu_statistics_test
-}  // namespace inslab::imu
+}  // namespace inslab::statistical

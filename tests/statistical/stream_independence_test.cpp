@@ -17,7 +17,7 @@
 /// are taken, where rho(1) of both is -1/2 at the most and the variance 1.5/n. With m correlations tested,
 /// |r| <= z sqrt(1.5/n) for all of them with probability 0.999 when erfc(z/sqrt(2)) = 0.001/m. Two series that share
 /// numbers, at the same index or at neighbours', have |r| of 1/2 or more.
-namespace inslab {
+namespace inslab::statistical {
 namespace stream_independence_test {
 
 struct Series {
@@ -272,4 +272,4 @@ TEST(StreamIndependence, AUnitWithoutANameHasTheScenariosSeedAndOthersTheirOwn) 
 }
 
 }  // namespace stream_independence_test
-}  // namespace inslab
+}  // namespace inslab::statistical

@@ -11,7 +11,7 @@
 #include "inslab/bus/dds/wire_findings.hpp"
 #include "inslab/bus/service/service.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 namespace {
 
@@ -154,8 +154,8 @@ Findings examine_endpoints(const std::string& where, std::size_t participants,
   return findings;
 }
 
-Findings examine_network(const app::NetworkOptions& network, double seconds) {
-  const dds::Discovery discovery(app::participant_options(network, "inslab-doctor"));
+Findings examine_network(const service::NetworkOptions& network, double seconds) {
+  const dds::Discovery discovery(service::participant_options(network, "inslab-doctor"));
   listen_for(seconds);
   const std::string where = fmt::format("domain {}, transport {}, interface {}", network.domain, network.transport,
                                         network.interface_address);
@@ -163,4 +163,4 @@ Findings examine_network(const app::NetworkOptions& network, double seconds) {
   return examine_endpoints(where, discovery.participants().size(), endpoints);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

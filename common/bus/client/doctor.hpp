@@ -8,7 +8,7 @@
 #include "inslab/bus/dds/discovery.hpp"
 #include "inslab/bus/service/service_options.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 /// One thing that was looked at.
 struct Finding {
@@ -48,6 +48,6 @@ Findings examine_endpoints(const std::string& where, std::size_t participants,
                            const std::vector<dds::Endpoint>& endpoints);
 
 /// The same of who is heard within so many seconds.
-Findings examine_network(const app::NetworkOptions& network, double seconds);
+Findings examine_network(const service::NetworkOptions& network, double seconds);
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -2,12 +2,12 @@
 
 #include "inslab/bus/service/service.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
-std::shared_ptr<RunClient> client_of(const app::NetworkOptions& network, const std::string& name) {
+std::shared_ptr<RunClient> client_of(const service::NetworkOptions& network, const std::string& name) {
   struct Both {
-    Both(const app::NetworkOptions& options, const std::string& participant_name)
-        : participant(app::participant_options(options, participant_name)), client(participant) {}
+    Both(const service::NetworkOptions& options, const std::string& participant_name)
+        : participant(service::participant_options(options, participant_name)), client(participant) {}
     dds::Participant participant;
     RunClient client;
   };
@@ -15,4 +15,4 @@ std::shared_ptr<RunClient> client_of(const app::NetworkOptions& network, const s
   return {both, &both->client};
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

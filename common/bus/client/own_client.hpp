@@ -6,9 +6,9 @@
 #include "inslab/bus/client/run_client.hpp"
 #include "inslab/bus/service/service_options.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 /// A client of whatever set is there, with a participant of its own under this name; both go with it.
-std::shared_ptr<RunClient> client_of(const app::NetworkOptions& network, const std::string& name);
+std::shared_ptr<RunClient> client_of(const service::NetworkOptions& network, const std::string& name);
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -9,12 +9,12 @@
 #include "inslab/foundation/host/shutdown.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 namespace {
 
-app::Identity of_any_set(const dds::Participant& participant) {
-  app::Identity own;
+streams::Identity of_any_set(const dds::Participant& participant) {
+  streams::Identity own;
   own.service = participant.options().name;
   own.unit = participant.options().unit;
   return own;
@@ -24,7 +24,7 @@ app::Identity of_any_set(const dds::Participant& participant) {
 
 RunClient::RunClient(dds::Participant& participant) : RunClient(participant, of_any_set(participant)) {}
 
-RunClient::RunClient(dds::Participant& participant, const app::Identity& own)
+RunClient::RunClient(dds::Participant& participant, const streams::Identity& own)
     : of_one_run_(own.run_id != RunId{}),
       run_id_(own.run_id),
       writers_(participant.peers(), participant.key(), own),
@@ -50,7 +50,7 @@ void RunClient::hear(const SimStatus& status, const dds::ParticipantKey& server)
     server_ = server;
     ++statuses_;
   } else if (other_run_.empty()) {
-    other_run_ = "another run, " + app::run_id_text(status.run_id) + " of '" + text::shown(status.scenario) +
+    other_run_ = "another run, " + host::run_id_text(status.run_id) + " of '" + text::shown(status.scenario) +
                  "', is in its place";
     spdlog::warn("{}", other_run_);
   }
@@ -95,17 +95,17 @@ std::vector<ProfileAck> RunClient::acks(std::uint64_t request_id) const {
 }
 
 void listen_for(double seconds) {
-  const time::Nanoseconds end = app::monotonic_now() + time::from_seconds(seconds);
-  while (app::monotonic_now() < end && !app::shutdown_requested()) {
+  const time::Nanoseconds end = host::monotonic_now() + time::from_seconds(seconds);
+  while (host::monotonic_now() < end && !host::shutdown_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
 }
 
-LongWait::LongWait() : begun_(app::monotonic_now()) {}
+LongWait::LongWait() : begun_(host::monotonic_now()) {}
 
 void LongWait::tell(const std::string& what) {
   constexpr time::Nanoseconds kLong = std::chrono::seconds(2);
-  if (told_ || app::monotonic_now() - begun_ < kLong) return;
+  if (told_ || host::monotonic_now() - begun_ < kLong) return;
   told_ = true;
   std::fprintf(stderr, "waits for %s\n", what.c_str());
 }
@@ -113,11 +113,11 @@ void LongWait::tell(const std::string& what) {
 bool wait_for(time::Nanoseconds deadline, const std::function<bool()>& condition, const std::string& what) {
   LongWait wait;
   while (!condition()) {
-    if (app::monotonic_now() > deadline || app::shutdown_requested()) return false;
+    if (host::monotonic_now() > deadline || host::shutdown_requested()) return false;
     wait.tell(what);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return true;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -15,7 +15,7 @@
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 /// A client of a running set: sends requests for swaps and commands, hears acknowledgements and how the run goes. It
 /// follows one run until that has ended, the first that it hears of its set's trajectory server; what is said of
@@ -25,7 +25,7 @@ class RunClient : public RunLink {
   /// Of whatever set is in the participant's unit, and of its next run when one has ended.
   explicit RunClient(dds::Participant& participant);
   /// Of the set that has this process's scenario and run, and of no other run.
-  RunClient(dds::Participant& participant, const app::Identity& own);
+  RunClient(dds::Participant& participant, const streams::Identity& own);
 
   bool connected() const override;
   bool send(const AnyProfile& request) override;
@@ -36,7 +36,7 @@ class RunClient : public RunLink {
   std::vector<ProfileAck> acks(std::uint64_t request_id) const override;
 
   /// Who may speak in this set.
-  app::Writers& writers() { return writers_; }
+  service::Writers& writers() { return writers_; }
 
  private:
   void hear(const SimStatus& status, const dds::ParticipantKey& server);
@@ -59,7 +59,7 @@ class RunClient : public RunLink {
 
   const bool of_one_run_;
   RunId run_id_;  ///< zero: of none yet
-  app::Writers writers_;
+  service::Writers writers_;
   Applied<RequestWriters, catalog::ProfileKinds> requests_;
   dds::Writer<SimCommand> command_;
   mutable std::mutex mutex_;
@@ -91,4 +91,4 @@ class LongWait {
   bool told_ = false;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

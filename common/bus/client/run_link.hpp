@@ -8,7 +8,7 @@
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/requests/run_control.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 /// What a client says to a running set and hears of it. RunClient is the one over DDS.
 class RunLink {
@@ -35,4 +35,4 @@ class RunLink {
   virtual std::vector<ProfileAck> acks(std::uint64_t request_id) const = 0;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -6,12 +6,12 @@
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/scenario/load.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 namespace {
 
-app::Identity of_any_set(const app::NetworkOptions& network) {
-  app::Identity own;
+streams::Identity of_any_set(const service::NetworkOptions& network) {
+  streams::Identity own;
   own.service = "inslab-status";
   own.unit = network.unit;
   return own;
@@ -19,14 +19,14 @@ app::Identity of_any_set(const app::NetworkOptions& network) {
 
 }  // namespace
 
-SetListener::SetListener(const app::NetworkOptions& network)
-    : participant_(app::participant_options(network, "inslab-status")),
+SetListener::SetListener(const service::NetworkOptions& network)
+    : participant_(service::participant_options(network, "inslab-status")),
       writers_(participant_.peers(), participant_.key(), of_any_set(network)),
       services_reader_(participant_, dds::topics::service_status(),
                        [this](const ServiceStatus& status, const dds::SampleOrigin&) {
                          const std::lock_guard<std::mutex> lock(mutex_);
                          Heard& heard = services_[{status.service, status.sensor_number}];
-                         heard = {{status, std::move(heard.heartbeats.last)}, app::monotonic_now()};
+                         heard = {{status, std::move(heard.heartbeats.last)}, host::monotonic_now()};
                        }),
       status_reader_(participant_, dds::topics::sim_status(),
                      writers_.only(dds::topics::sim_status(),
@@ -60,20 +60,20 @@ std::optional<SimStatus> SetListener::run() const {
   return run_;
 }
 
-std::vector<app::ServiceKey> missing_of(const std::vector<app::ServiceKey>& expected,
+std::vector<scenario::ServiceKey> missing_of(const std::vector<scenario::ServiceKey>& expected,
                                         const std::vector<Heartbeats>& services) {
-  std::vector<app::ServiceKey> missing;
-  for (const app::ServiceKey& key : expected) {
+  std::vector<scenario::ServiceKey> missing;
+  for (const scenario::ServiceKey& key : expected) {
     const bool lives = std::any_of(services.begin(), services.end(), [&key](const Heartbeats& service) {
-      return app::ServiceKey{service.last.service, service.last.sensor_number} == key;
+      return scenario::ServiceKey{service.last.service, service.last.sensor_number} == key;
     });
     if (!lives) missing.push_back(key);
   }
   return missing;
 }
 
-std::vector<app::ServiceKey> expected_services(const std::string& scenario_file) {
-  std::vector<app::ServiceKey> expected{{app::kTrajectoryServer, 0u}};
+std::vector<scenario::ServiceKey> expected_services(const std::string& scenario_file) {
+  std::vector<scenario::ServiceKey> expected{{app::kTrajectoryServer, 0u}};
   if (scenario_file.empty()) {
     for_each(catalog::SensorKinds{}, [&expected](auto kind) {
       using Kind = typename decltype(kind)::type;
@@ -81,9 +81,9 @@ std::vector<app::ServiceKey> expected_services(const std::string& scenario_file)
     });
     expected.emplace_back(app::kTruthLogger, 0u);
   } else {
-    for (const app::ServiceKey& key : app::required_services(scenario::load(scenario_file))) expected.push_back(key);
+    for (const scenario::ServiceKey& key : scenario::required_services(scenario::load(scenario_file))) expected.push_back(key);
   }
   return expected;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -15,12 +15,12 @@
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/scenario/service_names.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 /// Hears how the services of the set in a unit are, and how its run goes.
 class SetListener {
  public:
-  explicit SetListener(const app::NetworkOptions& network);
+  explicit SetListener(const service::NetworkOptions& network);
 
   /// The last two heartbeats of those heard after `since`, CLOCK_MONOTONIC. One that was not heard for as long as two
   /// heartbeats take is missing, whatever DDS thinks of its lease.
@@ -35,9 +35,9 @@ class SetListener {
   };
 
   dds::Participant participant_;
-  app::Writers writers_;
+  service::Writers writers_;
   mutable std::mutex mutex_;
-  std::map<app::ServiceKey, Heard> services_;
+  std::map<scenario::ServiceKey, Heard> services_;
   std::optional<SimStatus> run_;
   std::optional<VehicleLink> vehicle_;
   dds::Reader<ServiceStatus> services_reader_;
@@ -46,10 +46,10 @@ class SetListener {
 };
 
 /// Those of the expected services that are not among the living.
-std::vector<app::ServiceKey> missing_of(const std::vector<app::ServiceKey>& expected,
+std::vector<scenario::ServiceKey> missing_of(const std::vector<scenario::ServiceKey>& expected,
                                         const std::vector<Heartbeats>& services);
 
 /// The services of a scenario's set; of no scenario: one of each. Throws config::Error, io::ReadError.
-std::vector<app::ServiceKey> expected_services(const std::string& scenario_file);
+std::vector<scenario::ServiceKey> expected_services(const std::string& scenario_file);
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace inslab::cli {
+namespace inslab::client {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::size_t remove_stale(const std::vector<ShmSegment>& segments) {
   return removed;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace inslab::cli {
+namespace inslab::client {
 
 /// A shared-memory segment of Fast DDS: its file and the file whose lock says that its owner lives.
 struct ShmSegment {
@@ -20,4 +20,4 @@ std::vector<ShmSegment> find_shm_segments(const std::filesystem::path& directory
 /// Removes the segments that nobody uses; returns how many.
 std::size_t remove_stale(const std::vector<ShmSegment>& segments);
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -4,7 +4,7 @@
 
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 namespace {
 
@@ -100,4 +100,4 @@ std::string stream_table(const std::vector<Heartbeats>& services) {
   return text;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -9,7 +9,7 @@
 #include "inslab/data/samples/service_status.hpp"
 #include "inslab/data/samples/vehicle_state.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 /// The last two heartbeats of a service.
 struct Heartbeats {
@@ -30,4 +30,4 @@ std::string service_table(const std::vector<Heartbeats>& services,
 /// What each service counts on its streams; the rate is that between its last two heartbeats.
 std::string stream_table(const std::vector<Heartbeats>& services);
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -10,7 +10,7 @@
 #include "inslab/foundation/host/shutdown.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 namespace {
 
@@ -69,8 +69,8 @@ void Patience::hear(const RunLink& link, time::Nanoseconds now) {
 }
 
 Pace pace_of_this_process() {
-  return {app::monotonic_now, [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); },
-          app::shutdown_requested};
+  return {host::monotonic_now, [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); },
+          host::shutdown_requested};
 }
 
 SwapsPlayed play_swaps(RunLink& link, const std::vector<AnyProfile>& swaps, std::optional<double> timeout_s,
@@ -105,4 +105,4 @@ std::string words_of(const ProfileAck& ack) {
                      ack.requested_in_the_past ? "; the time asked for had passed" : "");
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -8,7 +8,7 @@
 #include "inslab/bus/client/run_link.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 /// How long to wait for acknowledgements: so many seconds in all when they are given, else as long as the run goes on
 /// and a while beyond its last word, since a swap in the future is acknowledged by its first sample. Times are those of
@@ -59,4 +59,4 @@ bool is_in_effect(const ProfileAck& ack);
 /// "rejected: /gyro/...: is ...", "applied at 20.000000000 s; first sample under it ..."
 std::string words_of(const ProfileAck& ack);
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -13,7 +13,7 @@
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 namespace {
 
@@ -54,19 +54,19 @@ bool is_news(Told& told, const T& sample) {
 
 template <class T>
 std::shared_ptr<dds::Reader<T>> reader_of(dds::Participant& participant, const dds::Topic<T>& topic,
-                                          const io::LogType& type, const std::shared_ptr<Told>& told,
+                                          const log::LogType& type, const std::shared_ptr<Told>& told,
                                           const Callback& callback) {
   return std::make_shared<dds::Reader<T>>(
       participant, topic,
       [&type, told, callback](const dds::Received<T>& sample, const dds::SampleOrigin&) {
-        if (is_news<T>(*told, sample)) callback({type, sample.cdr, app::realtime_now().count()});
+        if (is_news<T>(*told, sample)) callback({type, sample.cdr, host::realtime_now().count()});
       },
       dds::Reliability::BestEffort);
 }
 
 template <class T>
 std::shared_ptr<dds::Reader<Block<T>>> reader_of(dds::Participant& participant, const dds::Topic<Block<T>>& topic,
-                                                 const io::LogType& type, const std::shared_ptr<Told>& told,
+                                                 const log::LogType& type, const std::shared_ptr<Told>& told,
                                                  const Callback& callback) {
   return std::make_shared<dds::Reader<Block<T>>>(
       participant, topic,
@@ -75,7 +75,7 @@ std::shared_ptr<dds::Reader<Block<T>>> reader_of(dds::Participant& participant, 
         for (const T& sample : block.samples) {
           if (!is_news(*told, sample)) continue;
           wire::encode(sample, cdr);
-          callback({type, cdr, app::realtime_now().count()});
+          callback({type, cdr, host::realtime_now().count()});
         }
       },
       dds::Reliability::BestEffort);
@@ -95,14 +95,14 @@ std::optional<std::uint32_t> number_of(const std::string& topic) {
 TopicTap::TopicTap(dds::Participant& participant, const std::string& topic, const Callback& callback) {
   const auto told = std::make_shared<Told>();
   std::string known;
-  const io::LogType* type = nullptr;  // of the topic; a stream comes before its blocks
+  const log::LogType* type = nullptr;  // of the topic; a stream comes before its blocks
   dds::topics::for_each(number_of(topic).value_or(0), [&](const auto& candidate) {
     using T = typename std::decay_t<decltype(candidate)>::Type;
     if constexpr (is_block<T>) {
       if (type == nullptr || candidate.name != catalog::block_topic(topic)) return;
       blocks_ = reader_of(participant, candidate, *type, told, callback);
     } else {
-      const io::LogType* its_type = io::find_log_type(wire::WireType<T>::name);
+      const log::LogType* its_type = log::find_log_type(catalog::WireType<T>::name);
       if (its_type == nullptr) return;
       known += (known.empty() ? "" : ", ") + candidate.name;
       if (candidate.name != topic) return;
@@ -117,4 +117,4 @@ TopicTap::TopicTap(dds::Participant& participant, const std::string& topic, cons
   }
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -8,11 +8,11 @@
 #include "inslab/bus/dds/participant.hpp"
 #include "inslab/formats/log/log_types.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 /// One message of a topic, whatever its type.
 struct TappedMessage {
-  const io::LogType& type;
+  const log::LogType& type;
   const std::vector<std::uint8_t>& cdr;  ///< encapsulation included
   std::int64_t received_realtime_ns;
 };
@@ -36,4 +36,4 @@ class TopicTap {
   std::function<int()> matched_writers_;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

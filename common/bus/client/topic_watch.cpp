@@ -14,7 +14,7 @@
 #include "inslab/foundation/host/mailbox.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 namespace {
 
@@ -25,8 +25,8 @@ std::string why_nothing(const TopicTap& tap, const WatchOptions& options) {
 
 }  // namespace
 
-std::map<std::string, TopicOnBus> topics_on_bus(const app::NetworkOptions& network, double seconds) {
-  const dds::Discovery discovery(app::participant_options(network, "inslab-topics"));
+std::map<std::string, TopicOnBus> topics_on_bus(const service::NetworkOptions& network, double seconds) {
+  const dds::Discovery discovery(service::participant_options(network, "inslab-topics"));
   listen_for(seconds);
   std::map<std::string, TopicOnBus> topics;
   for (const dds::Endpoint& endpoint : discovery.endpoints()) {
@@ -38,39 +38,39 @@ std::map<std::string, TopicOnBus> topics_on_bus(const app::NetworkOptions& netwo
 }
 
 std::string WatchedMessage::text() const {
-  io::Row row;
+  tables::Row row;
   std::string lines;
   if (!type.row(cdr.data(), cdr.size(), row)) return lines;
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (std::holds_alternative<std::monostate>(row[i])) continue;
-    lines += fmt::format("{}: {}\n", type.columns[i].name, io::csv_text(row[i]));
+    lines += fmt::format("{}: {}\n", type.columns[i].name, tables::csv_text(row[i]));
   }
   return lines;
 }
 
 std::optional<double> WatchedMessage::delay_s() const {
-  const auto column = std::find_if(type.columns.begin(), type.columns.end(), [](const io::Column& c) {
+  const auto column = std::find_if(type.columns.begin(), type.columns.end(), [](const tables::Column& c) {
     return c.name == "header.publish_realtime_ns" || c.name == "realtime_ns";
   });
-  io::Row row;
+  tables::Row row;
   if (column == type.columns.end() || !type.row(cdr.data(), cdr.size(), row)) return std::nullopt;
   const auto sent_ns = std::get<std::int64_t>(row[static_cast<std::size_t>(column - type.columns.begin())]);
   return static_cast<double>(received_realtime_ns - sent_ns) * 1e-9;
 }
 
 Watched watch_topic(const WatchOptions& options, const std::function<void(const WatchedMessage&)>& each) {
-  app::Mailbox<WatchedMessage> mailbox;
-  dds::ParticipantOptions onlooker = app::participant_options(options.network, "inslab-topics");
+  host::Mailbox<WatchedMessage> mailbox;
+  dds::ParticipantOptions onlooker = service::participant_options(options.network, "inslab-topics");
   onlooker.looks_on = true;
   dds::Participant participant(onlooker);
   const TopicTap tap(participant, options.topic, [&mailbox](const TappedMessage& message) {
     mailbox.put({message.type, message.cdr, message.received_realtime_ns});
   });
-  const time::Nanoseconds begun = app::monotonic_now();
+  const time::Nanoseconds begun = host::monotonic_now();
   const time::Nanoseconds end = begun + time::from_seconds(options.seconds);
   LongWait wait;
   Watched watched;
-  while (app::monotonic_now() < end && !app::shutdown_requested() &&
+  while (host::monotonic_now() < end && !host::shutdown_requested() &&
          (options.count == 0 || watched.messages < options.count)) {
     const auto message = mailbox.take(std::chrono::milliseconds(50));
     if (!message && watched.messages == 0) {
@@ -82,7 +82,7 @@ Watched watch_topic(const WatchOptions& options, const std::function<void(const 
   }
   if (watched.messages == 0) {
     watched.why_nothing = fmt::format("nothing came on {} in {:.1f} s; {}", options.topic,
-                                      time::to_seconds(app::monotonic_now() - begun), why_nothing(tap, options));
+                                      time::to_seconds(host::monotonic_now() - begun), why_nothing(tap, options));
   }
   return watched;
 }
@@ -107,4 +107,4 @@ std::optional<Intervals::Figures> Intervals::figures() const {
   return figures;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

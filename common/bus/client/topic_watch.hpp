@@ -9,7 +9,7 @@
 #include "inslab/bus/service/service_options.hpp"
 #include "inslab/formats/log/log_types.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 
 /// What was heard of a topic's writers and readers.
 struct TopicOnBus {
@@ -19,11 +19,11 @@ struct TopicOnBus {
 };
 
 /// The topics heard within so many seconds, by name.
-std::map<std::string, TopicOnBus> topics_on_bus(const app::NetworkOptions& network, double seconds);
+std::map<std::string, TopicOnBus> topics_on_bus(const service::NetworkOptions& network, double seconds);
 
 /// One message that a watched topic brought.
 struct WatchedMessage {
-  const io::LogType& type;
+  const log::LogType& type;
   std::vector<std::uint8_t> cdr;
   std::int64_t received_realtime_ns;
 
@@ -37,7 +37,7 @@ struct WatchOptions {
   std::string topic;
   double seconds = 5.0;
   std::uint64_t count = 0;  ///< so many messages at most; 0: as many as come
-  app::NetworkOptions network;
+  service::NetworkOptions network;
 };
 
 struct Watched {
@@ -69,4 +69,4 @@ class Intervals {
   std::optional<std::int64_t> last_ns_;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::client

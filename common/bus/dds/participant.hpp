@@ -80,7 +80,7 @@ class Participant {
   /// std::runtime_error when Fast DDS refuses.
   template <class T>
   eprosima::fastdds::dds::Topic& topic(const std::string& name) {
-    return topic_of_type(name, std::string(wire::WireType<T>::name), type_adapter<T>);
+    return topic_of_type(name, std::string(catalog::WireType<T>::name), type_adapter<T>);
   }
 
   /// Its own key among the participants of the network.

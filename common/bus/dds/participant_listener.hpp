@@ -63,7 +63,7 @@ struct Participant::Listener : fast_dds::DomainParticipantListener {
     constexpr std::size_t kMost = 64;
     const std::string topic = data.topic_name.to_string();
     const std::string type = data.type_name.to_string();
-    if (topic.rfind(catalog::kRoot, 0) != 0 || type.rfind(wire::kModule, 0) == 0) return;
+    if (topic.rfind(catalog::kRoot, 0) != 0 || type.rfind(catalog::kModule, 0) == 0) return;
     const std::vector<std::string> partitions = data.partition.getNames();
     const bool in_this_unit =
         unit.empty() ? partitions.empty() : std::find(partitions.begin(), partitions.end(), unit) != partitions.end();

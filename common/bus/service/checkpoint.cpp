@@ -11,7 +11,7 @@
 
 #include "inslab/foundation/host/host.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,7 +106,7 @@ bool Checkpoint::left_behind() const {
 
 std::string Checkpoint::path(const std::string& kind) const {
   if (folder_.empty()) throw std::runtime_error("there is no folder for it");
-  return (folder_ / (name_ + run_id_text(run_) + "." + kind)).string();
+  return (folder_ / (name_ + host::run_id_text(run_) + "." + kind)).string();
 }
 
 void Checkpoint::begin(const RunId& run) {
@@ -115,7 +115,7 @@ void Checkpoint::begin(const RunId& run) {
   run_ = run;
   if (folder_.empty()) return;
   try {
-    file_ = std::make_unique<recovery::CheckpointFile>(path("state"));
+    file_ = std::make_unique<state::CheckpointFile>(path("state"));
   } catch (const std::exception& error) {
     say_that_there_is_none(error.what());
   }
@@ -124,7 +124,7 @@ void Checkpoint::begin(const RunId& run) {
 void Checkpoint::forget() {
   file_.reset();
   if (folder_.empty()) return;
-  const std::string of_this_run = name_ + run_id_text(run_) + ".";
+  const std::string of_this_run = name_ + host::run_id_text(run_) + ".";
   for_each_file(folder_, [&](const fs::path& file) {
     std::error_code failed;
     if (file.filename().string().compare(0, of_this_run.size(), of_this_run) == 0) fs::remove(file, failed);
@@ -144,13 +144,13 @@ bool Checkpoint::keep(const std::vector<std::uint8_t>& state) {
   }
 }
 
-std::int64_t Checkpoint::now() { return realtime_now().count(); }
+std::int64_t Checkpoint::now() { return host::realtime_now().count(); }
 
 void remove_checkpoints(const std::string& state_folder, const RunId& run) {
   for_each_file(folder_of(state_folder), [&run](const fs::path& file) {
     std::error_code failed;
-    if (run_of(file) == run_id_text(run) && !is_in_use(file)) fs::remove(file, failed);
+    if (run_of(file) == host::run_id_text(run) && !is_in_use(file)) fs::remove(file, failed);
   });
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::service

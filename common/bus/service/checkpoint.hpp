@@ -11,7 +11,7 @@
 #include "inslab/data/state/checkpoint_file.hpp"
 #include "inslab/data/state/state_stream.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 /// What begins every checkpoint: which run of which scenario it belongs to, and when it was kept.
 struct CheckpointHead {
@@ -49,14 +49,14 @@ class Checkpoint {
   std::optional<CheckpointHead> resume(const Load& load) {
     if (!file_ || !file_->last() || file_->last()->empty()) return std::nullopt;
     try {
-      recovery::StateReader reader(file_->last()->data(), file_->last()->size());
+      state::StateReader reader(file_->last()->data(), file_->last()->size());
       CheckpointHead head;
       reader(head);
       if (head.run_id != run_ || head.scenario != scenario_ || head.seed != seed_) return std::nullopt;
       load(reader);
       reader.expect_end();
       return head;
-    } catch (const recovery::StateError& error) {
+    } catch (const state::StateError& error) {
       say_that_there_is_none(error.what());
       return std::nullopt;
     }
@@ -66,7 +66,7 @@ class Checkpoint {
   template <class Save>
   std::vector<std::uint8_t> state(const Save& save) const {
     std::vector<std::uint8_t> bytes;
-    recovery::StateWriter writer(bytes);
+    state::StateWriter writer(bytes);
     writer(CheckpointHead{run_, scenario_, seed_, now()});
     save(writer);
     return bytes;
@@ -87,7 +87,7 @@ class Checkpoint {
   std::filesystem::path folder_;  ///< empty: there is no place
   std::string name_;              ///< what the files of this service begin with, of whatever run
   RunId run_;
-  std::unique_ptr<recovery::CheckpointFile> file_;  ///< null: before a run, or there is no place for it
+  std::unique_ptr<state::CheckpointFile> file_;  ///< null: before a run, or there is no place for it
   bool no_room_was_said_ = false;
 };
 
@@ -95,4 +95,4 @@ class Checkpoint {
 /// were killed and not started again.
 void remove_checkpoints(const std::string& state_folder, const RunId& run);
 
-}  // namespace inslab::app
+}  // namespace inslab::service

@@ -7,7 +7,7 @@
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/scenario/service_names.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 /// How long after the end of a run everybody stays for a service that was killed: until it has been started again, and
 /// has what it lacks.
@@ -41,4 +41,4 @@ class LogWord {
   std::optional<Credit> newest_;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::service

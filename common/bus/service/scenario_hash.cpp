@@ -9,7 +9,7 @@
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/foundation/files/error.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 namespace {
 
@@ -54,14 +54,14 @@ void add_file(Sha256& hash, const std::filesystem::path& path) {
   while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {
     hash.add(piece.data(), static_cast<std::size_t>(file.gcount()));
   }
-  if (!file.eof()) throw io::ReadError(path.string() + ": cannot be read");
+  if (!file.eof()) throw files::ReadError(path.string() + ": cannot be read");
 }
 
 }  // namespace
 
 std::string scenario_hash(const scenario::LoadedScenario& loaded) {
   Sha256 hash;
-  hash.add_text(config::to_json(loaded.scenario).dump());
+  hash.add_text(json::to_json(loaded.scenario).dump());
   for_each_sensor(loaded, [&hash](auto kind, const auto& sensor) {
     for_each_profile(kind, sensor, [&hash](const auto& profile) { hash.add_profile(profile); });
     hash.add_profile(sensor.nominal_installation);
@@ -76,4 +76,4 @@ std::string scenario_hash(const scenario::LoadedScenario& loaded) {
   return hash.hexadecimal();
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::service

@@ -15,7 +15,7 @@
 #include "inslab/foundation/host/shutdown.hpp"
 #include "inslab/scenario/service_names.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 namespace {
 
@@ -50,23 +50,23 @@ dds::ParticipantOptions participant_options(const NetworkOptions& network, const
   return options;
 }
 
-dds::ParticipantOptions participant_options(const NetworkOptions& network, const Identity& identity) {
+dds::ParticipantOptions participant_options(const NetworkOptions& network, const streams::Identity& identity) {
   dds::ParticipantOptions options = participant_options(network, identity.service);
-  options.user_data = announced(identity);
+  options.user_data = streams::announced(identity);
   return options;
 }
 
-Identity identity_of(const std::string& service, const ServiceOptions& options,
+streams::Identity identity_of(const std::string& service, const ServiceOptions& options,
                      const scenario::LoadedScenario& scenario) {
-  Identity identity;
+  streams::Identity identity;
   identity.service = service;
   identity.sensor_number = options.sensor;
   identity.unit = options.network.unit;
-  identity.host = host_name();
-  identity.process_space = process_space();
-  identity.pid = process_id();
-  identity.started_ticks = started_ticks(identity.pid).value_or(0);
-  identity.since_realtime_ns = realtime_now().count();
+  identity.host = host::host_name();
+  identity.process_space = host::process_space();
+  identity.pid = host::process_id();
+  identity.started_ticks = host::started_ticks(identity.pid).value_or(0);
+  identity.since_realtime_ns = host::realtime_now().count();
   identity.version = INSLAB_VERSION;
   identity.scenario = scenario.scenario.name;
   identity.scenario_hash = scenario_hash(scenario);
@@ -74,7 +74,7 @@ Identity identity_of(const std::string& service, const ServiceOptions& options,
   return identity;
 }
 
-Context::Context(Identity identity, ServiceOptions options, scenario::LoadedScenario scenario)
+Context::Context(streams::Identity identity, ServiceOptions options, scenario::LoadedScenario scenario)
     : identity_(std::move(identity)),
       options_(std::move(options)),
       scenario_(std::move(scenario)),
@@ -85,31 +85,31 @@ int run_service(const char* name, const char* purpose, const ServiceTraits& trai
   ServiceOptions options;
   if (const auto exit_code = parse(name, purpose, traits, argc, argv, options)) return *exit_code;
   set_up_logging(name, options.log_level);
-  install_signal_handlers();
+  host::install_signal_handlers();
   warn_of_environment();
   try {
     scenario::LoadedScenario loaded =
         scenario::load(options.scenario, options.network.unit,
                        traits.makes_truth ? scenario::TrajectoryRows::Read : scenario::TrajectoryRows::LeaveOut);
-    const Identity identity = identity_of(name, options, loaded);  // by what the files say
+    const streams::Identity identity = identity_of(name, options, loaded);  // by what the files say
     override_clock(options.clock, loaded);
     Context context(identity, options, std::move(loaded));
     // Whoever starts services of one run has looked before.
     if (options.run_id == RunId{}) look_around(context.participant(), identity);
     return body(context);
-  } catch (const config::Error& error) {
+  } catch (const json::Error& error) {
     spdlog::error("{}", error.what());
-    return kBadInput;
+    return host::kBadInput;
   } catch (const PlaceTaken& taken) {
     spdlog::error("{}", taken.what());
-    return kBadInput;
-  } catch (const io::OutputRefused& refused) {
+    return host::kBadInput;
+  } catch (const files::OutputRefused& refused) {
     spdlog::error("{}", refused.what());
-    return kBadInput;
+    return host::kBadInput;
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());
-    return kFailed;
+    return host::kFailed;
   }
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::service

@@ -8,16 +8,16 @@
 #include "inslab/data/streams/identity.hpp"
 #include "inslab/scenario/load.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 /// What a service's body is given: its scenario, its place on the network, its command line.
 class Context {
  public:
   /// Joins the network under `identity`.
-  Context(Identity identity, ServiceOptions options, scenario::LoadedScenario scenario);
+  Context(streams::Identity identity, ServiceOptions options, scenario::LoadedScenario scenario);
 
   const std::string& service() const { return identity_.service; }
-  const Identity& identity() const { return identity_; }
+  const streams::Identity& identity() const { return identity_; }
   const ServiceOptions& options() const { return options_; }
   const scenario::LoadedScenario& scenario() const { return scenario_; }
   dds::Participant& participant() { return participant_; }
@@ -27,7 +27,7 @@ class Context {
   bool obeys(const RunId& run) const { return identity_.run_id == RunId{} || identity_.run_id == run; }
 
  private:
-  Identity identity_;
+  streams::Identity identity_;
   ServiceOptions options_;
   scenario::LoadedScenario scenario_;
   dds::Participant participant_;
@@ -35,17 +35,17 @@ class Context {
 };
 
 /// What this process says of itself, as `service` with what it was given.
-Identity identity_of(const std::string& service, const ServiceOptions& options,
+streams::Identity identity_of(const std::string& service, const ServiceOptions& options,
                      const scenario::LoadedScenario& scenario);
 
 /// The participant options that the command line asks for.
 dds::ParticipantOptions participant_options(const NetworkOptions& network, const std::string& name);
 /// The same, announcing who this process is.
-dds::ParticipantOptions participant_options(const NetworkOptions& network, const Identity& identity);
+dds::ParticipantOptions participant_options(const NetworkOptions& network, const streams::Identity& identity);
 
 /// Runs a service: command line, logging, signals, scenario, participant, body. Errors of the configuration, and that
 /// somebody else is there already, are printed and give exit code 2; whatever else the body throws gives 1.
 int run_service(const char* name, const char* purpose, const ServiceTraits& traits, int argc, char** argv,
                 const std::function<int(Context&)>& body);
 
-}  // namespace inslab::app
+}  // namespace inslab::service

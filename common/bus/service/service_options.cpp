@@ -10,17 +10,17 @@
 #include "inslab/foundation/host/one_of.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 namespace {
 
 /// Makes an address of the name of an interface; refuses what this host lacks.
 std::string to_address(std::string& wanted) {
   if (wanted == "any") return "";
-  const std::vector<NetworkInterface> here = network_interfaces();
-  const auto address = address_on(here, wanted);
+  const std::vector<host::NetworkInterface> here = host::network_interfaces();
+  const auto address = host::address_on(here, wanted);
   if (!address)
-    return "this host has no interface '" + text::shown(wanted) + "'; it has " + words_of(here) + ", or any";
+    return "this host has no interface '" + text::shown(wanted) + "'; it has " + host::words_of(here) + ", or any";
   wanted = *address;
   return "";
 }
@@ -40,7 +40,7 @@ void NetworkOptions::add_to(CLI::App& app) {
   app.add_option("--domain", domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
   add_unit_option(app, unit, "the vehicle's name on the network; becomes the DDS partition");
   app.add_option("--transport", transport, "udp, shm, or default (what Fast DDS or its XML profile says)")
-      ->check(one_of({"udp", "shm", "default"}))
+      ->check(host::one_of({"udp", "shm", "default"}))
       ->capture_default_str();
   app.add_option("--interface", interface_address,
                  "network interface to bind to: its name or IPv4 address; 'any' for every interface")
@@ -71,7 +71,7 @@ std::string NetworkOptions::words() const {
 
 void ClockOptions::add_to(CLI::App& app) {
   app.add_option("--clock", mode, "real_time or lockstep, instead of what the scenario says")
-      ->check(one_of({"real_time", "lockstep"}));
+      ->check(host::one_of({"real_time", "lockstep"}));
   app.add_option("--rate", rate, "sim seconds per second, instead of what the scenario says")
       ->check(CLI::Range(kMinRate, kMaxRate));
   app.add_flag("--paused", paused, "wait for 'inslab resume' or 'inslab step' before the first sample");
@@ -89,7 +89,7 @@ namespace {
 
 const CLI::Validator is_run_id(
     [](std::string& text) {
-      return run_id_of(text) ? std::string() : "'" + text + "' is no run id; expected 32 hexadecimal digits";
+      return host::run_id_of(text) ? std::string() : "'" + text + "' is no run id; expected 32 hexadecimal digits";
     },
     "ID");
 
@@ -121,15 +121,15 @@ std::optional<int> parse(const char* name, const char* purpose, const ServiceTra
          "has this place; without it the service looks around first")
       ->check(is_run_id);
   app.add_option("--log-level", options.log_level, "debug, info, warn or error")
-      ->check(one_of({"debug", "info", "warn", "error"}))
+      ->check(host::one_of({"debug", "info", "warn", "error"}))
       ->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kOk : kBadInput;
+    return app.exit(error) == 0 ? host::kOk : host::kBadInput;
   }
-  if (!run.empty()) options.run_id = *run_id_of(run);
+  if (!run.empty()) options.run_id = *host::run_id_of(run);
   return std::nullopt;
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::service

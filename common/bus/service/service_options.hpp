@@ -11,7 +11,7 @@ namespace CLI {
 class App;
 }
 
-namespace inslab::app {
+namespace inslab::service {
 
 /// Adds --unit, which takes what samples/unit_name.hpp calls a unit's name, or nothing.
 void add_unit_option(CLI::App& app, std::string& unit, const std::string& meaning);
@@ -71,4 +71,4 @@ struct ServiceTraits {
 std::optional<int> parse(const char* name, const char* purpose, const ServiceTraits& traits, int argc, char** argv,
                          ServiceOptions& options);
 
-}  // namespace inslab::app
+}  // namespace inslab::service

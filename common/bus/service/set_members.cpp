@@ -6,7 +6,7 @@
 #include "inslab/foundation/host/shutdown.hpp"
 #include "inslab/scenario/service_names.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 namespace {
 
@@ -16,34 +16,34 @@ time::Nanoseconds time_to_hear(const dds::Participant& participant) {
   return std::chrono::milliseconds(participant.options().discovery_server.empty() ? 1000 : 1500);
 }
 
-std::string refusal(const Identity& other, const std::string& reason, const std::string& advice) {
-  return words_of(other) + " " + reason + (other.unit.empty() ? "" : " in the unit '" + other.unit + "'") + "; " +
+std::string refusal(const streams::Identity& other, const std::string& reason, const std::string& advice) {
+  return streams::words_of(other) + " " + reason + (other.unit.empty() ? "" : " in the unit '" + other.unit + "'") + "; " +
          advice;
 }
 
 }  // namespace
 
-bool lives(const Identity& identity) {
-  if (identity.process_space != process_space()) return true;
-  return started_ticks(identity.pid) == identity.started_ticks;
+bool lives(const streams::Identity& identity) {
+  if (identity.process_space != host::process_space()) return true;
+  return host::started_ticks(identity.pid) == identity.started_ticks;
 }
 
-std::vector<Identity> members_of(const dds::Participant& participant, const std::string& unit) {
-  std::vector<Identity> members;
+std::vector<streams::Identity> members_of(const dds::Participant& participant, const std::string& unit) {
+  std::vector<streams::Identity> members;
   for (const dds::Peer& peer : participant.peers().all()) {
-    const auto identity = identity_in(peer.user_data);
+    const auto identity = streams::identity_in(peer.user_data);
     if (identity && identity->unit == unit && lives(*identity)) members.push_back(*identity);
   }
   return members;
 }
 
-void look_around(const dds::Participant& participant, const Identity& own,
-                 const std::function<bool(const Identity& other)>& is_in_the_way) {
+void look_around(const dds::Participant& participant, const streams::Identity& own,
+                 const std::function<bool(const streams::Identity& other)>& is_in_the_way) {
   constexpr time::Nanoseconds kLook = std::chrono::milliseconds(10);
-  const time::Nanoseconds end = monotonic_now() + time_to_hear(participant);
-  while (monotonic_now() < end && !shutdown_requested()) {
-    for (const Identity& other : members_of(participant, own.unit)) {
-      if (!is_in_the_way(other) || !must_yield(own, other)) continue;
+  const time::Nanoseconds end = host::monotonic_now() + time_to_hear(participant);
+  while (host::monotonic_now() < end && !host::shutdown_requested()) {
+    for (const streams::Identity& other : members_of(participant, own.unit)) {
+      if (!is_in_the_way(other) || !streams::must_yield(own, other)) continue;
       throw PlaceTaken(refusal(other, "runs here already",
                                "a unit has one set: stop that one, or choose another --unit or --domain"));
     }
@@ -51,15 +51,15 @@ void look_around(const dds::Participant& participant, const Identity& own,
   }
 }
 
-void look_around(const dds::Participant& participant, const Identity& own) {
-  look_around(participant, own, [&own](const Identity& other) {
+void look_around(const dds::Participant& participant, const streams::Identity& own) {
+  look_around(participant, own, [&own](const streams::Identity& other) {
     if (other.role() == own.role()) return true;
     if (other.service != kTrajectoryServer) return false;
-    const std::string why = difference(own, other);
+    const std::string why = streams::difference(own, other);
     if (why.empty()) return false;
     throw PlaceTaken(refusal(other, "runs another set than this " + own.service + ": " + why,
                              "start this one with the scenario of that set, or with another --unit or --domain"));
   });
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::service

@@ -3,7 +3,7 @@
 #include "inslab/bus/dds/reader.hpp"
 #include "inslab/bus/service/service.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 /// Reader of a topic that the set itself writes: hands on what its rightful writers send (app/writers.hpp). Otherwise
 /// as dds::Reader.
@@ -19,4 +19,4 @@ class SetReader {
   dds::Reader<T> reader_;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::service

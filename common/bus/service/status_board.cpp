@@ -5,7 +5,7 @@
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 namespace {
 constexpr std::size_t kLongestMessage = 256;  // of the wire type
@@ -22,11 +22,11 @@ StatusBoard::StatusBoard(Context& context, std::uint32_t sensor_number, std::fun
 void StatusBoard::tick() {
   constexpr time::Nanoseconds kPeriod = std::chrono::seconds(1);
   constexpr time::Nanoseconds kLongWait = std::chrono::seconds(2);
-  if (state_ == ServiceState::Starting && !told_ && monotonic_now() - entered_ > kLongWait) {
+  if (state_ == ServiceState::Starting && !told_ && host::monotonic_now() - entered_ > kLongWait) {
     told_ = true;
     if (!message_.empty()) spdlog::info("{}", message_);
   }
-  if (monotonic_now() - last_report_ >= kPeriod || context_.writers().fault() != fault_) report();
+  if (host::monotonic_now() - last_report_ >= kPeriod || context_.writers().fault() != fault_) report();
 }
 
 void StatusBoard::enter(ServiceState state, const std::string& message) {
@@ -34,15 +34,15 @@ void StatusBoard::enter(ServiceState state, const std::string& message) {
   if (state == state_ && words == message_) return;
   state_ = state;
   message_ = words;
-  entered_ = monotonic_now();
+  entered_ = host::monotonic_now();
   told_ = false;
   report();
 }
 
 void StatusBoard::report() {
-  last_report_ = monotonic_now();
-  status_.realtime_ns = realtime_now().count();
-  status_.rss_bytes = resident_bytes();
+  last_report_ = host::monotonic_now();
+  status_.realtime_ns = host::realtime_now().count();
+  status_.rss_bytes = host::resident_bytes();
   status_.refused_messages = context_.participant().refused_messages();
   status_.message = message_;
   status_.streams.clear();
@@ -56,4 +56,4 @@ void StatusBoard::report() {
   if (!writer_.write(status_)) spdlog::warn("the status of {} could not be sent", status_.service);
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::service

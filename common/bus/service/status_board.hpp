@@ -7,7 +7,7 @@
 #include "inslab/data/samples/service_status.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 /// The heartbeat of a service: says once a second, and at every change of state, how it is. What was written that must
 /// not be (app/writers.hpp) is said at once, and makes a fault of the end.
@@ -45,4 +45,4 @@ class StatusBoard {
   dds::Writer<ServiceStatus> writer_;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::service

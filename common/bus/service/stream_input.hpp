@@ -13,7 +13,7 @@
 #include "inslab/data/streams/stream_monitor.hpp"
 #include "inslab/foundation/host/host.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 /// What came in one message of a stream: one sample, or in lockstep a block of them.
 template <class Sample>
@@ -36,23 +36,23 @@ class StreamInput {
         credits_(context.participant(), dds::topics::credit()),
         samples_(context, topic,
                  [enqueue](const Sample& sample, const dds::SampleOrigin&) {
-                   enqueue({{sample}, realtime_now().count()});
+                   enqueue({{sample}, host::realtime_now().count()});
                  }),
         blocks_(context, dds::topics::block(topic), [enqueue](const Block<Sample>& block, const dds::SampleOrigin&) {
-          enqueue({block.samples, realtime_now().count()});
+          enqueue({block.samples, host::realtime_now().count()});
         }) {}
 
   void begin_run(const RunId& run, ClockMode clock) {
     run_ = run;
     lockstep_ = clock == ClockMode::Lockstep;
-    came_at_ = monotonic_now();
+    came_at_ = host::monotonic_now();
     give_credit(0, true);
   }
 
   void add(const Arrived<Sample>& arrived) {
     for (const Sample& sample : arrived.samples) {
       if (sample.header.run_id != run_) continue;  // its run's status has not come yet: it will be asked for again
-      came_at_ = monotonic_now();
+      came_at_ = host::monotonic_now();
       monitor_.received(sample.header, arrived.received_realtime_ns);
       if (sample.header.sequence_number >= next_) pending_.insert_or_assign(sample.header.sequence_number, sample);
     }
@@ -75,11 +75,11 @@ class StreamInput {
   void tick(std::uint64_t wanted) {
     if (run_ == RunId{}) return;
     const bool gap = !pending_.empty() && pending_.begin()->first > next_;
-    if (gap && gap_since_ == time::Nanoseconds(0)) gap_since_ = monotonic_now();
-    const bool repeat = monotonic_now() >= next_credit_;
+    if (gap && gap_since_ == time::Nanoseconds(0)) gap_since_ = host::monotonic_now();
+    const bool repeat = host::monotonic_now() >= next_credit_;
     const bool moved = lockstep_ && wanted != wanted_;
     // In lockstep the next block follows upon a credit; one that was sent before this process listened is sent again.
-    const bool silent = lockstep_ && pending_.empty() && monotonic_now() - came_at_ > std::chrono::milliseconds(400);
+    const bool silent = lockstep_ && pending_.empty() && host::monotonic_now() - came_at_ > std::chrono::milliseconds(400);
     const bool lacks = gap || silent;
     if (moved || (repeat && (lacks || lockstep_))) give_credit(gap ? next_ : wanted, lacks && repeat);
   }
@@ -94,11 +94,11 @@ class StreamInput {
  private:
   bool gave_up() const {
     const time::Nanoseconds patience = lockstep_ ? std::chrono::seconds(2) : std::chrono::milliseconds(100);
-    return gap_since_ != time::Nanoseconds(0) && monotonic_now() - gap_since_ > patience;
+    return gap_since_ != time::Nanoseconds(0) && host::monotonic_now() - gap_since_ > patience;
   }
 
   void give_credit(std::uint64_t wanted, bool resend) {
-    next_credit_ = monotonic_now() + (lockstep_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(20));
+    next_credit_ = host::monotonic_now() + (lockstep_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(20));
     wanted_ = wanted;
     Credit credit;
     credit.run_id = run_;
@@ -118,10 +118,10 @@ class StreamInput {
   time::Nanoseconds gap_since_{0};           ///< CLOCK_MONOTONIC; 0: sample next_ is not missing
   time::Nanoseconds came_at_{0};             ///< CLOCK_MONOTONIC, the newest
   time::Nanoseconds next_credit_{0};
-  StreamMonitor monitor_;
+  streams::StreamMonitor monitor_;
   dds::Writer<Credit> credits_;
   SetReader<Sample> samples_;
   SetReader<Block<Sample>> blocks_;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::service

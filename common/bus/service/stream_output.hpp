@@ -17,11 +17,11 @@
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/scenario/service_names.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 /// What is left until a deadline on CLOCK_MONOTONIC, never below 0.
 inline std::chrono::nanoseconds time_left(time::Nanoseconds deadline) {
-  return std::max(time::Nanoseconds(0), deadline - monotonic_now());
+  return std::max(time::Nanoseconds(0), deadline - host::monotonic_now());
 }
 
 /// One stream as its producer sends it. In real time each sample goes out as one message; in lockstep samples go out in
@@ -42,7 +42,7 @@ class StreamOutput {
   }
 
   struct Settings {
-    std::vector<ConsumerKey> consumers;     ///< of ours; each reads the single samples and the blocks
+    std::vector<streams::ConsumerKey> consumers;     ///< of ours; each reads the single samples and the blocks
     bool paced_by_nav_app = false;          ///< the app under test is a consumer too, see TruthFollower
     std::uint64_t window = kWindowSamples;  ///< lockstep: samples ahead of the slowest credit
     std::size_t kept = 2 * kWindowSamples;  ///< samples that can be asked for again
@@ -68,8 +68,8 @@ class StreamOutput {
   }
 
   /// What it needs to go on from here in another process (recovery/state_stream.hpp); call begin_run() before.
-  void save(recovery::StateWriter& writer) const { writer(next_, sent_.samples()); }
-  void load(recovery::StateReader& reader) {
+  void save(state::StateWriter& writer) const { writer(next_, sent_.samples()); }
+  void load(state::StateReader& reader) {
     std::uint64_t samples = 0;
     reader(next_, samples);
     sent_.go_on(run_, samples, next_);
@@ -79,7 +79,7 @@ class StreamOutput {
 
   /// Sends a sample, with the clocks of this moment in its header; in lockstep, once its block is full.
   void put(Sample& sample) {
-    stamped(sample);
+    streams::stamped(sample);
     window_.add(sample);
     next_ = sample.header.sequence_number + 1;
     if (!lockstep_) {
@@ -108,14 +108,14 @@ class StreamOutput {
 
   /// Takes a credit for this stream, and sends again what it asks for.
   void take(const Credit& credit) {
-    if (credit.next_sequence > next_ + ahead_ || !ledger_.take(credit, run_, monotonic_now())) return;
+    if (credit.next_sequence > next_ + ahead_ || !ledger_.take(credit, run_, host::monotonic_now())) return;
     if (lockstep_) leave_behind();
     if (lockstep_) window_.forget_before(ledger_.lowest().value_or(0));
     if (!credit.resend || credit.next_sequence >= next_ || window_.empty()) return;
     if (is_on_its_way(credit.next_sequence)) return;
     flush_block();
     resent_from_ = resent_until_ = credit.next_sequence;
-    resent_at_ = monotonic_now();
+    resent_at_ = host::monotonic_now();
     for (std::uint64_t sent = 0; sent < kWindowSamples;) {
       const Block<Sample> block = window_.from(resent_until_, kBlockSamples);
       if (block.samples.empty()) break;
@@ -139,7 +139,7 @@ class StreamOutput {
     }
     const int missing = foreign_missing();
     if (missing == 0) return "";
-    return kWaitsForApp + (missing == 1 ? "a reader of " : std::to_string(missing) + " readers of ") + topic_;
+    return scenario::kWaitsForApp + (missing == 1 ? "a reader of " : std::to_string(missing) + " readers of ") + topic_;
   }
   StreamStatus status() const { return sent_.status(); }
   /// Waits until every reader has everything, at the latest until `deadline` (CLOCK_MONOTONIC): one that is stuck must
@@ -154,19 +154,19 @@ class StreamOutput {
   /// together had it sent again for itself, all of them would drown in it. What is lost once more is asked for again.
   bool is_on_its_way(std::uint64_t sequence) const {
     const time::Nanoseconds lately = lockstep_ ? std::chrono::milliseconds(150) : std::chrono::milliseconds(10);
-    return sequence >= resent_from_ && sequence < resent_until_ && monotonic_now() - resent_at_ < lately;
+    return sequence >= resent_from_ && sequence < resent_until_ && host::monotonic_now() - resent_at_ < lately;
   }
 
   /// Of consumers that nobody expected, those that hold up the run: our own say every 200 ms how far they are.
   void leave_behind() {
-    const std::string names = ledger_.leave_behind(next_, monotonic_now());
+    const std::string names = ledger_.leave_behind(next_, host::monotonic_now());
     if (names.empty()) return;
     spdlog::warn("{}: {} has not come on for {} s: the run no longer waits for it", topic_, text::shown(names),
-                 std::chrono::duration_cast<std::chrono::seconds>(CreditLedger::kPatience).count());
+                 std::chrono::duration_cast<std::chrono::seconds>(streams::CreditLedger::kPatience).count());
   }
-  static std::vector<ConsumerKey> with_nav_app(const Settings& settings) {
-    std::vector<ConsumerKey> consumers = settings.consumers;
-    if (settings.paced_by_nav_app) consumers.emplace_back(kNavApp, 0u);
+  static std::vector<streams::ConsumerKey> with_nav_app(const Settings& settings) {
+    std::vector<streams::ConsumerKey> consumers = settings.consumers;
+    if (settings.paced_by_nav_app) consumers.emplace_back(scenario::kNavApp, 0u);
     return consumers;
   }
   /// A foreign app reads the single samples, or in lockstep the blocks.
@@ -183,15 +183,15 @@ class StreamOutput {
   bool lockstep_ = false;
   std::uint64_t next_ = 0;
   std::uint64_t ahead_ = 0;  ///< how far beyond next_ a credit may be
-  CreditLedger ledger_;
-  SentWindow<Sample> window_;
+  streams::CreditLedger ledger_;
+  streams::SentWindow<Sample> window_;
   std::uint64_t resent_from_ = 0;
   std::uint64_t resent_until_ = 0;
   time::Nanoseconds resent_at_{0};  ///< CLOCK_MONOTONIC
   Block<Sample> gathered_;
-  StreamMonitor sent_;
+  streams::StreamMonitor sent_;
   dds::Writer<Sample> samples_;
   dds::Writer<Block<Sample>> blocks_;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::service

@@ -9,7 +9,7 @@
 #include "inslab/foundation/host/shutdown.hpp"
 #include "inslab/scenario/service_names.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -36,11 +36,11 @@ TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, Trut
                      }),
       truth_reader_(context, dds::topics::truth(context.scenario().scenario.truth_rate_hz),
                     [this](const TruthState& state, const dds::SampleOrigin&) {
-                      mailbox_.put(Arrived{{state}, realtime_now().count()});
+                      mailbox_.put(Arrived{{state}, host::realtime_now().count()});
                     }),
       block_reader_(context, dds::topics::block(dds::topics::truth(context.scenario().scenario.truth_rate_hz)),
                     [this](const Block<TruthState>& block, const dds::SampleOrigin&) {
-                      mailbox_.put(Arrived{block.samples, realtime_now().count()});
+                      mailbox_.put(Arrived{block.samples, host::realtime_now().count()});
                     }) {
   for_each(catalog::ProfileKinds{},
            [this, &context](auto profile) { read_journal<typename decltype(profile)::type>(context); });
@@ -50,7 +50,7 @@ TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, Trut
         context.writers().only_the_app(dds::topics::nav().name, context.scenario().scenario.reference_nav.has_value(),
                                        [this, topic](const NavSolution& solution, const dds::SampleOrigin&) {
                                          Credit credit;
-                                         credit.consumer = kNavApp;
+                                         credit.consumer = scenario::kNavApp;
                                          credit.topic = topic;
                                          credit.next_sequence = solution.imu_sequence + 1;
                                          mailbox_.put(credit);
@@ -75,7 +75,7 @@ std::string TruthFollower::missing() const {
       status_reader_.matched_writers() == 0) {
     return "waits for the trajectory server";
   }
-  if (nav_reader_ && nav_reader_->matched_writers() == 0) return std::string(kWaitsForApp) + "a writer of inslab/nav";
+  if (nav_reader_ && nav_reader_->matched_writers() == 0) return std::string(scenario::kWaitsForApp) + "a writer of inslab/nav";
   return consumer_.missing_readers();
 }
 
@@ -84,9 +84,9 @@ void TruthFollower::handle(Message message) {
     add_truth(*arrived);
   } else if (const auto* entry = std::get_if<AnyProfile>(&message)) {
     obey(*entry);
-    waiting_since_ = monotonic_now();
+    waiting_since_ = host::monotonic_now();
   } else if (auto* credit = std::get_if<Credit>(&message)) {
-    if (credit->consumer == kNavApp) credit->run_id = run_id_;
+    if (credit->consumer == scenario::kNavApp) credit->run_id = run_id_;
     if (!log_word_.take(*credit)) consumer_.take(*credit);
   } else {
     handle(std::get<SimStatus>(message));
@@ -109,7 +109,7 @@ void TruthFollower::handle(const SimStatus& status) {
   run_began_ = run_began_ || next_ > 0 || status.state != RunState::Waiting;
   if (!has_ended(status.state)) return;
   run_ended_ = true;
-  run_ended_at_ = monotonic_now();
+  run_ended_at_ = host::monotonic_now();
   truth_samples_of_run_ = status.truth_samples;
   if (status.state == RunState::Fault) fault_ = status.message;
 }
@@ -130,21 +130,21 @@ void TruthFollower::begin_run(const SimStatus& status) {
 
 /// Goes on where a process before this one stopped in the same run. False when there was none.
 bool TruthFollower::resume() {
-  const auto head = checkpoint_.resume([this](recovery::StateReader& reader) {
+  const auto head = checkpoint_.resume([this](state::StateReader& reader) {
     reader(next_);
     consumer_.load(reader);
   });
   if (!head) return false;
   delivered_ = next_;
-  resumed_at_ = monotonic_now();
+  resumed_at_ = host::monotonic_now();
   truth_monitor_.go_on(run_id_, next_, next_);
   spdlog::warn("goes on with truth sample {}, {:.3f} s after the last sign of life", next_,
-               static_cast<double>(realtime_now().count() - head->kept_realtime_ns) * 1e-9);
+               static_cast<double>(host::realtime_now().count() - head->kept_realtime_ns) * 1e-9);
   return true;
 }
 
 std::vector<std::uint8_t> TruthFollower::checkpoint() const {
-  return checkpoint_.state([this](recovery::StateWriter& writer) {
+  return checkpoint_.state([this](state::StateWriter& writer) {
     writer(next_);
     consumer_.save(writer);
   });
@@ -152,14 +152,14 @@ std::vector<std::uint8_t> TruthFollower::checkpoint() const {
 
 void TruthFollower::add_truth(const Arrived& arrived) {
   if (arrived.samples.empty()) return;
-  if (pending_.empty()) waiting_since_ = monotonic_now();
+  if (pending_.empty()) waiting_since_ = host::monotonic_now();
   for (const TruthState& state : arrived.samples) {
     if (state.header.run_id != run_id_) continue;  // its status has not come yet: it will be asked for again
     truth_monitor_.received(state.header, arrived.received_realtime_ns);
     const std::uint64_t sequence = state.header.sequence_number;
     if (sequence >= next_) pending_.insert_or_assign(sequence, Pending{state, &state == &arrived.samples.back()});
   }
-  truth_came_at_ = monotonic_now();
+  truth_came_at_ = host::monotonic_now();
   board_.enter(ServiceState::Running);
 }
 
@@ -167,7 +167,7 @@ void TruthFollower::add_truth(const Arrived& arrived) {
 bool TruthFollower::readers_are_back() {
   constexpr time::Nanoseconds kPatience = seconds(3);
   if (resumed_at_ == time::Nanoseconds(0)) return true;
-  if (!consumer_.missing_readers().empty() && monotonic_now() - resumed_at_ < kPatience) return false;
+  if (!consumer_.missing_readers().empty() && host::monotonic_now() - resumed_at_ < kPatience) return false;
   resumed_at_ = time::Nanoseconds(0);
   return true;
 }
@@ -183,7 +183,7 @@ void TruthFollower::pace_the_burst() {
   constexpr std::uint64_t kSamples = 128;
   constexpr time::Nanoseconds kPatience = milliseconds(50);
   burst_ = pending_.empty() && mailbox_.empty() ? 0 : burst_ + 1;
-  if (burst_ % kSamples == kSamples - 1) consumer_.flush(monotonic_now() + kPatience);
+  if (burst_ % kSamples == kSamples - 1) consumer_.flush(host::monotonic_now() + kPatience);
 }
 
 void TruthFollower::process_pending() {
@@ -194,7 +194,7 @@ void TruthFollower::process_pending() {
     const bool ends_block = front.ends_block;
     pending_.erase(pending_.begin());
     ++next_;
-    waiting_since_ = monotonic_now();
+    waiting_since_ = host::monotonic_now();
     stalled_ = false;
     if (clock_ != ClockMode::Lockstep) {
       checkpoint_.keep(checkpoint());
@@ -219,7 +219,7 @@ void TruthFollower::process_pending() {
 /// run.
 void TruthFollower::give_credit(bool resend) {
   constexpr time::Nanoseconds kRepeat = milliseconds(200);
-  next_credit_ = monotonic_now() + kRepeat;
+  next_credit_ = host::monotonic_now() + kRepeat;
   Credit credit;
   credit.run_id = run_id_;
   credit.consumer = service_;
@@ -238,13 +238,13 @@ void TruthFollower::watch_for_gaps() {
   if (!gap) gap_since_ = time::Nanoseconds(0);
   // What was asked for has come and is not all: ask for the rest at once.
   const bool answered = gap && gap_since_ != time::Nanoseconds(0) && next_ > asked_from_;
-  if (!answered && monotonic_now() < next_credit_) return;
-  if (gap && (answered || gap_since_ == time::Nanoseconds(0))) gap_since_ = monotonic_now();
+  if (!answered && host::monotonic_now() < next_credit_) return;
+  if (gap && (answered || gap_since_ == time::Nanoseconds(0))) gap_since_ = host::monotonic_now();
   asked_from_ = next_;
   const bool tail_is_missing = run_ended_ && pending_.empty() && next_ < truth_samples_of_run_;
   // In lockstep the next block follows upon a credit; one that was sent before this process listened is sent again.
   const bool silence = clock_ == ClockMode::Lockstep && pending_.empty() && marks_.empty() && !run_ended_ &&
-                       monotonic_now() - truth_came_at_ > milliseconds(400);
+                       host::monotonic_now() - truth_came_at_ > milliseconds(400);
   if (gap || tail_is_missing || silence) {
     give_credit(true);
   } else if (clock_ == ClockMode::Lockstep) {
@@ -253,7 +253,7 @@ void TruthFollower::watch_for_gaps() {
 }
 
 void TruthFollower::watch_the_journal() {
-  if (pending_.empty() || stalled_ || monotonic_now() - waiting_since_ < seconds(2)) return;
+  if (pending_.empty() || stalled_ || host::monotonic_now() - waiting_since_ < seconds(2)) return;
   const TruthState& front = pending_.begin()->second.state;
   if (front.header.sequence_number != next_ || consumer_.ready_for(front)) return;
   stalled_ = true;  // until it is processed
@@ -266,11 +266,11 @@ void TruthFollower::watch_the_journal() {
 /// nothing is lost.
 std::string TruthFollower::lost() const {
   constexpr time::Nanoseconds kPatience = seconds(8);
-  if (gap_since_ != time::Nanoseconds(0) && monotonic_now() - gap_since_ > kPatience) {
+  if (gap_since_ != time::Nanoseconds(0) && host::monotonic_now() - gap_since_ > kPatience) {
     return "truth samples " + std::to_string(next_) + " to " + std::to_string(pending_.begin()->first - 1) +
            " cannot be had: there is no checkpoint of this run to go on from, or it is too old";
   }
-  if (stalled_ && monotonic_now() - waiting_since_ > kPatience) {
+  if (stalled_ && host::monotonic_now() - waiting_since_ > kPatience) {
     const TruthState& front = pending_.begin()->second.state;
     return "truth sample " + std::to_string(next_) + " needs " + std::to_string(front.journal_in_effect) +
            " entries of the journal, and some of them cannot be had";
@@ -285,11 +285,11 @@ bool TruthFollower::finished() const {
   const bool logged = consumer_.outputs_logged() || log_word_.is_closed(run_id_);
   const bool delivered = clock_ == ClockMode::RealTime ? logged : marks_.empty();
   const time::Nanoseconds patience = logged ? seconds(8) : kTimeToComeBack;
-  return (next_ >= truth_samples_of_run_ && delivered) || monotonic_now() - run_ended_at_ > patience;
+  return (next_ >= truth_samples_of_run_ && delivered) || host::monotonic_now() - run_ended_at_ > patience;
 }
 
 void TruthFollower::tell_the_wait() {
-  if (told_wait_ || !run_ended_ || monotonic_now() - run_ended_at_ < seconds(2)) return;
+  if (told_wait_ || !run_ended_ || host::monotonic_now() - run_ended_at_ < seconds(2)) return;
   told_wait_ = true;
   spdlog::info("waits until the logger has closed its log, at most {} s",
                std::chrono::duration_cast<seconds>(kTimeToComeBack).count());
@@ -300,7 +300,7 @@ void TruthFollower::tell_the_wait() {
 void TruthFollower::stay_for_the_log() {
   if (!run_ended_ || next_ == 0) return;
   const time::Nanoseconds deadline = run_ended_at_ + kTimeToComeBack;
-  while (!log_word_.is_closed(run_id_) && !shutdown_requested() && monotonic_now() < deadline) {
+  while (!log_word_.is_closed(run_id_) && !host::shutdown_requested() && host::monotonic_now() < deadline) {
     auto message = mailbox_.take(milliseconds(50));
     if (message && std::holds_alternative<Credit>(*message)) handle(std::move(*message));
     tell_the_wait();
@@ -321,7 +321,7 @@ int TruthFollower::fail(const std::string& reason) {
   spdlog::error("{}", reason);
   board_.enter(ServiceState::Fault, reason);
   board_.flush(seconds(2));
-  return after_the_last_word(kFailed);
+  return host::after_the_last_word(host::kFailed);
 }
 
 int TruthFollower::follow() {
@@ -344,13 +344,13 @@ int TruthFollower::follow() {
 int TruthFollower::end() {
   consumer_.flush_blocks();
   if (run_ended_) consumer_.end_run(run_id_);
-  consumer_.flush(monotonic_now() + seconds(2));
+  consumer_.flush(host::monotonic_now() + seconds(2));
   const bool complete = run_ended_ && fault_.empty() && mailbox_.dropped() == 0 && next_ == truth_samples_of_run_;
-  const bool left_no_run = shutdown_requested() && !run_began_;
+  const bool left_no_run = host::shutdown_requested() && !run_began_;
   if (left_no_run) {
     board_.enter(ServiceState::Finished, "ended by a signal before a run");
-  } else if (shutdown_requested() && !run_ended_) {
-    const std::string reason = std::string(kEndedBySignal) + ", after truth sample " + std::to_string(next_);
+  } else if (host::shutdown_requested() && !run_ended_) {
+    const std::string reason = std::string(scenario::kEndedBySignal) + ", after truth sample " + std::to_string(next_);
     board_.enter(ServiceState::Fault, reason);
     spdlog::error("{}: what follows of this run is missing", reason);
   } else if (!fault_.empty()) {
@@ -366,7 +366,7 @@ int TruthFollower::end() {
   stay_for_the_log();
   checkpoint_.forget();
   const bool good = (complete && context_.writers().fault().empty()) || left_no_run;
-  return after_the_last_word(good ? kOk : kFailed);
+  return host::after_the_last_word(good ? host::kOk : host::kFailed);
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::service

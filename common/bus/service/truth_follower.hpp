@@ -17,7 +17,7 @@
 #include "inslab/foundation/host/mailbox.hpp"
 #include "inslab/foundation/host/stop_grace.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 /// What a service that makes sensor data of truth does with it.
 class TruthConsumer {
@@ -52,8 +52,8 @@ class TruthConsumer {
   /// What the outputs still wait for before the run may begin; empty when each has its readers.
   virtual std::string missing_readers() const = 0;
   /// What it needs to go on in another process, and going on from that.
-  virtual void save(recovery::StateWriter& writer) const = 0;
-  virtual void load(recovery::StateReader& reader) = 0;
+  virtual void save(state::StateWriter& writer) const = 0;
+  virtual void load(state::StateReader& reader) = 0;
   /// Adds the counters of the outputs.
   virtual void report(ServiceStatus& status) const = 0;
   /// Waits until the readers of the outputs have everything, at the latest until `deadline` (CLOCK_MONOTONIC).
@@ -120,8 +120,8 @@ class TruthFollower {
   std::string service_;
   std::uint32_t sensor_number_;
   TruthConsumer& consumer_;
-  StreamMonitor truth_monitor_;
-  Mailbox<Message> mailbox_;
+  streams::StreamMonitor truth_monitor_;
+  host::Mailbox<Message> mailbox_;
   std::map<std::uint64_t, Pending> pending_;  ///< truth samples not processed yet, by sequence number
   Checkpoint checkpoint_;
   std::uint64_t next_ = 0;              ///< the truth sample to process next
@@ -144,7 +144,7 @@ class TruthFollower {
   time::Nanoseconds run_ended_at_{0};
   LogWord log_word_;
   bool told_wait_ = false;  ///< for the logger at the end
-  StopGrace grace_;
+  host::StopGrace grace_;
   StatusBoard board_;
   dds::Writer<Credit> credits_;
   struct JournalReader {
@@ -159,4 +159,4 @@ class TruthFollower {
   SetReader<Block<TruthState>> block_reader_;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::service

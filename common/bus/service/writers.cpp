@@ -6,7 +6,7 @@
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/foundation/host/host.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 namespace {
 
@@ -21,20 +21,20 @@ bool only_tells(const std::string& topic) {
 }  // namespace
 
 /// Its announcement came before anything that it has written: Fast DDS matches no writer of a stranger.
-std::optional<Identity> Writers::identity_of(const dds::ParticipantKey& sender) const {
+std::optional<streams::Identity> Writers::identity_of(const dds::ParticipantKey& sender) const {
   if (sender == own_key_) return own_;  // nobody is announced to itself
   const auto peer = peers_.find(sender);
-  return peer ? identity_in(peer->user_data) : std::nullopt;
+  return peer ? streams::identity_in(peer->user_data) : std::nullopt;
 }
 
 std::string Writers::words_of(const dds::ParticipantKey& sender) const {
   const auto identity = identity_of(sender);
   const auto peer = peers_.find(sender);
-  return (identity ? app::words_of(*identity) + ", " : "") +
+  return (identity ? streams::words_of(*identity) + ", " : "") +
          dds::words_of(peer.value_or(dds::Peer{sender, sender == own_key_ ? "this process" : "", "", {}}));
 }
 
-bool Writers::admit(const std::string& topic, const ServiceKey& role, const dds::ParticipantKey& sender) {
+bool Writers::admit(const std::string& topic, const scenario::ServiceKey& role, const dds::ParticipantKey& sender) {
   const std::lock_guard<std::mutex> lock(mutex_);
   Stream& stream = streams_[{topic, role}];
   if (stream.owner_identity && stream.owner == sender) return true;
@@ -69,7 +69,7 @@ bool Writers::admit_app(const std::string& topic, const dds::ParticipantKey& sen
   const dds::ParticipantKey first = writes_on ? sender : stream.owner;
   const dds::ParticipantKey second = writes_on ? stream.owner : sender;
   const auto owner = identity_of(stream.owner);
-  const bool owner_lives = owner && owner->process_space == process_space() && lives(*owner);
+  const bool owner_lives = owner && owner->process_space == host::process_space() && lives(*owner);
   if (!writes_on && !owner_lives) {
     if (stream.before.size() < kMostIntruders) stream.before.insert(first);
     stream.owner = second;
@@ -93,15 +93,15 @@ void Writers::keep_fault(const std::string& words) {
   if (fault_.empty()) fault_ = words;
 }
 
-std::string Writers::objection(const Stream& stream, const ServiceKey& role, const dds::ParticipantKey& sender,
-                               const std::optional<Identity>& identity) const {
+std::string Writers::objection(const Stream& stream, const scenario::ServiceKey& role, const dds::ParticipantKey& sender,
+                               const std::optional<streams::Identity>& identity) const {
   const std::string expected = role.first + " " + std::to_string(role.second);
   if (!identity || identity->role() != role || identity->unit != own_.unit) return "only " + expected + " may write it";
-  if (const std::string differs = difference(own_, *identity); !differs.empty()) return differs;
+  if (const std::string differs = streams::difference(own_, *identity); !differs.empty()) return differs;
   if (stream.retired.count(sender) > 0) return "it writes on although another has taken its place";
   if (!stream.owner_identity) return "";
-  const bool on_this_host = stream.owner_identity->process_space == process_space();
-  if (on_this_host && lives(*stream.owner_identity)) return app::words_of(*stream.owner_identity) + " writes it";
+  const bool on_this_host = stream.owner_identity->process_space == host::process_space();
+  if (on_this_host && lives(*stream.owner_identity)) return streams::words_of(*stream.owner_identity) + " writes it";
   return "";
 }
 
@@ -110,4 +110,4 @@ std::string Writers::fault() const {
   return fault_;
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::service

@@ -9,7 +9,7 @@
 #include "inslab/bus/service/writer_of.hpp"
 #include "inslab/data/streams/identity.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 
 /// Who may write the topics that one service alone writes: the process of that role in this set. One that takes the
 /// place of a process that has ended is its successor. Anybody else is an intruder: what it sends is left out, and the
@@ -17,11 +17,11 @@ namespace inslab::app {
 class Writers {
  public:
   /// `own`: who reads, under `own_key`.
-  Writers(const dds::Peers& peers, const dds::ParticipantKey& own_key, Identity own)
+  Writers(const dds::Peers& peers, const dds::ParticipantKey& own_key, streams::Identity own)
       : peers_(peers), own_key_(own_key), own_(std::move(own)) {}
 
   /// Whether a sample of `topic`, which `role` alone writes, is from its rightful writer.
-  bool admit(const std::string& topic, const ServiceKey& role, const dds::ParticipantKey& sender);
+  bool admit(const std::string& topic, const scenario::ServiceKey& role, const dds::ParticipantKey& sender);
   /// Whether a sample of `topic`, which one app writes, is from that one. Another may take its place. That the one
   /// before has ended is seen of a process of ours; of another's it is believed until it writes on: then the second is
   /// the intruder.
@@ -32,7 +32,7 @@ class Writers {
   auto only(const dds::Topic<T>& topic, const Callback& callback) {
     if constexpr (names_its_writer<T>) {
       return [this, topic = topic.name, callback](const dds::Received<T>& sample, const dds::SampleOrigin& origin) {
-        const ServiceKey role = writer_of(sample);
+        const scenario::ServiceKey role = writer_of(sample);
         if (!is_of_the_set(role.first) || admit(topic, role, dds::participant_of(origin))) callback(sample, origin);
       };
     } else {
@@ -63,7 +63,7 @@ class Writers {
  private:
   struct Stream {
     dds::ParticipantKey owner{};
-    std::optional<Identity> owner_identity;  ///< nothing: nobody has written yet
+    std::optional<streams::Identity> owner_identity;  ///< nothing: nobody has written yet
     std::set<dds::ParticipantKey> retired;
     std::set<dds::ParticipantKey> intruders;
   };
@@ -74,21 +74,21 @@ class Writers {
     std::set<dds::ParticipantKey> intruders;
   };
 
-  std::optional<Identity> identity_of(const dds::ParticipantKey& sender) const;
+  std::optional<streams::Identity> identity_of(const dds::ParticipantKey& sender) const;
   /// "inslab-imu-injector 0 (host bench, ...), 'name', GUID ..."
   std::string words_of(const dds::ParticipantKey& sender) const;
   void keep_fault(const std::string& words);
   /// Why a sender may not take over; empty when it may.
-  std::string objection(const Stream& stream, const ServiceKey& role, const dds::ParticipantKey& sender,
-                        const std::optional<Identity>& identity) const;
+  std::string objection(const Stream& stream, const scenario::ServiceKey& role, const dds::ParticipantKey& sender,
+                        const std::optional<streams::Identity>& identity) const;
 
   const dds::Peers& peers_;
   dds::ParticipantKey own_key_;
-  Identity own_;
+  streams::Identity own_;
   mutable std::mutex mutex_;
-  std::map<std::pair<std::string, ServiceKey>, Stream> streams_;
+  std::map<std::pair<std::string, scenario::ServiceKey>, Stream> streams_;
   std::map<std::string, AppStream> app_streams_;
   std::string fault_;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::service

@@ -5,11 +5,11 @@
 
 #include "inslab/data/catalog/profile_kinds.hpp"
 
-namespace inslab {
+namespace inslab::catalog {
 inline namespace samples {
 
 /// One profile of any kind: a request, or an entry of the journal.
-using AnyProfile = Applied<std::variant, catalog::ProfileKinds>;
+using AnyProfile = Applied<std::variant, ProfileKinds>;
 
 inline ProfileKind kind_of(const AnyProfile& profile) {
   return std::visit([](const auto& p) { return p.kind; }, profile);
@@ -33,4 +33,4 @@ inline std::string sensor_name(const SensorAddress& sensor) {
 }
 
 }  // namespace samples
-}  // namespace inslab
+}  // namespace inslab::catalog

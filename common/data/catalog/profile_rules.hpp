@@ -10,7 +10,7 @@
 
 /// Rules of profiles that span several fields; the limits of single fields stand in their declarations. Each function
 /// returns the first rule broken, or nothing.
-namespace inslab {
+namespace inslab::catalog {
 inline namespace samples {
 
 inline constexpr double kMaxLeverArmM = 1000.0;
@@ -22,10 +22,10 @@ namespace detail {
 
 template <class Profile>
 std::optional<Violation> target_violation(const Profile& profile) {
-  if (catalog::takes_profile(profile.target.kind, Profile::kind)) return std::nullopt;
+  if (takes_profile(profile.target.kind, Profile::kind)) return std::nullopt;
   return Violation{
       Rule::ProfileFitsSensor, "target_kind",
-      "is " + std::string(enum_name(profile.target.kind)) + "; this profile is for " + catalog::wearers(Profile::kind)};
+      "is " + std::string(enum_name(profile.target.kind)) + "; this profile is for " + wearers(Profile::kind)};
 }
 
 inline std::optional<Violation> fade_violation(const ProfileRequest& request) {
@@ -188,39 +188,39 @@ inline std::optional<Violation> zero_violation(Rule rule, const char* path, cons
 }  // namespace detail
 
 inline std::optional<Violation> violation(const ImuErrorProfile& profile) {
-  if (auto broken = detail::target_violation(profile)) return broken;
-  if (auto broken = detail::fade_violation(profile.request)) return broken;
-  if (auto broken = detail::gyro_violation(profile.gyro)) return broken;
-  if (auto broken = detail::accel_violation(profile.accel)) return broken;
-  return detail::in_order_violation("temperature", profile.temperature);
+  if (auto broken = samples::detail::target_violation(profile)) return broken;
+  if (auto broken = samples::detail::fade_violation(profile.request)) return broken;
+  if (auto broken = samples::detail::gyro_violation(profile.gyro)) return broken;
+  if (auto broken = samples::detail::accel_violation(profile.accel)) return broken;
+  return samples::detail::in_order_violation("temperature", profile.temperature);
 }
 
 inline std::optional<Violation> violation(const VibrationProfile& profile) {
-  if (auto broken = detail::target_violation(profile)) return broken;
-  if (auto broken = detail::random_table_violation("linear_random", profile.linear_random)) return broken;
-  if (auto broken = detail::random_table_violation("angular_random", profile.angular_random)) return broken;
-  return profile.domain == VibrationDomain::Motion ? detail::mount_violation(profile) : std::nullopt;
+  if (auto broken = samples::detail::target_violation(profile)) return broken;
+  if (auto broken = samples::detail::random_table_violation("linear_random", profile.linear_random)) return broken;
+  if (auto broken = samples::detail::random_table_violation("angular_random", profile.angular_random)) return broken;
+  return profile.domain == VibrationDomain::Motion ? samples::detail::mount_violation(profile) : std::nullopt;
 }
 
 inline std::optional<Violation> violation(const InstallationProfile& profile) {
-  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = samples::detail::fade_violation(profile.request)) return broken;
   if (!(profile.lever_arm_v_m.norm() <= kMaxLeverArmM)) {
     return Violation{Rule::LeverArmLength, "lever_arm_v_m",
                      "is " + std::to_string(profile.lever_arm_v_m.norm()) + " m long; a lever arm has at most 1000 m"};
   }
-  if (catalog::has_axes(profile.target.kind)) return std::nullopt;
-  return detail::zero_violation(Rule::AntennaMounting, "mounting_rpy_deg", profile.mounting_rpy_deg,
+  if (has_axes(profile.target.kind)) return std::nullopt;
+  return samples::detail::zero_violation(Rule::AntennaMounting, "mounting_rpy_deg", profile.mounting_rpy_deg,
                                 "is not 0; an antenna has no axes");
 }
 
 inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
-  if (auto broken = detail::target_violation(profile)) return broken;
-  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = samples::detail::target_violation(profile)) return broken;
+  if (auto broken = samples::detail::fade_violation(profile.request)) return broken;
   if (profile.fix_type == FixType::None) {
     return Violation{Rule::FixTypeGiven, "fix_type", "is none; a receiver without a fix is the fault 'outage'"};
   }
-  if (auto broken = detail::solution_violation("", profile)) return broken;
-  return detail::ladder_violation(profile);
+  if (auto broken = samples::detail::solution_violation("", profile)) return broken;
+  return samples::detail::ladder_violation(profile);
 }
 
 namespace detail {
@@ -253,20 +253,20 @@ class FaultFits {
 }  // namespace detail
 
 inline std::optional<Violation> violation(const FaultProfile& profile) {
-  if (auto broken = detail::fade_violation(profile.request)) return broken;
-  detail::FaultFits fits(profile.target.kind);
+  if (auto broken = samples::detail::fade_violation(profile.request)) return broken;
+  samples::detail::FaultFits fits(profile.target.kind);
   FaultProfile::fields(profile, fits);
   return fits.found;
 }
 
 inline std::optional<Violation> violation(const MagnetometerErrorProfile& profile) {
-  if (auto broken = detail::target_violation(profile)) return broken;
-  if (auto broken = detail::fade_violation(profile.request)) return broken;
-  if (auto broken = detail::correlation_violation("gm_correlation_time_s", "gm_sigma_nt", profile.gm_sigma_nt,
+  if (auto broken = samples::detail::target_violation(profile)) return broken;
+  if (auto broken = samples::detail::fade_violation(profile.request)) return broken;
+  if (auto broken = samples::detail::correlation_violation("gm_correlation_time_s", "gm_sigma_nt", profile.gm_sigma_nt,
                                                   profile.gm_correlation_time_s)) {
     return broken;
   }
-  return detail::in_order_violation("currents", profile.currents);
+  return samples::detail::in_order_violation("currents", profile.currents);
 }
 
 /// The first limit or rule that a profile of any kind breaks.
@@ -280,4 +280,4 @@ inline std::optional<Violation> broken_rule(const AnyProfile& profile) {
 }
 
 }  // namespace samples
-}  // namespace inslab
+}  // namespace inslab::catalog

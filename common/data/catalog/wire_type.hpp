@@ -5,7 +5,7 @@
 
 #include "inslab/data/catalog/topics.hpp"
 
-namespace inslab::wire {
+namespace inslab::catalog {
 
 /// The module of idl/ that all types are in. Its last part is the version of the wire types: it goes up with every
 /// change of a struct or an enumeration, so that a client built with other types does not match instead of reading
@@ -72,7 +72,7 @@ INSLAB_BLOCK_TYPE(NavSolution, "NavBlock");
 
 /// Every type that travels as a topic by itself: `Of` is given them all, as testing::Types is in tests. Beside them
 /// travel blocks of the streams' samples.
-using WireTypes = Joined<Types<TruthState>, catalog::SensorSamples, Types<NavSolution>, catalog::ProfileKinds,
+using WireTypes = Joined<Types<TruthState>, SensorSamples, Types<NavSolution>, ProfileKinds,
                          Types<ProfileAck, Installation, SimCommand, SimStatus, TimeMark, ServiceStatus, VehicleState,
                                UsedVehicleState, VehicleLink, Credit>>;
 template <template <class...> class Of>
@@ -82,4 +82,4 @@ using EveryWireType = Applied<Of, WireTypes>;
 /// what a reader needs to decode the types in it. Throws std::out_of_range for a name that is not in idl/.
 std::string self_contained_idl(std::string_view idl_file);
 
-}  // namespace inslab::wire
+}  // namespace inslab::catalog

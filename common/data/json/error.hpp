@@ -5,7 +5,7 @@
 
 #include "inslab/foundation/fields/violation.hpp"
 
-namespace inslab::config {
+namespace inslab::json {
 
 /// A file that cannot be used: which one, where in it, and what was expected instead.
 class Error : public std::runtime_error {
@@ -25,4 +25,4 @@ class Error : public std::runtime_error {
   Violation broken_;
 };
 
-}  // namespace inslab::config
+}  // namespace inslab::json

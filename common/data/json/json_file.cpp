@@ -14,7 +14,7 @@
 #include "inslab/foundation/files/input_limits.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::config {
+namespace inslab::json {
 
 namespace {
 
@@ -78,9 +78,9 @@ class Builder {
   }
 
   void count_one() {
-    if (++values_ <= kMaxJsonValues) return;
+    if (++values_ <= files::kMaxJsonValues) return;
     fail(Rule::BoundedSize, path(),
-         "is one value too many; expected at most " + std::to_string(kMaxJsonValues) + " in the whole file");
+         "is one value too many; expected at most " + std::to_string(files::kMaxJsonValues) + " in the whole file");
   }
   bool add(Json value) {
     count_one();
@@ -88,9 +88,9 @@ class Builder {
     return true;
   }
   bool open(bool is_list) {
-    if (open_.size() == kMaxJsonLevels) {
+    if (open_.size() == files::kMaxJsonLevels) {
       fail(Rule::BoundedSize, path(),
-           "is nested deeper than " + std::to_string(kMaxJsonLevels) +
+           "is nested deeper than " + std::to_string(files::kMaxJsonLevels) +
                " levels; expected lists and objects in each other up to that");
     }
     count_one();
@@ -139,13 +139,13 @@ std::string looked_for(const std::filesystem::path& path) {
 }
 
 std::string too_large(std::uintmax_t bytes) {
-  return "has " + std::to_string(bytes) + " bytes; expected at most " + std::to_string(kMaxJsonBytes);
+  return "has " + std::to_string(bytes) + " bytes; expected at most " + std::to_string(files::kMaxJsonBytes);
 }
 
 }  // namespace
 
 Json parse_json(const std::string& text, const std::string& file) {
-  if (text.size() > kMaxJsonBytes) throw Error(file, {Rule::BoundedSize, "", too_large(text.size())});
+  if (text.size() > files::kMaxJsonBytes) throw Error(file, {Rule::BoundedSize, "", too_large(text.size())});
   Builder builder(file, text);
   Json::sax_parse(text, &builder);
   return builder.result();
@@ -162,9 +162,9 @@ Json read_json_file(const std::filesystem::path& path) {
     reason = "not a file";
   } else {
     errno = 0;
-    note_file_read(path.string());
+    files::note_file_read(path.string());
     const std::uintmax_t bytes = std::filesystem::file_size(path, error);
-    if (!error && bytes > kMaxJsonBytes) throw Error(path.string(), {Rule::BoundedSize, "", too_large(bytes)});
+    if (!error && bytes > files::kMaxJsonBytes) throw Error(path.string(), {Rule::BoundedSize, "", too_large(bytes)});
     std::ifstream stream(path, std::ios::binary);
     // An empty file sets the fail bit of `text`, not of `stream`.
     if (stream) text << stream.rdbuf();
@@ -195,4 +195,4 @@ std::string json_type_name(const Json& value) {
   }
 }
 
-}  // namespace inslab::config
+}  // namespace inslab::json

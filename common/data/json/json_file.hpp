@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace inslab::config {
+namespace inslab::json {
 
 using Json = nlohmann::ordered_json;
 
@@ -18,4 +18,4 @@ Json read_json_file(const std::filesystem::path& path);
 /// The name of a JSON value's type for messages: "a number", "a string", ...
 std::string json_type_name(const Json& value);
 
-}  // namespace inslab::config
+}  // namespace inslab::json

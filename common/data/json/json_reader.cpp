@@ -1,6 +1,6 @@
 #include "inslab/data/json/json_reader.hpp"
 
-namespace inslab::config::detail {
+namespace inslab::json::detail {
 
 std::string nearest_key(const std::string& key, const std::vector<std::string>& known) {
   std::string meant = text::nearest(key, known);
@@ -18,4 +18,4 @@ std::string nearest_key(const std::string& key, const std::vector<std::string>& 
   return best;
 }
 
-}  // namespace inslab::config::detail
+}  // namespace inslab::json::detail

@@ -8,7 +8,7 @@
 #include "inslab/foundation/text/nearest.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::config {
+namespace inslab::json {
 
 namespace detail {
 
@@ -84,7 +84,7 @@ class JsonReader {
     if (!json.is_number()) wrong_type(path, json, "a number");
     const double value = json.get<double>();
     if (!(std::isfinite(value) && value >= field.minimum && value <= field.maximum)) {
-      fail(Rule::ValueRange, path, inslab::detail::limit_reason(value, field));
+      fail(Rule::ValueRange, path, inslab::samples::detail::limit_reason(value, field));
     }
     return value;
   }
@@ -213,7 +213,7 @@ T from_json(const Json& json, const std::string& file) {
 template <class T>
 T read_file(const std::filesystem::path& path) {
   // Qualified: nlohmann's own from_json must not be asked whether it fits.
-  return config::from_json<T>(read_json_file(path), path.string());
+  return from_json<T>(read_json_file(path), path.string());
 }
 
-}  // namespace inslab::config
+}  // namespace inslab::json

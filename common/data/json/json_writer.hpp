@@ -3,7 +3,7 @@
 #include "inslab/data/json/json_file.hpp"
 #include "inslab/foundation/fields/field.hpp"
 
-namespace inslab::config {
+namespace inslab::json {
 
 namespace detail {
 
@@ -75,4 +75,4 @@ Json wire_to_json(const T& value) {
   return writer.object;
 }
 
-}  // namespace inslab::config
+}  // namespace inslab::json

@@ -6,7 +6,7 @@
 
 #include "inslab/data/json/schema_writer.hpp"
 
-namespace inslab::config {
+namespace inslab::json {
 
 namespace detail {
 
@@ -163,4 +163,4 @@ std::string reference_table() {
   return text;
 }
 
-}  // namespace inslab::config
+}  // namespace inslab::json

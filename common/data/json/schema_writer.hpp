@@ -6,7 +6,7 @@
 #include "inslab/data/json/json_file.hpp"
 #include "inslab/foundation/fields/field.hpp"
 
-namespace inslab::config {
+namespace inslab::json {
 
 namespace detail {
 
@@ -165,4 +165,4 @@ Json schema(const std::string& title) {
   return schema;
 }
 
-}  // namespace inslab::config
+}  // namespace inslab::json

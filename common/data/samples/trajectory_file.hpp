@@ -8,7 +8,7 @@
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/geodesy.hpp"
 
-namespace inslab::io {
+namespace inslab {
 
 /// One row of a trajectory file: where the vehicle is and, as far as the file knows, how fast and which way.
 struct TrajectoryRow {
@@ -26,4 +26,4 @@ struct TrajectoryFile {
   std::vector<TrajectoryRow> rows;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab

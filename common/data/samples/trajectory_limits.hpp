@@ -2,7 +2,7 @@
 
 #include "inslab/foundation/fields/field.hpp"
 
-namespace inslab::io {
+namespace inslab {
 
 /// What a trajectory file is held to. A value that a file breaks is an error that names line and column; raising the
 /// limit in the open is the way to use the file as it is, `inslab trajectory check FILE --repair` the other.
@@ -37,4 +37,4 @@ struct TrajectoryLimits {
   }
 };
 
-}  // namespace inslab::io
+}  // namespace inslab

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace inslab::recovery {
+namespace inslab::state {
 
 /// What begins each slot.
 struct CheckpointFile::Slot {
@@ -26,7 +26,7 @@ std::uint64_t crc_of(std::uint64_t number, const std::uint8_t* state, std::size_
 
 CheckpointFile::CheckpointFile(const std::string& path)
     : path_(path),
-      file_(std::make_unique<MappedFile>(path, 2 * kFirstSlotBytes)),
+      file_(std::make_unique<files::MappedFile>(path, 2 * kFirstSlotBytes)),
       slot_bytes_(file_->size() / 2 / alignof(Slot) * alignof(Slot)) {
   for (const std::uint64_t place : {0, 1}) {
     const auto number = read(place);
@@ -53,9 +53,9 @@ void CheckpointFile::keep_in_larger_file(const std::vector<std::uint8_t>& state)
   const std::string aside = path_ + ".new";
   std::filesystem::remove(aside);
   const std::size_t slot_bytes = 2 * (state.size() + sizeof(Slot)) / alignof(Slot) * alignof(Slot);
-  std::unique_ptr<MappedFile> larger;
+  std::unique_ptr<files::MappedFile> larger;
   try {
-    larger = std::make_unique<MappedFile>(aside, 2 * slot_bytes);
+    larger = std::make_unique<files::MappedFile>(aside, 2 * slot_bytes);
   } catch (...) {
     std::filesystem::remove(aside);
     throw;
@@ -88,4 +88,4 @@ void CheckpointFile::put(const std::vector<std::uint8_t>& state) {
   number_ = number;
 }
 
-}  // namespace inslab::recovery
+}  // namespace inslab::state

@@ -8,7 +8,7 @@
 
 #include "inslab/foundation/files/mapped_file.hpp"
 
-namespace inslab::recovery {
+namespace inslab::state {
 
 /// The last state of a service, in a file mapped into memory: what was kept before a SIGKILL is there afterwards, at
 /// the cost of copying it. Two slots take turns, each with its number and CRC, so that a process killed in the middle
@@ -35,10 +35,10 @@ class CheckpointFile {
   void put(const std::vector<std::uint8_t>& state);
 
   std::string path_;
-  std::unique_ptr<MappedFile> file_;
+  std::unique_ptr<files::MappedFile> file_;
   std::size_t slot_bytes_;
   std::uint64_t number_ = 0;  ///< of the newest state; 0: none
   std::optional<std::vector<std::uint8_t>> last_;
 };
 
-}  // namespace inslab::recovery
+}  // namespace inslab::state

@@ -18,7 +18,7 @@
 ///   static void state(Self& self, Visitor& visit) { visit(self.x, self.y); }
 ///
 /// Bytes are those of this machine: a state is read again where it was written.
-namespace inslab::recovery {
+namespace inslab::state {
 
 /// Thrown when bytes are not the state they are read as.
 class StateError : public std::runtime_error {
@@ -170,4 +170,4 @@ class StateReader {
   const std::uint8_t* end_;
 };
 
-}  // namespace inslab::recovery
+}  // namespace inslab::state

@@ -10,7 +10,7 @@
 #include "inslab/data/samples/credit.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::app {
+namespace inslab::streams {
 
 /// Who consumes a lockstep topic.
 using ConsumerKey = std::pair<std::string, std::uint32_t>;  // service, number
@@ -100,4 +100,4 @@ class CreditLedger {
   std::map<ConsumerKey, Consumer> consumers_;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::streams

@@ -8,7 +8,7 @@
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/foundation/host/host.hpp"
 
-namespace inslab::app {
+namespace inslab::streams {
 
 namespace {
 
@@ -37,7 +37,7 @@ std::optional<Identity> identity_in(const std::vector<std::uint8_t>& announcemen
 
 std::string words_of(const Identity& identity) {
   return identity.service + " " + std::to_string(identity.sensor_number) + " (host " + identity.host + ", process " +
-         std::to_string(identity.pid) + ", since " + utc_words(time::Nanoseconds(identity.since_realtime_ns)) +
+         std::to_string(identity.pid) + ", since " + host::utc_words(time::Nanoseconds(identity.since_realtime_ns)) +
          (identity.scenario.empty() ? "" : ", scenario '" + identity.scenario + "'") + ")";
 }
 
@@ -61,4 +61,4 @@ bool must_yield(const Identity& beginning, const Identity& other) {
   return !other_is_later || other.since_realtime_ns - beginning.since_realtime_ns > kTogether_ns;
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::streams

@@ -7,7 +7,7 @@
 
 #include "inslab/foundation/fields/field.hpp"
 
-namespace inslab::app {
+namespace inslab::streams {
 
 /// Who a process of a set is and what it was given. It stands in the announcement of its DDS participant, so that
 /// everybody knows it before its first sample: services compare it at the start, and again where a stream changes its
@@ -61,4 +61,4 @@ std::string difference(const Identity& own, const Identity& other);
 /// together the first stays. Clocks of hosts that are not synchronised decide only that.
 bool must_yield(const Identity& beginning, const Identity& other);
 
-}  // namespace inslab::app
+}  // namespace inslab::streams

@@ -6,7 +6,7 @@
 
 #include "inslab/data/samples/block.hpp"
 
-namespace inslab::app {
+namespace inslab::streams {
 
 /// The newest samples a producer has sent, as many as somebody may still ask for again. Knows no bus.
 template <class Sample>
@@ -45,4 +45,4 @@ class SentWindow {
   std::deque<Sample> samples_;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::streams

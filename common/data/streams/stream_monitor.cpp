@@ -1,6 +1,6 @@
 #include "inslab/data/streams/stream_monitor.hpp"
 
-namespace inslab::app {
+namespace inslab::streams {
 
 StreamMonitor::StreamMonitor(std::string topic, StreamDirection direction)
     : topic_(std::move(topic)), direction_(direction) {}
@@ -63,4 +63,4 @@ StreamStatus StreamMonitor::status() const {
   return status;
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::streams

@@ -6,7 +6,7 @@
 #include "inslab/data/samples/stream_header.hpp"
 #include "inslab/foundation/host/latency_histogram.hpp"
 
-namespace inslab::app {
+namespace inslab::streams {
 
 /// Counts one stream from its sequence numbers: what came, what is missing, what came late or twice, and how old it
 /// was.
@@ -47,7 +47,7 @@ class StreamMonitor {
   std::uint64_t lost_ = 0;
   std::uint64_t out_of_order_ = 0;
   std::uint64_t duplicates_ = 0;
-  LatencyHistogram latency_;
+  host::LatencyHistogram latency_;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::streams

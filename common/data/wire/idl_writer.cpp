@@ -157,7 +157,7 @@ class IdlWriter {
 
 template <class Profile>
 void write_profile(IdlWriter& writer, std::string_view comment) {
-  writer.write_struct<Profile>(WireType<Profile>::name.substr(kModule.size()), comment);
+  writer.write_struct<Profile>(catalog::WireType<Profile>::name.substr(catalog::kModule.size()), comment);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "inslab/formats/export/log_export.hpp"
 #include "inslab/formats/novatel/novatel_imu.hpp"
 
-namespace inslab::io {
+namespace inslab::exports {
 namespace {
 
 /// The formats that make one file of one topic, and what the file's name ends in.
@@ -95,10 +95,10 @@ Exported export_as(const ExportRequest& request) {
 
 std::string novatel_imu_types_text() {
   std::string text;
-  for (const NovatelImuType& type : novatel_imu_types()) {
+  for (const novatel::NovatelImuType& type : novatel::novatel_imu_types()) {
     text += (text.empty() ? "" : ", ") + std::to_string(type.type) + " " + std::string(type.name);
   }
   return text;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::exports

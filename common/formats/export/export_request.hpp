@@ -5,7 +5,7 @@
 
 #include "inslab/formats/export/log_file_export.hpp"
 
-namespace inslab::io {
+namespace inslab::exports {
 
 /// What is to be made of a log.
 struct ExportRequest {
@@ -14,7 +14,7 @@ struct ExportRequest {
   std::string destination;  ///< the folder or file; empty: LOG_csv, LOG.h5, LOG.nav, ... beside the log
   std::vector<std::string> topics;
   std::uint32_t novatel_imu_type = FileExportOptions{}.novatel_imu_type;
-  NovatelAxes novatel_axes = NovatelAxes::RightForwardUp;
+  novatel::NovatelAxes novatel_axes = novatel::NovatelAxes::RightForwardUp;
 };
 
 /// csv, hdf5, then those that make one file of one topic.
@@ -33,4 +33,4 @@ Exported export_as(const ExportRequest& request);
 /// "17 HG1700 AG58, ...": the IMU types whose counts NovAtel lines can have.
 std::string novatel_imu_types_text();
 
-}  // namespace inslab::io
+}  // namespace inslab::exports

@@ -15,7 +15,7 @@
 #include "inslab/foundation/files/error.hpp"
 #include "inslab/foundation/files/unfinished.hpp"
 
-namespace inslab::io {
+namespace inslab::exports {
 namespace {
 
 /// Where the tables go.
@@ -23,8 +23,8 @@ class Destination {
  public:
   virtual ~Destination() = default;
   /// Returns the number of the table; `place` is where it lies.
-  virtual std::size_t add_table(const std::string& topic, const LogType& type, std::string& place) = 0;
-  virtual void row(std::size_t table, const Row& cells) = 0;
+  virtual std::size_t add_table(const std::string& topic, const log::LogType& type, std::string& place) = 0;
+  virtual void row(std::size_t table, const tables::Row& cells) = 0;
   virtual void metadata(const std::vector<mcap::Metadata>& metadata) = 0;
   virtual void close() = 0;
 };
@@ -65,46 +65,46 @@ class CsvFolder : public Destination {
     std::error_code error;
     if (!std::filesystem::exists(folder_, error)) made_.emplace(folder);
     std::filesystem::create_directories(folder_, error);
-    if (error) throw WriteError(folder, "create the folder", error.value());
+    if (error) throw files::WriteError(folder, "create the folder", error.value());
   }
 
-  std::size_t add_table(const std::string& topic, const LogType& type, std::string& place) override {
+  std::size_t add_table(const std::string& topic, const log::LogType& type, std::string& place) override {
     place = (folder_ / (free_name(safe_name(topic, '_'), taken_) + ".csv")).string();
-    tables_.push_back(std::make_unique<CsvWriter>(place, type.columns));
+    tables_.push_back(std::make_unique<tables::CsvWriter>(place, type.columns));
     return tables_.size() - 1;
   }
-  void row(std::size_t table, const Row& cells) override { tables_[table]->row(cells); }
+  void row(std::size_t table, const tables::Row& cells) override { tables_[table]->row(cells); }
   void metadata(const std::vector<mcap::Metadata>& metadata) override {
-    const std::vector<Column> columns{
-        {"name", "", ColumnKind::Text}, {"key", "", ColumnKind::Text}, {"value", "", ColumnKind::Text}};
-    tables_.push_back(std::make_unique<CsvWriter>((folder_ / "metadata.csv").string(), columns));
+    const std::vector<tables::Column> columns{
+        {"name", "", tables::ColumnKind::Text}, {"key", "", tables::ColumnKind::Text}, {"value", "", tables::ColumnKind::Text}};
+    tables_.push_back(std::make_unique<tables::CsvWriter>((folder_ / "metadata.csv").string(), columns));
     for (const mcap::Metadata& record : metadata) {
       for (const auto& [key, value] : record.values) tables_.back()->row({record.name, key, value});
     }
   }
   void close() override {
-    const auto together = hold_unfinished();
+    const auto together = files::hold_unfinished();
     for (const auto& table : tables_) table->close();
     made_.reset();
   }
 
  private:
   std::filesystem::path folder_;
-  std::optional<UnfinishedFile> made_;
+  std::optional<files::UnfinishedFile> made_;
   TakenNames taken_{{"metadata", 2}};
-  std::vector<std::unique_ptr<CsvWriter>> tables_;
+  std::vector<std::unique_ptr<tables::CsvWriter>> tables_;
 };
 
 class Hdf5File : public Destination {
  public:
   explicit Hdf5File(const std::string& path) : file_(path) {}
 
-  std::size_t add_table(const std::string& topic, const LogType& type, std::string& place) override {
+  std::size_t add_table(const std::string& topic, const log::LogType& type, std::string& place) override {
     place = free_name(safe_name(topic, '/'), taken_);
     tables_.push_back(&file_.add_table(place, topic, type.name, type.columns));
     return tables_.size() - 1;
   }
-  void row(std::size_t table, const Row& cells) override { tables_[table]->row(cells); }
+  void row(std::size_t table, const tables::Row& cells) override { tables_[table]->row(cells); }
   void metadata(const std::vector<mcap::Metadata>& metadata) override {
     TakenNames taken;
     for (const mcap::Metadata& record : metadata) {
@@ -114,9 +114,9 @@ class Hdf5File : public Destination {
   void close() override { file_.close(); }
 
  private:
-  Hdf5Writer file_;
+  tables::Hdf5Writer file_;
   TakenNames taken_;
-  std::vector<Hdf5Writer::Table*> tables_;
+  std::vector<tables::Hdf5Writer::Table*> tables_;
 };
 
 std::unique_ptr<Destination> open_destination(ExportFormat format, const std::string& destination) {
@@ -124,13 +124,13 @@ std::unique_ptr<Destination> open_destination(ExportFormat format, const std::st
   return std::make_unique<Hdf5File>(destination);
 }
 
-void require_topics(const McapReader& log, const std::vector<std::string>& topics) {
+void require_topics(const mcap::McapReader& log, const std::vector<std::string>& topics) {
   for (const std::string& topic : topics) {
     const auto& channels = log.channels();
     if (std::any_of(channels.begin(), channels.end(), [&](const auto& c) { return c.second.topic == topic; })) continue;
     std::string known;
     for (const auto& [id, channel] : channels) known += (known.empty() ? "" : ", ") + channel.topic;
-    throw ReadError(log.path() + ": has no topic " + topic + "; it has " + (known.empty() ? "none" : known));
+    throw files::ReadError(log.path() + ": has no topic " + topic + "; it has " + (known.empty() ? "none" : known));
   }
 }
 
@@ -138,12 +138,12 @@ void require_topics(const McapReader& log, const std::vector<std::string>& topic
 
 std::vector<ExportedTopic> export_log(const std::string& path, ExportFormat format, const std::string& destination,
                                       const std::vector<std::string>& topics) {
-  const McapReader log(path);
+  const mcap::McapReader log(path);
   require_topics(log, topics);
   const std::unique_ptr<Destination> out = open_destination(format, destination);
 
   struct Target {
-    const LogType* type;
+    const log::LogType* type;
     std::size_t table;
     ExportedTopic result;
   };
@@ -153,7 +153,7 @@ std::vector<ExportedTopic> export_log(const std::string& path, ExportFormat form
     if (!topics.empty() && std::find(topics.begin(), topics.end(), channel.topic) == topics.end()) continue;
     const auto schema = log.schemas().find(channel.schema_id);
     const std::string type_name = schema == log.schemas().end() ? "" : schema->second.name;
-    Target target{find_log_type(type_name), 0, {channel.topic, type_name, "", 0, 0}};
+    Target target{log::find_log_type(type_name), 0, {channel.topic, type_name, "", 0, 0}};
     if (target.type != nullptr) {
       target.table = out->add_table(channel.topic, *target.type, target.result.place);
       wanted.insert(id);
@@ -162,7 +162,7 @@ std::vector<ExportedTopic> export_log(const std::string& path, ExportFormat form
   }
   out->metadata(log.metadata());
 
-  Row row;
+  tables::Row row;
   const auto write_row = [&](const mcap::Message& message) {
     Target& target = targets.at(message.channel_id);
     if (!target.type->row(message.data, message.size, row)) {
@@ -173,7 +173,7 @@ std::vector<ExportedTopic> export_log(const std::string& path, ExportFormat form
     ++target.result.rows;
     return true;
   };
-  if (!wanted.empty()) log.for_each(write_row, McapReader::Order::LogTime, wanted);
+  if (!wanted.empty()) log.for_each(write_row, mcap::McapReader::Order::LogTime, wanted);
   out->close();
 
   std::vector<ExportedTopic> results;
@@ -182,4 +182,4 @@ std::vector<ExportedTopic> export_log(const std::string& path, ExportFormat form
   return results;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::exports

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace inslab::io {
+namespace inslab::exports {
 
 enum class ExportFormat { Csv, Hdf5 };
 
@@ -25,4 +25,4 @@ struct ExportedTopic {
 std::vector<ExportedTopic> export_log(const std::string& path, ExportFormat format, const std::string& destination,
                                       const std::vector<std::string>& topics = {});
 
-}  // namespace inslab::io
+}  // namespace inslab::exports

@@ -10,31 +10,31 @@
 #include "inslab/formats/text/kml.hpp"
 #include "inslab/formats/text/nav_text.hpp"
 
-namespace inslab::io {
+namespace inslab::exports {
 
 namespace {
 
 /// The topic that was asked for, or the only one of the type.
 template <class T>
-std::string only_topic(const McapReader& log, const std::string& asked) {
+std::string only_topic(const mcap::McapReader& log, const std::string& asked) {
   if (!asked.empty()) return asked;
   std::string found;
   for (const auto& [id, channel] : log.channels()) {
-    if (channels_of(log, channel.topic, wire::WireType<T>::name).empty() || channel.topic == found) continue;
+    if (log::channels_of(log, channel.topic, catalog::WireType<T>::name).empty() || channel.topic == found) continue;
     if (!found.empty()) {
-      throw ReadError(log.path() + ": has " + found + " and " + channel.topic + "; expected to be told which");
+      throw files::ReadError(log.path() + ": has " + found + " and " + channel.topic + "; expected to be told which");
     }
     found = channel.topic;
   }
   if (!found.empty()) return found;
-  throw ReadError(log.path() + ": has no topic of the type " + std::string(wire::WireType<T>::name) + "; it has " +
-                  topics_text(log));
+  throw files::ReadError(log.path() + ": has no topic of the type " + std::string(catalog::WireType<T>::name) + "; it has " +
+                  log::topics_text(log));
 }
 
 /// `write(sample)` is false for a sample that holds nothing for the format.
 template <class T, class Write>
-void export_topic(const McapReader& log, ExportedFile& result, Write write) {
-  result.unreadable = for_each_sample<T>(log, result.topic, [&](const T& sample, std::uint64_t) {
+void export_topic(const mcap::McapReader& log, ExportedFile& result, Write write) {
+  result.unreadable = log::for_each_sample<T>(log, result.topic, [&](const T& sample, std::uint64_t) {
     ++(write(sample) ? result.rows : result.left_out);
     return true;
   });
@@ -42,35 +42,35 @@ void export_topic(const McapReader& log, ExportedFile& result, Write write) {
 
 /// `write(state)` for the truth or the solutions of the topic.
 template <class Write>
-void export_states(const McapReader& log, ExportedFile& result, Write write) {
+void export_states(const mcap::McapReader& log, ExportedFile& result, Write write) {
   const auto write_if_any = [&](const auto& sample) {
-    const LoggedState state = state_of(sample);
+    const log::LoggedState state = log::state_of(sample);
     if (!state.is_solution || !state.in_range()) return false;
     write(state);
     return true;
   };
-  if (!channels_of(log, result.topic, wire::WireType<NavSolution>::name).empty()) {
+  if (!log::channels_of(log, result.topic, catalog::WireType<NavSolution>::name).empty()) {
     export_topic<NavSolution>(log, result, write_if_any);
   } else {
     export_topic<TruthState>(log, result, write_if_any);
   }
 }
 
-void export_nav(const McapReader& log, const std::string& destination, ExportedFile& result) {
-  NavTextWriter out(destination);
-  export_states(log, result, [&](const LoggedState& state) { out.write(state.gps, state.row()); });
+void export_nav(const mcap::McapReader& log, const std::string& destination, ExportedFile& result) {
+  recordings::NavTextWriter out(destination);
+  export_states(log, result, [&](const log::LoggedState& state) { out.write(state.gps, state.row()); });
   out.close();
 }
 
-void export_kml(const McapReader& log, const std::string& destination, ExportedFile& result) {
-  KmlTrack track;
-  export_states(log, result, [&](const LoggedState& state) { track.add(state.position); });
-  if (track.size() == 0) throw ReadError(log.path() + ": " + result.topic + " has no position to draw");
+void export_kml(const mcap::McapReader& log, const std::string& destination, ExportedFile& result) {
+  recordings::KmlTrack track;
+  export_states(log, result, [&](const log::LoggedState& state) { track.add(state.position); });
+  if (track.size() == 0) throw files::ReadError(log.path() + ": " + result.topic + " has no position to draw");
   track.write(destination, std::filesystem::path(log.path()).filename().string() + ": " + result.topic);
 }
 
-void export_imu(const McapReader& log, const std::string& destination, ExportedFile& result) {
-  ImuTextWriter out(destination);
+void export_imu(const mcap::McapReader& log, const std::string& destination, ExportedFile& result) {
+  recordings::ImuTextWriter out(destination);
   export_topic<ImuSample>(log, result, [&](const ImuSample& sample) {
     if (sample.interval_ns == 0) return false;
     out.write({time::Nanoseconds(sample.header.gps_time_of_week_ns), sample.dtheta_b, sample.dv_b});
@@ -79,8 +79,8 @@ void export_imu(const McapReader& log, const std::string& destination, ExportedF
   out.close();
 }
 
-void export_gnss(const McapReader& log, const std::string& destination, ExportedFile& result) {
-  GnssTextWriter out(destination);
+void export_gnss(const mcap::McapReader& log, const std::string& destination, ExportedFile& result) {
+  recordings::GnssTextWriter out(destination);
   export_topic<GnssFix>(log, result, [&](const GnssFix& fix) {
     if (fix.fix_type == FixType::None) return false;
     out.write({time::Nanoseconds(fix.header.gps_time_of_week_ns),
@@ -91,10 +91,10 @@ void export_gnss(const McapReader& log, const std::string& destination, Exported
   out.close();
 }
 
-void export_novatel(const McapReader& log, const FileExportOptions& options, ExportedFile& result) {
-  NovatelImuFormatter format(options.novatel_imu_type, options.novatel_axes);
+void export_novatel(const mcap::McapReader& log, const FileExportOptions& options, ExportedFile& result) {
+  novatel::NovatelImuFormatter format(options.novatel_imu_type, options.novatel_axes);
   const std::int64_t interval_ns = time::from_seconds(1.0 / format.type().rate_hz).count();
-  TextWriter out(options.destination, "");
+  files::TextWriter out(options.destination, "");
   export_topic<ImuSample>(log, result, [&](const ImuSample& sample) {
     if (sample.interval_ns == 0) return false;
     // Where the period is no whole number of nanoseconds, intervals differ by one.
@@ -114,7 +114,7 @@ void export_novatel(const McapReader& log, const FileExportOptions& options, Exp
 }  // namespace
 
 ExportedFile export_file(const std::string& path, const FileExportOptions& options) {
-  const McapReader log(path);
+  const mcap::McapReader log(path);
   ExportedFile result;
   switch (options.format) {
     case FileFormat::Nav:
@@ -149,4 +149,4 @@ ExportedFile export_file(const std::string& path, const FileExportOptions& optio
   return result;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::exports

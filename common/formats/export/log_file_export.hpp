@@ -5,7 +5,7 @@
 
 #include "inslab/formats/novatel/novatel_imu.hpp"
 
-namespace inslab::io {
+namespace inslab::exports {
 
 /// The formats in which one topic of a log becomes one file.
 enum class FileFormat {
@@ -22,7 +22,7 @@ struct FileExportOptions {
   /// Empty: inslab/truth for Nav and Kml; for the others the only IMU or receiver.
   std::string topic;
   std::uint32_t novatel_imu_type = 26;  ///< ISA100C: 1e-9 rad and 2e-8 m/s a count
-  NovatelAxes novatel_axes = NovatelAxes::RightForwardUp;
+  novatel::NovatelAxes novatel_axes = novatel::NovatelAxes::RightForwardUp;
 };
 
 struct ExportedFile {
@@ -38,4 +38,4 @@ struct ExportedFile {
 /// its counts cannot hold.
 ExportedFile export_file(const std::string& log, const FileExportOptions& options);
 
-}  // namespace inslab::io
+}  // namespace inslab::exports

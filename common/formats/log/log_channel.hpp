@@ -7,17 +7,17 @@
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/mcap/mcap_writer.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 
 /// One topic of a log that is being written; the log describes it with the product's own IDL text.
 template <class T>
 class LogChannel {
  public:
   /// The log must live as long. Throws WriteError.
-  LogChannel(McapWriter& log, std::string_view topic, const mcap::StringMap& metadata = {})
+  LogChannel(mcap::McapWriter& log, std::string_view topic, const mcap::StringMap& metadata = {})
       : log_(&log),
         id_(log.add_channel(
-            log.add_schema(wire::WireType<T>::name, "omgidl", wire::self_contained_idl(wire::WireType<T>::idl_file)),
+            log.add_schema(catalog::WireType<T>::name, "omgidl", catalog::self_contained_idl(catalog::WireType<T>::idl_file)),
             topic, "cdr", metadata)) {}
 
   /// Adds a sample; errors as McapWriter::write().
@@ -29,8 +29,8 @@ class LogChannel {
   std::uint16_t id() const { return id_; }
 
  private:
-  McapWriter* log_;
+  mcap::McapWriter* log_;
   std::uint16_t id_;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::log

@@ -7,7 +7,7 @@
 #include "inslab/formats/log/log_types.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 namespace {
 
 /// One topic while the log is read.
@@ -72,7 +72,7 @@ class TopicScan {
 }  // namespace
 
 LogInfo inspect_log(const std::string& path) {
-  const McapReader reader(path);
+  const mcap::McapReader reader(path);
   LogInfo info;
   info.path = path;
   info.file_size = reader.file_size();
@@ -95,7 +95,7 @@ LogInfo inspect_log(const std::string& path) {
     // A service that waits for its run has no id yet.
     if (stamp != nullptr && stamp->run_id && *stamp->run_id != RunId() && stamp->run_id != newest_run) {
       newest_run = stamp->run_id;
-      const std::string name = to_hex(*newest_run);
+      const std::string name = tables::to_hex(*newest_run);
       if (known_runs.insert(name).second) info.run_ids.push_back(name);
     }
     return true;
@@ -105,4 +105,4 @@ LogInfo inspect_log(const std::string& path) {
   return info;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::log

@@ -8,7 +8,7 @@
 #include "inslab/formats/log/sequence_check.hpp"
 #include "inslab/formats/mcap/mcap_format.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 
 /// What a log holds of one topic.
 struct TopicInfo {
@@ -47,4 +47,4 @@ struct LogInfo {
 /// Reads the whole log once. A run that follows another on the same topic is numbered from 0 again. Throws ReadError.
 LogInfo inspect_log(const std::string& path);
 
-}  // namespace inslab::io
+}  // namespace inslab::log

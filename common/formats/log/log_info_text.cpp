@@ -8,7 +8,7 @@
 
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 namespace {
 
 constexpr std::size_t kRunsShown = 3;
@@ -100,4 +100,4 @@ std::string text_of(const LogInfo& info) {
   return out.str();
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::log

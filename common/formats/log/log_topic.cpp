@@ -1,17 +1,17 @@
 #include "inslab/formats/log/log_topic.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 
-std::map<std::uint16_t, std::string> channel_types(const McapReader& log) {
+std::map<std::uint16_t, std::string> channel_types(const mcap::McapReader& log) {
   std::map<std::uint16_t, std::string> types;
   for (const auto& [id, channel] : log.channels()) {
     const auto schema = log.schemas().find(channel.schema_id);
-    types[id] = schema == log.schemas().end() ? "" : wire::present_name(schema->second.name);
+    types[id] = schema == log.schemas().end() ? "" : catalog::present_name(schema->second.name);
   }
   return types;
 }
 
-std::set<std::uint16_t> channels_of(const McapReader& log, const std::string& topic, std::string_view type) {
+std::set<std::uint16_t> channels_of(const mcap::McapReader& log, const std::string& topic, std::string_view type) {
   std::set<std::uint16_t> found;
   const auto types = channel_types(log);
   for (const auto& [id, channel] : log.channels()) {
@@ -20,14 +20,14 @@ std::set<std::uint16_t> channels_of(const McapReader& log, const std::string& to
   return found;
 }
 
-std::set<std::uint16_t> needed_channels_of(const McapReader& log, const std::string& topic, std::string_view type) {
+std::set<std::uint16_t> needed_channels_of(const mcap::McapReader& log, const std::string& topic, std::string_view type) {
   std::set<std::uint16_t> channels = channels_of(log, topic, type);
   if (!channels.empty()) return channels;
-  throw ReadError(log.path() + ": has no topic " + topic + " of the type " + std::string(type) + "; it has " +
+  throw files::ReadError(log.path() + ": has no topic " + topic + " of the type " + std::string(type) + "; it has " +
                   topics_text(log));
 }
 
-std::string topics_text(const McapReader& log) {
+std::string topics_text(const mcap::McapReader& log) {
   std::string text;
   const auto types = channel_types(log);
   for (const auto& [id, channel] : log.channels()) {
@@ -36,4 +36,4 @@ std::string topics_text(const McapReader& log) {
   return text.empty() ? "none" : text;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::log

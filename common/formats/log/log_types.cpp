@@ -6,7 +6,7 @@
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/wire/cdr.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 namespace {
 
 template <class T, class = void>
@@ -25,10 +25,10 @@ template <class T>
 struct HasSimTime<T, std::void_t<decltype(std::declval<T>().sim_time_ns)>> : std::true_type {};
 
 template <class T>
-bool row_of(const std::uint8_t* data, std::size_t size, Row& row) {
+bool row_of(const std::uint8_t* data, std::size_t size, tables::Row& row) {
   T sample;
   if (!wire::decode(data, size, sample)) return false;
-  fill_row(sample, row);
+  tables::fill_row(sample, row);
   return true;
 }
 
@@ -50,13 +50,13 @@ bool stamp_of(const std::uint8_t* data, std::size_t size, SampleStamp& stamp) {
 template <class... Types>
 struct Table {
   std::vector<LogType> rows{
-      LogType{wire::WireType<Types>::name, columns_of<Types>(), &row_of<Types>, &stamp_of<Types>}...};
+      LogType{catalog::WireType<Types>::name, tables::columns_of<Types>(), &row_of<Types>, &stamp_of<Types>}...};
 };
 
 }  // namespace
 
 const std::vector<LogType>& log_types() {
-  static const wire::EveryWireType<Table> table;
+  static const catalog::EveryWireType<Table> table;
   return table.rows;
 }
 
@@ -64,8 +64,8 @@ const LogType* find_log_type(std::string_view schema_name) {
   const std::vector<LogType>& types = log_types();
   const auto found =
       std::find_if(types.begin(), types.end(),
-                   [name = wire::present_name(schema_name)](const LogType& type) { return type.name == name; });
+                   [name = catalog::present_name(schema_name)](const LogType& type) { return type.name == name; });
   return found == types.end() ? nullptr : &*found;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::log

@@ -7,7 +7,7 @@
 
 #include "inslab/formats/tables/columns.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 
 /// What a sample says of itself.
 struct SampleStamp {
@@ -19,10 +19,10 @@ struct SampleStamp {
 /// One type of message that a log may hold, by the name of its schema.
 struct LogType {
   std::string_view name;  ///< such as inslab::v2::TruthState
-  std::vector<Column> columns;
+  std::vector<tables::Column> columns;
 
   /// Decodes a CDR payload; both return false when it is not a sample of this type.
-  bool (*row)(const std::uint8_t* data, std::size_t size, Row& row) = nullptr;
+  bool (*row)(const std::uint8_t* data, std::size_t size, tables::Row& row) = nullptr;
   bool (*stamp)(const std::uint8_t* data, std::size_t size, SampleStamp& stamp) = nullptr;
 };
 
@@ -32,4 +32,4 @@ const std::vector<LogType>& log_types();
 /// Null for a schema that is not ours; one of an earlier version of the wire types is found by its name there.
 const LogType* find_log_type(std::string_view schema_name);
 
-}  // namespace inslab::io
+}  // namespace inslab::log

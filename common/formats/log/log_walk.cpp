@@ -2,7 +2,7 @@
 
 #include "inslab/formats/log/log_topic.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 
 void LogWalk::go() const {
   struct Channel {
@@ -29,4 +29,4 @@ void LogWalk::go() const {
   });
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::log

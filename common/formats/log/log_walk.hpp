@@ -13,7 +13,7 @@
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 
 /// One reading of a log, for several who each want some of its samples.
 ///
@@ -29,12 +29,12 @@ class LogWalk {
   };
 
   /// `log` is used until the end of go().
-  explicit LogWalk(const McapReader& log) : log_(log) {}
+  explicit LogWalk(const mcap::McapReader& log) : log_(log) {}
 
   /// `take(sample)` or `take(sample, place)` is called with each sample of the type T.
   template <class T, class Take>
   void each(Take take) {
-    std::unique_ptr<Takers>& takers = by_type_[std::string(wire::WireType<T>::name)];
+    std::unique_ptr<Takers>& takers = by_type_[std::string(catalog::WireType<T>::name)];
     if (!takers) takers = std::make_unique<TakersOf<T>>();
     auto& all = static_cast<TakersOf<T>&>(*takers).all;
     if constexpr (std::is_invocable_v<Take, const T&, const Place&>) {
@@ -68,9 +68,9 @@ class LogWalk {
     std::vector<std::function<void(const T&, const Place&)>> all;
   };
 
-  const McapReader& log_;
+  const mcap::McapReader& log_;
   std::map<std::string, std::unique_ptr<Takers>> by_type_;
   std::multimap<std::string, std::function<void()>> by_topic_;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::log

@@ -6,7 +6,7 @@
 #include "inslab/data/samples/trajectory_file.hpp"
 #include "inslab/data/samples/truth_state.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 
 /// What a sample of the truth or of a navigation app says of the vehicle.
 struct LoggedState {
@@ -41,4 +41,4 @@ inline LoggedState state_of(const NavSolution& nav) {
           nav.v_n,    nav.q_n_body, nav.mode == NavMode::Navigating || nav.mode == NavMode::Coasting};
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::log

@@ -2,7 +2,7 @@
 
 #include <iterator>
 
-namespace inslab::io {
+namespace inslab::log {
 
 void SequenceCheck::add(std::uint64_t sequence_number, std::int64_t sim_time_ns) {
   if (sequence_number < next_) {
@@ -40,4 +40,4 @@ std::uint64_t SequenceCheck::missing() const {
   return sum;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::log

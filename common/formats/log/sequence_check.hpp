@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-namespace inslab::io {
+namespace inslab::log {
 
 /// Sequence numbers that never came.
 struct SequenceGap {
@@ -40,4 +40,4 @@ class SequenceCheck {
   std::uint64_t out_of_order_ = 0;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::log

@@ -9,14 +9,14 @@
 #include "inslab/formats/mcap/mcap_records.hpp"
 #include "inslab/foundation/files/input_file.hpp"
 
-namespace inslab::io::mcap {
+namespace inslab::mcap {
 
 /// The records of one chunk, decompressed and checked.
 class Chunk {
  public:
   /// Reads the Chunk record of `length` bytes (its head included) at `offset`. Throws ReadError when it is not one, its
   /// compression is neither "zstd" nor none, its CRC is wrong or it holds more than `max_bytes`.
-  Chunk(const InputFile& file, std::uint64_t offset, std::uint64_t length, std::uint64_t max_bytes);
+  Chunk(const files::InputFile& file, std::uint64_t offset, std::uint64_t length, std::uint64_t max_bytes);
 
   const ChunkHead& head() const { return head_; }
   std::uint64_t offset() const { return offset_; }
@@ -24,7 +24,7 @@ class Chunk {
 
   /// Calls `visit` with the opcode and content of every record. Throws ReadError when one does not fit, or what
   /// `visit` throws; offsets in errors are the chunk's own.
-  void for_each_record(const std::function<void(std::uint8_t, ByteReader)>& visit) const;
+  void for_each_record(const std::function<void(std::uint8_t, files::ByteReader)>& visit) const;
 
   /// The message whose record begins `position` bytes into the chunk.
   Message message_at(std::size_t position) const;
@@ -44,4 +44,4 @@ class Chunk {
   std::vector<std::uint8_t> records_;
 };
 
-}  // namespace inslab::io::mcap
+}  // namespace inslab::mcap

@@ -9,7 +9,7 @@
 /// The MCAP container (https://mcap.dev/spec, version 0): what a log is made of. A log is
 /// magic, Header, data section, DataEnd, summary section, Footer, magic; every record is an opcode (1 byte), a length
 /// (8 bytes) and that many bytes; all numbers are little endian.
-namespace inslab::io {
+namespace inslab::mcap {
 
 namespace mcap {
 
@@ -99,4 +99,4 @@ struct MetadataIndex {
 };
 
 }  // namespace mcap
-}  // namespace inslab::io
+}  // namespace inslab::mcap

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-namespace inslab::io::mcap {
+namespace inslab::mcap {
 
-LogTimeMerge::LogTimeMerge(const InputFile& file, std::vector<ChunkIndex> chunks, std::set<std::uint16_t> channels,
+LogTimeMerge::LogTimeMerge(const files::InputFile& file, std::vector<ChunkIndex> chunks, std::set<std::uint16_t> channels,
                            std::uint64_t max_chunk_bytes, std::uint64_t max_open_bytes)
     : file_(file),
       chunks_(std::move(chunks)),
@@ -38,7 +38,7 @@ bool LogTimeMerge::next(Message& message) {
 void LogTimeMerge::open(const ChunkIndex& index) {
   auto cursor = std::make_shared<Cursor>(Cursor{Chunk(file_, index.offset, index.length, max_chunk_bytes_), {}, 0});
   if (cursor->chunk.head().start_time_ns != index.start_time_ns) {
-    throw ReadError(file_.path(), index.offset, "a chunk with the start time that its index gives");
+    throw files::ReadError(file_.path(), index.offset, "a chunk with the start time that its index gives");
   }
   cursor->entries = cursor->chunk.messages(channels_);
   if (cursor->entries.empty()) return;
@@ -46,10 +46,10 @@ void LogTimeMerge::open(const ChunkIndex& index) {
                    [](const auto& a, const auto& b) { return a.log_time_ns < b.log_time_ns; });
   open_bytes_ += cursor->chunk.size();
   if (open_bytes_ > max_open_bytes_) {
-    throw ReadError(file_.path(), index.offset,
+    throw files::ReadError(file_.path(), index.offset,
                     "chunks that overlap in time by at most " + std::to_string(max_open_bytes_) + " bytes");
   }
   open_.push(std::move(cursor));
 }
 
-}  // namespace inslab::io::mcap
+}  // namespace inslab::mcap

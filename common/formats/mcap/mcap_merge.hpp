@@ -8,14 +8,14 @@
 
 #include "inslab/formats/mcap/mcap_chunk.hpp"
 
-namespace inslab::io::mcap {
+namespace inslab::mcap {
 
 /// The messages of several chunks in the order of their log times, equal times in file order. A chunk is read when it
 /// may hold the next message and dropped after its last, so what is in memory are the chunks that overlap in time.
 class LogTimeMerge {
  public:
   /// `chunks` in file order. `channels`: those wanted; all when empty. At most `max_open_bytes` of chunks at once.
-  LogTimeMerge(const InputFile& file, std::vector<ChunkIndex> chunks, std::set<std::uint16_t> channels,
+  LogTimeMerge(const files::InputFile& file, std::vector<ChunkIndex> chunks, std::set<std::uint16_t> channels,
                std::uint64_t max_chunk_bytes, std::uint64_t max_open_bytes);
 
   /// The next message, valid until the next call; false at the end. Throws ReadError.
@@ -37,7 +37,7 @@ class LogTimeMerge {
 
   void open(const ChunkIndex& index);
 
-  const InputFile& file_;
+  const files::InputFile& file_;
   std::vector<ChunkIndex> chunks_;  ///< by start time
   std::set<std::uint16_t> channels_;
   std::uint64_t max_chunk_bytes_;
@@ -48,4 +48,4 @@ class LogTimeMerge {
   std::shared_ptr<Cursor> current_;  ///< holds the message handed out last
 };
 
-}  // namespace inslab::io::mcap
+}  // namespace inslab::mcap

@@ -2,10 +2,10 @@
 
 #include "inslab/foundation/files/byte_writer.hpp"
 
-namespace inslab::io::mcap {
+namespace inslab::mcap {
 
-void put_header(const std::string& profile, const std::string& library, Bytes& out) {
-  ByteWriter writer(out);
+void put_header(const std::string& profile, const std::string& library, files::Bytes& out) {
+  files::ByteWriter writer(out);
   out.insert(out.end(), kMagic.begin(), kMagic.end());
   const std::size_t at = writer.begin_record(kHeader);
   writer.text(profile);
@@ -13,8 +13,8 @@ void put_header(const std::string& profile, const std::string& library, Bytes& o
   writer.end_record(at);
 }
 
-void put_schema(const Schema& schema, Bytes& out) {
-  ByteWriter writer(out);
+void put_schema(const Schema& schema, files::Bytes& out) {
+  files::ByteWriter writer(out);
   const std::size_t at = writer.begin_record(kSchema);
   writer.number(schema.id);
   writer.text(schema.name);
@@ -23,8 +23,8 @@ void put_schema(const Schema& schema, Bytes& out) {
   writer.end_record(at);
 }
 
-void put_channel(const Channel& channel, Bytes& out) {
-  ByteWriter writer(out);
+void put_channel(const Channel& channel, files::Bytes& out) {
+  files::ByteWriter writer(out);
   const std::size_t at = writer.begin_record(kChannel);
   writer.number(channel.id);
   writer.number(channel.schema_id);
@@ -34,8 +34,8 @@ void put_channel(const Channel& channel, Bytes& out) {
   writer.end_record(at);
 }
 
-void put_statistics(const Statistics& statistics, std::size_t schemas, std::size_t channels, Bytes& out) {
-  ByteWriter writer(out);
+void put_statistics(const Statistics& statistics, std::size_t schemas, std::size_t channels, files::Bytes& out) {
+  files::ByteWriter writer(out);
   const std::size_t at = writer.begin_record(kStatistics);
   writer.number(statistics.message_count);
   writer.number(static_cast<std::uint16_t>(schemas));
@@ -54,8 +54,8 @@ void put_statistics(const Statistics& statistics, std::size_t schemas, std::size
   writer.end_record(at);
 }
 
-void put_chunk_index(const ChunkIndex& chunk, Bytes& out) {
-  ByteWriter writer(out);
+void put_chunk_index(const ChunkIndex& chunk, files::Bytes& out) {
+  files::ByteWriter writer(out);
   const std::size_t at = writer.begin_record(kChunkIndex);
   writer.number(chunk.start_time_ns);
   writer.number(chunk.end_time_ns);
@@ -74,8 +74,8 @@ void put_chunk_index(const ChunkIndex& chunk, Bytes& out) {
   writer.end_record(at);
 }
 
-void put_metadata_index(const MetadataIndex& metadata, Bytes& out) {
-  ByteWriter writer(out);
+void put_metadata_index(const MetadataIndex& metadata, files::Bytes& out) {
+  files::ByteWriter writer(out);
   const std::size_t at = writer.begin_record(kMetadataIndex);
   writer.number(metadata.offset);
   writer.number(metadata.length);
@@ -83,4 +83,4 @@ void put_metadata_index(const MetadataIndex& metadata, Bytes& out) {
   writer.end_record(at);
 }
 
-}  // namespace inslab::io::mcap
+}  // namespace inslab::mcap

@@ -8,7 +8,7 @@
 #include "inslab/formats/mcap/mcap_format.hpp"
 
 /// The records of an MCAP log as bytes, appended to `out`. Source: https://mcap.dev/spec.
-namespace inslab::io::mcap {
+namespace inslab::mcap {
 
 /// Of every chunk of ours.
 inline constexpr std::string_view kCompression = "zstd";
@@ -22,4 +22,4 @@ void put_statistics(const Statistics& statistics, std::size_t schemas, std::size
 void put_chunk_index(const ChunkIndex& chunk, std::vector<std::uint8_t>& out);
 void put_metadata_index(const MetadataIndex& metadata, std::vector<std::uint8_t>& out);
 
-}  // namespace inslab::io::mcap
+}  // namespace inslab::mcap

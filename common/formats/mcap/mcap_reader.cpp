@@ -11,19 +11,19 @@
 #include "inslab/foundation/files/error.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
 
-namespace inslab::io {
+namespace inslab::mcap {
 namespace {
 
-constexpr std::uint64_t kEndSize = mcap::kRecordHeadSize + mcap::kFooterSize + mcap::kMagic.size();
+constexpr std::uint64_t kEndSize = kRecordHeadSize + kFooterSize + kMagic.size();
 
-bool holds(const mcap::ChunkIndex& chunk, const std::set<std::uint16_t>& channels) {
+bool holds(const ChunkIndex& chunk, const std::set<std::uint16_t>& channels) {
   if (channels.empty() || chunk.message_index_offsets.empty()) return true;
   return std::any_of(channels.begin(), channels.end(),
                      [&](std::uint16_t id) { return chunk.message_index_offsets.count(id) > 0; });
 }
 
-static_assert(McapReader::Options{}.max_chunk_bytes == config::kMaxLogRecordBytes, "one limit");
-static_assert(McapReader::Options{}.max_open_bytes == config::kMaxOpenLogBytes, "one limit");
+static_assert(McapReader::Options{}.max_chunk_bytes == files::kMaxLogRecordBytes, "one limit");
+static_assert(McapReader::Options{}.max_open_bytes == files::kMaxOpenLogBytes, "one limit");
 
 }  // namespace
 
@@ -38,37 +38,37 @@ McapReader::McapReader(const std::string& path, const Options& options) : option
 void McapReader::read_header() {
   std::array<std::uint8_t, 8> magic{};
   if (file_.size() >= magic.size()) file_.read(0, magic.data(), magic.size());
-  if (magic != mcap::kMagic) throw ReadError(path(), 0, "the magic bytes of an MCAP file");
+  if (magic != kMagic) throw files::ReadError(path(), 0, "the magic bytes of an MCAP file");
   const Record record = record_at(magic.size(), file_.size());
-  if (record.opcode != mcap::kHeader) throw ReadError(path(), magic.size(), "a whole header record");
+  if (record.opcode != kHeader) throw files::ReadError(path(), magic.size(), "a whole header record");
   const std::vector<std::uint8_t> content = content_of(record);
-  ByteReader reader(path(), record.offset + mcap::kRecordHeadSize, content.data(), content.size());
+  files::ByteReader reader(path(), record.offset + kRecordHeadSize, content.data(), content.size());
   profile_ = reader.text("profile");
   library_ = reader.text("library");
-  data_begin_ = record.offset + mcap::kRecordHeadSize + record.length;
+  data_begin_ = record.offset + kRecordHeadSize + record.length;
 }
 
 /// The record whose head lies at `offset`; opcode 0 when it does not end before `end`.
 McapReader::Record McapReader::record_at(std::uint64_t offset, std::uint64_t end) const {
-  if (offset > end || end - offset < mcap::kRecordHeadSize) return {};
-  std::uint8_t bytes[mcap::kRecordHeadSize];
+  if (offset > end || end - offset < kRecordHeadSize) return {};
+  std::uint8_t bytes[kRecordHeadSize];
   file_.read(offset, bytes, sizeof(bytes));
-  ByteReader reader(path(), offset, bytes, sizeof(bytes));
+  files::ByteReader reader(path(), offset, bytes, sizeof(bytes));
   Record record;
   record.opcode = reader.number<std::uint8_t>("opcode");
   record.offset = offset;
   record.length = reader.number<std::uint64_t>("record length");
-  if (record.length > end - offset - mcap::kRecordHeadSize) return {};
+  if (record.length > end - offset - kRecordHeadSize) return {};
   return record;
 }
 
 std::vector<std::uint8_t> McapReader::content_of(const Record& record) const {
   if (record.length > options_.max_chunk_bytes) {
-    throw ReadError(path(), record.offset + 1,
+    throw files::ReadError(path(), record.offset + 1,
                     "a record of at most " + std::to_string(options_.max_chunk_bytes) + " bytes");
   }
   std::vector<std::uint8_t> content(record.length);
-  file_.read(record.offset + mcap::kRecordHeadSize, content.data(), content.size());
+  file_.read(record.offset + kRecordHeadSize, content.data(), content.size());
   return content;
 }
 
@@ -77,19 +77,19 @@ bool McapReader::open_through_summary() {
   if (file_.size() < data_begin_ + kEndSize) return false;
   std::array<std::uint8_t, 8> magic{};
   file_.read(file_.size() - magic.size(), magic.data(), magic.size());
-  if (magic != mcap::kMagic) return false;
+  if (magic != kMagic) return false;
   const std::uint64_t footer_offset = file_.size() - kEndSize;
   const Record record = record_at(footer_offset, file_.size() - magic.size());
-  if (record.opcode != mcap::kFooter || record.length != mcap::kFooterSize) {
-    throw ReadError(path(), footer_offset, "a footer before the magic bytes at the end");
+  if (record.opcode != kFooter || record.length != kFooterSize) {
+    throw files::ReadError(path(), footer_offset, "a footer before the magic bytes at the end");
   }
   const std::vector<std::uint8_t> content = content_of(record);
-  const mcap::Footer footer =
-      mcap::parse_footer(ByteReader(path(), footer_offset + mcap::kRecordHeadSize, content.data(), content.size()));
+  const Footer footer =
+      parse_footer(files::ByteReader(path(), footer_offset + kRecordHeadSize, content.data(), content.size()));
   closed_properly_ = true;
   if (footer.summary_start == 0) return false;
   if (footer.summary_start < data_begin_ || footer.summary_start > footer_offset) {
-    throw ReadError(path(), footer_offset + mcap::kRecordHeadSize,
+    throw files::ReadError(path(), footer_offset + kRecordHeadSize,
                     "the place of the summary between header and footer");
   }
   const std::uint64_t crc_end = file_.size() - magic.size() - 4;
@@ -100,7 +100,7 @@ bool McapReader::open_through_summary() {
     file_.read(at, piece.data(), size);
     crc = static_cast<std::uint32_t>(crc32_z(crc, piece.data(), size));
   }
-  if (crc != footer.summary_crc) throw ReadError(path(), footer.summary_start, "a summary with the footer's CRC");
+  if (crc != footer.summary_crc) throw files::ReadError(path(), footer.summary_start, "a summary with the footer's CRC");
   read_summary(footer.summary_start, footer_offset);
   const bool usable = chunks_.size() == statistics_.chunk_count && statistics_.message_count > 0;
   if (!usable) {
@@ -117,31 +117,31 @@ bool McapReader::open_through_summary() {
 void McapReader::read_summary(std::uint64_t begin, std::uint64_t end) {
   for (std::uint64_t at = begin; at < end;) {
     const Record record = record_at(at, end);
-    if (record.opcode == 0) throw ReadError(path(), at, "a record of the summary that ends before the footer");
+    if (record.opcode == 0) throw files::ReadError(path(), at, "a record of the summary that ends before the footer");
     const std::vector<std::uint8_t> content = content_of(record);
-    const ByteReader reader(path(), at + mcap::kRecordHeadSize, content.data(), content.size());
-    if (record.opcode == mcap::kSchema) add(mcap::parse_schema(reader));
-    if (record.opcode == mcap::kChannel) add(mcap::parse_channel(reader));
-    if (record.opcode == mcap::kStatistics) statistics_ = mcap::parse_statistics(reader);
-    if (record.opcode == mcap::kChunkIndex) chunks_.push_back(mcap::parse_chunk_index(reader));
-    if (record.opcode == mcap::kMetadataIndex) read_indexed_metadata(mcap::parse_metadata_index(reader));
-    at += mcap::kRecordHeadSize + record.length;
+    const files::ByteReader reader(path(), at + kRecordHeadSize, content.data(), content.size());
+    if (record.opcode == kSchema) add(parse_schema(reader));
+    if (record.opcode == kChannel) add(parse_channel(reader));
+    if (record.opcode == kStatistics) statistics_ = parse_statistics(reader);
+    if (record.opcode == kChunkIndex) chunks_.push_back(parse_chunk_index(reader));
+    if (record.opcode == kMetadataIndex) read_indexed_metadata(parse_metadata_index(reader));
+    at += kRecordHeadSize + record.length;
   }
   std::sort(chunks_.begin(), chunks_.end(), [](const auto& a, const auto& b) { return a.offset < b.offset; });
 }
 
-void McapReader::read_indexed_metadata(const mcap::MetadataIndex& index) {
+void McapReader::read_indexed_metadata(const MetadataIndex& index) {
   const Record record = record_at(index.offset, file_.size());
-  if (record.opcode != mcap::kMetadata) throw ReadError(path(), index.offset, "the metadata record " + index.name);
+  if (record.opcode != kMetadata) throw files::ReadError(path(), index.offset, "the metadata record " + index.name);
   const std::vector<std::uint8_t> content = content_of(record);
   metadata_.push_back(
-      mcap::parse_metadata(ByteReader(path(), index.offset + mcap::kRecordHeadSize, content.data(), content.size())));
+      parse_metadata(files::ByteReader(path(), index.offset + kRecordHeadSize, content.data(), content.size())));
 }
 
 void McapReader::scan() {
   for (std::uint64_t at = data_begin_;;) {
     const Record record = record_at(at, file_.size());
-    if (record.opcode == 0 && closed_properly_) throw ReadError(path(), at, "a whole record before the footer");
+    if (record.opcode == 0 && closed_properly_) throw files::ReadError(path(), at, "a whole record before the footer");
     if (record.opcode == 0) {
       ending_ = at == file_.size() ? "no footer: the writer did not close the log"
                                    : "no footer: the file ends inside the record at byte " + std::to_string(at);
@@ -151,47 +151,47 @@ void McapReader::scan() {
       if (!closed_properly_) ending_ = "no footer: the file ends inside the summary";
       return;
     }
-    at += mcap::kRecordHeadSize + record.length;
+    at += kRecordHeadSize + record.length;
   }
 }
 
 /// False at the end of the data section.
 bool McapReader::scan_record(const Record& record) {
-  if (record.opcode == mcap::kDataEnd || record.opcode == mcap::kFooter) return false;
-  if (record.opcode == mcap::kMessage) throw ReadError(path(), record.offset, "messages inside chunks only");
-  if (record.opcode == mcap::kChunk) {
+  if (record.opcode == kDataEnd || record.opcode == kFooter) return false;
+  if (record.opcode == kMessage) throw files::ReadError(path(), record.offset, "messages inside chunks only");
+  if (record.opcode == kChunk) {
     scan_chunk(record);
     return true;
   }
   const bool wanted =
-      record.opcode == mcap::kSchema || record.opcode == mcap::kChannel || record.opcode == mcap::kMetadata;
+      record.opcode == kSchema || record.opcode == kChannel || record.opcode == kMetadata;
   if (!wanted) return true;
   const std::vector<std::uint8_t> content = content_of(record);
-  const ByteReader reader(path(), record.offset + mcap::kRecordHeadSize, content.data(), content.size());
-  if (record.opcode == mcap::kSchema) add(mcap::parse_schema(reader));
-  if (record.opcode == mcap::kChannel) add(mcap::parse_channel(reader));
-  if (record.opcode == mcap::kMetadata) {
-    metadata_.push_back(mcap::parse_metadata(reader));
+  const files::ByteReader reader(path(), record.offset + kRecordHeadSize, content.data(), content.size());
+  if (record.opcode == kSchema) add(parse_schema(reader));
+  if (record.opcode == kChannel) add(parse_channel(reader));
+  if (record.opcode == kMetadata) {
+    metadata_.push_back(parse_metadata(reader));
     ++statistics_.metadata_count;
   }
   return true;
 }
 
 void McapReader::scan_chunk(const Record& record) {
-  const mcap::Chunk chunk(file_, record.offset, mcap::kRecordHeadSize + record.length, options_.max_chunk_bytes);
-  mcap::ChunkIndex index;
+  const Chunk chunk(file_, record.offset, kRecordHeadSize + record.length, options_.max_chunk_bytes);
+  ChunkIndex index;
   index.start_time_ns = chunk.head().start_time_ns;
   index.end_time_ns = chunk.head().end_time_ns;
   index.offset = record.offset;
-  index.length = mcap::kRecordHeadSize + record.length;
+  index.length = kRecordHeadSize + record.length;
   index.compressed_size = chunk.head().compressed_size;
   index.uncompressed_size = chunk.head().uncompressed_size;
-  chunk.for_each_record([&](std::uint8_t opcode, ByteReader content) {
-    if (opcode == mcap::kSchema) add(mcap::parse_schema(content));
-    if (opcode == mcap::kChannel) add(mcap::parse_channel(content));
-    if (opcode != mcap::kMessage) return;
-    const mcap::Message message = mcap::parse_message(content);
-    mcap::Statistics& s = statistics_;
+  chunk.for_each_record([&](std::uint8_t opcode, files::ByteReader content) {
+    if (opcode == kSchema) add(parse_schema(content));
+    if (opcode == kChannel) add(parse_channel(content));
+    if (opcode != kMessage) return;
+    const Message message = parse_message(content);
+    Statistics& s = statistics_;
     s.message_start_time_ns =
         s.message_count == 0 ? message.log_time_ns : std::min(s.message_start_time_ns, message.log_time_ns);
     s.message_end_time_ns = std::max(s.message_end_time_ns, message.log_time_ns);
@@ -203,41 +203,41 @@ void McapReader::scan_chunk(const Record& record) {
   chunks_.push_back(std::move(index));
 }
 
-void McapReader::add(mcap::Schema schema) {
+void McapReader::add(Schema schema) {
   const std::uint16_t id = schema.id;
   schemas_.emplace(id, std::move(schema));
 }
 
-void McapReader::add(mcap::Channel channel) {
+void McapReader::add(Channel channel) {
   const std::uint16_t id = channel.id;
   channels_.emplace(id, std::move(channel));
 }
 
-const mcap::Message& McapReader::known(const mcap::Message& message) const {
+const Message& McapReader::known(const Message& message) const {
   if (channels_.count(message.channel_id) == 0) {
-    throw ReadError(path() + ": a message belongs to channel " + std::to_string(message.channel_id) +
+    throw files::ReadError(path() + ": a message belongs to channel " + std::to_string(message.channel_id) +
                     ", which the log does not declare");
   }
   return message;
 }
 
 void McapReader::for_each(const Visitor& visit, Order order, const std::set<std::uint16_t>& channels) const {
-  std::vector<mcap::ChunkIndex> chunks;
+  std::vector<ChunkIndex> chunks;
   std::copy_if(chunks_.begin(), chunks_.end(), std::back_inserter(chunks),
-               [&](const mcap::ChunkIndex& chunk) { return holds(chunk, channels); });
+               [&](const ChunkIndex& chunk) { return holds(chunk, channels); });
   if (order == Order::LogTime) {
-    mcap::LogTimeMerge merge(file_, std::move(chunks), channels, options_.max_chunk_bytes, options_.max_open_bytes);
-    for (mcap::Message message; merge.next(message);) {
+    LogTimeMerge merge(file_, std::move(chunks), channels, options_.max_chunk_bytes, options_.max_open_bytes);
+    for (Message message; merge.next(message);) {
       if (!visit(known(message))) return;
     }
     return;
   }
-  for (const mcap::ChunkIndex& index : chunks) {
-    const mcap::Chunk chunk(file_, index.offset, index.length, options_.max_chunk_bytes);
-    for (const mcap::Chunk::Entry& entry : chunk.messages(channels)) {
+  for (const ChunkIndex& index : chunks) {
+    const Chunk chunk(file_, index.offset, index.length, options_.max_chunk_bytes);
+    for (const Chunk::Entry& entry : chunk.messages(channels)) {
       if (!visit(known(chunk.message_at(entry.position)))) return;
     }
   }
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::mcap

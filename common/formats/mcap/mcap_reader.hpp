@@ -11,7 +11,7 @@
 #include "inslab/formats/mcap/mcap_records.hpp"
 #include "inslab/foundation/files/input_file.hpp"
 
-namespace inslab::io {
+namespace inslab::mcap {
 
 /// Reads MCAP logs with messages in chunks (zstd or not compressed), chunk by chunk: never the whole file in memory.
 ///
@@ -28,7 +28,7 @@ class McapReader {
   };
   enum class Order { File, LogTime };
   /// Returns false to stop.
-  using Visitor = std::function<bool(const mcap::Message&)>;
+  using Visitor = std::function<bool(const Message&)>;
 
   /// Throws ReadError.
   explicit McapReader(const std::string& path);
@@ -41,10 +41,10 @@ class McapReader {
 
   const std::string& profile() const { return profile_; }
   const std::string& library() const { return library_; }
-  const std::map<std::uint16_t, mcap::Schema>& schemas() const { return schemas_; }
-  const std::map<std::uint16_t, mcap::Channel>& channels() const { return channels_; }
-  const std::vector<mcap::Metadata>& metadata() const { return metadata_; }
-  const mcap::Statistics& statistics() const { return statistics_; }
+  const std::map<std::uint16_t, Schema>& schemas() const { return schemas_; }
+  const std::map<std::uint16_t, Channel>& channels() const { return channels_; }
+  const std::vector<Metadata>& metadata() const { return metadata_; }
+  const Statistics& statistics() const { return statistics_; }
   const std::string& path() const { return file_.path(); }
   std::uint64_t file_size() const { return file_.size(); }
 
@@ -62,28 +62,28 @@ class McapReader {
   void read_header();
   bool open_through_summary();
   void read_summary(std::uint64_t begin, std::uint64_t end);
-  void read_indexed_metadata(const mcap::MetadataIndex& index);
+  void read_indexed_metadata(const MetadataIndex& index);
   void scan();
   bool scan_record(const Record& record);
   void scan_chunk(const Record& record);
-  void add(mcap::Schema schema);
-  void add(mcap::Channel channel);
+  void add(Schema schema);
+  void add(Channel channel);
   Record record_at(std::uint64_t offset, std::uint64_t end) const;
   std::vector<std::uint8_t> content_of(const Record& record) const;
-  const mcap::Message& known(const mcap::Message& message) const;
+  const Message& known(const Message& message) const;
 
   Options options_;
-  InputFile file_;
+  files::InputFile file_;
   bool closed_properly_ = false;
   std::string ending_;
   std::string profile_;
   std::string library_;
-  std::map<std::uint16_t, mcap::Schema> schemas_;
-  std::map<std::uint16_t, mcap::Channel> channels_;
-  std::vector<mcap::Metadata> metadata_;
-  std::vector<mcap::ChunkIndex> chunks_;  ///< in file order
-  mcap::Statistics statistics_;
+  std::map<std::uint16_t, Schema> schemas_;
+  std::map<std::uint16_t, Channel> channels_;
+  std::vector<Metadata> metadata_;
+  std::vector<ChunkIndex> chunks_;  ///< in file order
+  Statistics statistics_;
   std::uint64_t data_begin_ = 0;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::mcap

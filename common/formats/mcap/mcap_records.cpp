@@ -1,19 +1,19 @@
 #include "inslab/formats/mcap/mcap_records.hpp"
 
-namespace inslab::io::mcap {
+namespace inslab::mcap {
 
-Schema parse_schema(ByteReader reader) {
+Schema parse_schema(files::ByteReader reader) {
   const std::uint64_t offset = reader.file_offset();
   Schema schema;
   schema.id = reader.number<std::uint16_t>("schema id");
-  if (schema.id == 0) throw ReadError(reader.path(), offset, "a schema id above 0");
+  if (schema.id == 0) throw files::ReadError(reader.path(), offset, "a schema id above 0");
   schema.name = reader.text("schema name");
   schema.encoding = reader.text("schema encoding");
   schema.text = reader.text("schema text");
   return schema;
 }
 
-Channel parse_channel(ByteReader reader) {
+Channel parse_channel(files::ByteReader reader) {
   Channel channel;
   channel.id = reader.number<std::uint16_t>("channel id");
   channel.schema_id = reader.number<std::uint16_t>("channel's schema id");
@@ -23,7 +23,7 @@ Channel parse_channel(ByteReader reader) {
   return channel;
 }
 
-Message parse_message(ByteReader reader) {
+Message parse_message(files::ByteReader reader) {
   Message message;
   message.channel_id = reader.number<std::uint16_t>("message channel id");
   message.sequence = reader.number<std::uint32_t>("message sequence");
@@ -34,14 +34,14 @@ Message parse_message(ByteReader reader) {
   return message;
 }
 
-Metadata parse_metadata(ByteReader reader) {
+Metadata parse_metadata(files::ByteReader reader) {
   Metadata metadata;
   metadata.name = reader.text("metadata name");
   metadata.values = reader.text_map("metadata");
   return metadata;
 }
 
-MetadataIndex parse_metadata_index(ByteReader reader) {
+MetadataIndex parse_metadata_index(files::ByteReader reader) {
   MetadataIndex index;
   index.offset = reader.number<std::uint64_t>("metadata offset");
   index.length = reader.number<std::uint64_t>("metadata length");
@@ -49,7 +49,7 @@ MetadataIndex parse_metadata_index(ByteReader reader) {
   return index;
 }
 
-Statistics parse_statistics(ByteReader reader) {
+Statistics parse_statistics(files::ByteReader reader) {
   Statistics statistics;
   statistics.message_count = reader.number<std::uint64_t>("message count");
   reader.number<std::uint16_t>("schema count");
@@ -59,7 +59,7 @@ Statistics parse_statistics(ByteReader reader) {
   statistics.chunk_count = reader.number<std::uint32_t>("chunk count");
   statistics.message_start_time_ns = reader.number<std::uint64_t>("message start time");
   statistics.message_end_time_ns = reader.number<std::uint64_t>("message end time");
-  ByteReader counts = reader.block("message counts");
+  files::ByteReader counts = reader.block("message counts");
   while (counts.left() > 0) {
     const auto channel = counts.number<std::uint16_t>("channel id");
     statistics.channel_message_counts[channel] = counts.number<std::uint64_t>("message count");
@@ -67,7 +67,7 @@ Statistics parse_statistics(ByteReader reader) {
   return statistics;
 }
 
-ChunkHead parse_chunk_head(ByteReader& reader) {
+ChunkHead parse_chunk_head(files::ByteReader& reader) {
   ChunkHead head;
   head.start_time_ns = reader.number<std::uint64_t>("chunk start time");
   head.end_time_ns = reader.number<std::uint64_t>("chunk end time");
@@ -78,13 +78,13 @@ ChunkHead parse_chunk_head(ByteReader& reader) {
   return head;
 }
 
-ChunkIndex parse_chunk_index(ByteReader reader) {
+ChunkIndex parse_chunk_index(files::ByteReader reader) {
   ChunkIndex index;
   index.start_time_ns = reader.number<std::uint64_t>("chunk start time");
   index.end_time_ns = reader.number<std::uint64_t>("chunk end time");
   index.offset = reader.number<std::uint64_t>("chunk offset");
   index.length = reader.number<std::uint64_t>("chunk length");
-  ByteReader offsets = reader.block("message index offsets");
+  files::ByteReader offsets = reader.block("message index offsets");
   while (offsets.left() > 0) {
     const auto channel = offsets.number<std::uint16_t>("channel id");
     index.message_index_offsets[channel] = offsets.number<std::uint64_t>("message index offset");
@@ -96,7 +96,7 @@ ChunkIndex parse_chunk_index(ByteReader reader) {
   return index;
 }
 
-Footer parse_footer(ByteReader reader) {
+Footer parse_footer(files::ByteReader reader) {
   Footer footer;
   footer.summary_start = reader.number<std::uint64_t>("summary start");
   footer.summary_offset_start = reader.number<std::uint64_t>("summary offset start");
@@ -104,4 +104,4 @@ Footer parse_footer(ByteReader reader) {
   return footer;
 }
 
-}  // namespace inslab::io::mcap
+}  // namespace inslab::mcap

@@ -6,7 +6,7 @@
 #include "inslab/foundation/files/byte_reader.hpp"
 
 /// The content of MCAP records, out of their bytes; each throws ReadError. Source: https://mcap.dev/spec.
-namespace inslab::io::mcap {
+namespace inslab::mcap {
 
 /// What begins a Chunk record; the compressed records follow it.
 struct ChunkHead {
@@ -25,14 +25,14 @@ struct Footer {
   std::uint32_t summary_crc = 0;           ///< 0: not known
 };
 
-Schema parse_schema(ByteReader reader);
-Channel parse_channel(ByteReader reader);
-Message parse_message(ByteReader reader);
-Metadata parse_metadata(ByteReader reader);
-MetadataIndex parse_metadata_index(ByteReader reader);
-Statistics parse_statistics(ByteReader reader);
-ChunkHead parse_chunk_head(ByteReader& reader);
-ChunkIndex parse_chunk_index(ByteReader reader);
-Footer parse_footer(ByteReader reader);
+Schema parse_schema(files::ByteReader reader);
+Channel parse_channel(files::ByteReader reader);
+Message parse_message(files::ByteReader reader);
+Metadata parse_metadata(files::ByteReader reader);
+MetadataIndex parse_metadata_index(files::ByteReader reader);
+Statistics parse_statistics(files::ByteReader reader);
+ChunkHead parse_chunk_head(files::ByteReader& reader);
+ChunkIndex parse_chunk_index(files::ByteReader reader);
+Footer parse_footer(files::ByteReader reader);
 
-}  // namespace inslab::io::mcap
+}  // namespace inslab::mcap

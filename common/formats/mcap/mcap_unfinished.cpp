@@ -8,7 +8,7 @@
 #include "inslab/formats/mcap/mcap_records.hpp"
 #include "inslab/foundation/files/input_file.hpp"
 
-namespace inslab::io::mcap {
+namespace inslab::mcap {
 namespace {
 
 constexpr std::size_t kIndexEntrySize = 16;
@@ -21,7 +21,7 @@ class Scan {
   UnfinishedLog all() {
     std::array<std::uint8_t, 8> magic{};
     if (file_.size() >= magic.size()) file_.read(0, magic.data(), magic.size());
-    if (magic != kMagic) throw ReadError(file_.path(), 0, "the magic bytes of an MCAP file");
+    if (magic != kMagic) throw files::ReadError(file_.path(), 0, "the magic bytes of an MCAP file");
     std::uint64_t at = magic.size();
     while (take_record(at)) {
     }
@@ -37,13 +37,13 @@ class Scan {
     std::array<std::uint8_t, kRecordHeadSize> head{};
     const std::uint64_t left = file_.size() - at;
     file_.read(at, head.data(), static_cast<std::size_t>(std::min<std::uint64_t>(left, head.size())));
-    ByteReader reader(file_.path(), at, head.data(), head.size());
+    files::ByteReader reader(file_.path(), at, head.data(), head.size());
     const auto opcode = reader.number<std::uint8_t>("opcode");
     const auto length = reader.number<std::uint64_t>("record length");
     const bool ends_here = left == 0 && group_begin_ && group_is_whole();
     if (ends_here || (left > 0 && opcode != kMessageIndex)) group_begin_.reset();
     if (left < kRecordHeadSize || length > left - kRecordHeadSize) return false;
-    if (opcode == kDataEnd || opcode == kFooter) throw ReadError(file_.path(), at, "a log that was not closed");
+    if (opcode == kDataEnd || opcode == kFooter) throw files::ReadError(file_.path(), at, "a log that was not closed");
     take(opcode, at, length);
     at += kRecordHeadSize + length;
     return true;
@@ -55,7 +55,7 @@ class Scan {
         static_cast<std::size_t>(opcode == kChunk ? std::min<std::uint64_t>(length, kChunkHeadAtMost) : length);
     bytes_.resize(size);
     file_.read(content, bytes_.data(), size);
-    ByteReader reader(file_.path(), content, bytes_.data(), size);
+    files::ByteReader reader(file_.path(), content, bytes_.data(), size);
     if (opcode == kSchema) log_.schemas.push_back(parse_schema(reader));
     if (opcode == kChannel) log_.channels.push_back(parse_channel(reader));
     if (opcode == kMetadata) {
@@ -66,7 +66,7 @@ class Scan {
     if (opcode == kMessageIndex && !log_.chunks.empty()) take_index(at, length, reader);
   }
 
-  void take_chunk(std::uint64_t at, std::uint64_t length, ByteReader& reader) {
+  void take_chunk(std::uint64_t at, std::uint64_t length, files::ByteReader& reader) {
     const ChunkHead head = parse_chunk_head(reader);
     before_group_ = log_.statistics;
     group_begin_ = at;
@@ -85,7 +85,7 @@ class Scan {
     log_.chunks.push_back(chunk);
   }
 
-  void take_index(std::uint64_t at, std::uint64_t length, ByteReader& reader) {
+  void take_index(std::uint64_t at, std::uint64_t length, files::ByteReader& reader) {
     const auto channel = reader.number<std::uint16_t>("channel id");
     const std::uint64_t messages = reader.block("message index").left() / kIndexEntrySize;
     ChunkIndex& chunk = log_.chunks.back();
@@ -106,7 +106,7 @@ class Scan {
     log_.statistics = before_group_;
   }
 
-  InputFile file_;
+  files::InputFile file_;
   UnfinishedLog log_;
   std::optional<std::uint64_t> group_begin_;  ///< of the group that may not be whole
   Statistics before_group_;
@@ -117,4 +117,4 @@ class Scan {
 
 UnfinishedLog read_unfinished(const std::string& path) { return Scan(path).all(); }
 
-}  // namespace inslab::io::mcap
+}  // namespace inslab::mcap

@@ -5,7 +5,7 @@
 
 #include "inslab/formats/mcap/mcap_format.hpp"
 
-namespace inslab::io::mcap {
+namespace inslab::mcap {
 
 /// What a killed writer left of a log, as far as it is whole: enough to go on writing it.
 struct UnfinishedLog {
@@ -22,4 +22,4 @@ struct UnfinishedLog {
 /// count. Throws ReadError when the file is no MCAP log of ours or has been closed properly.
 UnfinishedLog read_unfinished(const std::string& path);
 
-}  // namespace inslab::io::mcap
+}  // namespace inslab::mcap

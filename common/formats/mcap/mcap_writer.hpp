@@ -10,7 +10,7 @@
 #include "inslab/formats/mcap/mcap_unfinished.hpp"
 #include "inslab/foundation/files/output_file.hpp"
 
-namespace inslab::io {
+namespace inslab::mcap {
 
 /// Writes an MCAP log: messages collect in a chunk, which is compressed with zstd and appended when it is full.
 ///
@@ -23,7 +23,7 @@ class McapWriter {
     std::string library = "inslab";     ///< who wrote it
     std::size_t chunk_bytes = 1 << 20;  ///< before compression; a larger message gets a chunk of its own
     int compression_level = kFastLevel;
-    OutputFile::Kind kind = OutputFile::Kind::Log;  ///< Result: nothing is there under its name before close()
+    files::OutputFile::Kind kind = files::OutputFile::Kind::Log;  ///< Result: nothing is there under its name before close()
   };
 
   /// The zstd level for logs written at full speed. Where every low bit is noise, level -1 leaves 64 % of the payload's
@@ -37,7 +37,7 @@ class McapWriter {
 
   /// Goes on with what a killed writer left at `path`; see mcap::read_unfinished(). Types and topics that are added
   /// again keep their ids. Throws WriteError.
-  McapWriter(const std::string& path, Options options, mcap::UnfinishedLog unfinished);
+  McapWriter(const std::string& path, Options options, UnfinishedLog unfinished);
 
   /// Closes; an error is lost here, so call close() first.
   ~McapWriter();
@@ -51,7 +51,7 @@ class McapWriter {
   /// Adds a topic of the type `schema_id` (0: none), unless a log that goes on has it; the id is for write(). Throws
   /// WriteError, std::out_of_range for a schema that was not added, std::length_error above 65535 topics.
   std::uint16_t add_channel(std::uint16_t schema_id, std::string_view topic, std::string_view message_encoding,
-                            const mcap::StringMap& metadata = {});
+                            const StringMap& metadata = {});
 
   /// Adds one message. Throws WriteError, once: neither the open chunk nor this message is in the log then, and it
   /// takes no more (failed() is true): calls do nothing but count. Throws std::out_of_range for a channel that was not
@@ -64,7 +64,7 @@ class McapWriter {
                         std::uint64_t publish_time_ns, std::size_t size);
 
   /// Adds named strings about the whole log, at once. Throws WriteError.
-  void metadata(std::string_view name, const mcap::StringMap& values);
+  void metadata(std::string_view name, const StringMap& values);
 
   /// Closes the open chunk and hands it to the kernel. Throws WriteError.
   void flush();
@@ -81,7 +81,7 @@ class McapWriter {
  private:
   struct Compressor;
   struct OpenChannel {
-    mcap::Channel channel;
+    Channel channel;
     std::uint64_t message_count = 0;
     std::vector<std::uint8_t> index;  ///< of the open chunk: pairs of log time and offset
   };
@@ -89,26 +89,26 @@ class McapWriter {
   std::uint8_t* place_message(OpenChannel& channel, std::uint32_t sequence, std::uint64_t log_time_ns,
                               std::uint64_t publish_time_ns, std::size_t size);
   void close_chunk();
-  void add_message_indexes(mcap::ChunkIndex& chunk, std::size_t chunk_record_size);
+  void add_message_indexes(ChunkIndex& chunk, std::size_t chunk_record_size);
   void append(const std::vector<std::uint8_t>& bytes);
-  void count_chunk(mcap::ChunkIndex chunk);
-  void write_metadata(std::string_view name, const mcap::StringMap& values);
+  void count_chunk(ChunkIndex chunk);
+  void write_metadata(std::string_view name, const StringMap& values);
   void write_end();
   void write_summary(std::vector<std::uint8_t>& out) const;
 
   Options options_;
-  OutputFile file_;
+  files::OutputFile file_;
   std::unique_ptr<Compressor> compressor_;
-  std::vector<mcap::Schema> schemas_;
+  std::vector<Schema> schemas_;
   std::vector<OpenChannel> channels_;
-  std::vector<mcap::ChunkIndex> chunks_;
-  std::vector<mcap::MetadataIndex> metadata_;
+  std::vector<ChunkIndex> chunks_;
+  std::vector<MetadataIndex> metadata_;
   std::vector<std::uint8_t> chunk_;  ///< the open chunk, not compressed
   std::size_t chunk_size_ = 0;       ///< of chunk_, bytes in use
   std::uint64_t chunk_messages_ = 0;
-  mcap::ChunkIndex open_;             ///< the times of the open chunk
+  ChunkIndex open_;             ///< the times of the open chunk
   std::vector<std::uint8_t> record_;  ///< what is appended next
-  mcap::Statistics statistics_;
+  Statistics statistics_;
   std::uint32_t data_crc_ = 0;
   bool data_crc_known_ = true;  ///< of a log that goes on it would take reading the whole file
   std::uint64_t messages_lost_ = 0;
@@ -116,4 +116,4 @@ class McapWriter {
   bool closed_ = false;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::mcap

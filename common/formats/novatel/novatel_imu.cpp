@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace inslab::io {
+namespace inslab::novatel {
 
 namespace {
 
@@ -43,15 +43,15 @@ std::string fixed(double value, int decimals) {
 
 /// Week and seconds, the seconds as nanoseconds of a week.
 std::optional<time::GpsTime> gps_time(std::string_view week, std::string_view seconds) {
-  const auto week_number = integer_from(week);
-  const auto in_week = number_from(seconds);
+  const auto week_number = files::integer_from(week);
+  const auto in_week = files::number_from(seconds);
   if (!week_number || *week_number < 0 || *week_number > 10000) return std::nullopt;
   if (!in_week || !(*in_week >= 0.0 && *in_week <= 604800.0)) return std::nullopt;
   return time::GpsTime{static_cast<std::uint32_t>(*week_number), 0} + time::from_seconds(*in_week);
 }
 
 std::optional<std::int64_t> count_from(std::string_view text) {
-  const auto count = integer_from(text);
+  const auto count = files::integer_from(text);
   if (!count || *count < std::numeric_limits<std::int32_t>::min() ||
       *count > std::numeric_limits<std::int32_t>::max()) {
     return std::nullopt;
@@ -97,7 +97,7 @@ NovatelImuReader::NovatelImuReader(const std::string& path, const Options& optio
 bool NovatelImuReader::next(NovatelImuRecord& record) {
   std::string_view text;
   while (lines_.next(text)) {
-    text = trimmed(text);
+    text = files::trimmed(text);
     if (text.empty()) continue;
     if (!is_imu_line(text)) {
       note_other(text);
@@ -137,7 +137,7 @@ std::optional<std::string> NovatelImuReader::read_line(std::string_view text, No
   const auto time = gps_time(parts_.body[week], parts_.body[week + 1]);
   if (!time) return "has no GPS week and seconds of week";
   if (last_time_ && (*time - *last_time_).count() <= 0) return "is not later than the sample before";
-  const auto status = hex_from(parts_.body[week + 2]);
+  const auto status = files::hex_from(parts_.body[week + 2]);
   if (!status) return "has no status word of hexadecimal digits";
   std::array<double, kCounts> counts{};
   for (std::size_t i = 0; i < kCounts; ++i) {
@@ -163,7 +163,7 @@ std::optional<std::string> NovatelImuReader::find_type(bool is_extended, const N
   std::optional<std::int64_t> number;
   if (options_.imu_type) number = *options_.imu_type;
   if (is_extended) {
-    const auto said = integer_from(parts_.body[1]);
+    const auto said = files::integer_from(parts_.body[1]);
     if (!said) return "has no number for the IMU type";
     if (number && *said != *number) {
       return "is of the IMU type " + std::to_string(*said) + "; expected " + std::to_string(*number);
@@ -197,4 +197,4 @@ std::string NovatelImuFormatter::line(const time::GpsTime& time, const nav::Vect
   return "%" + text + "*" + crc_text(novatel_crc(text));
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::novatel

@@ -11,7 +11,7 @@
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/nav/vectors.hpp"
 
-namespace inslab::io {
+namespace inslab::novatel {
 
 /// The axes in which a unit counts.
 enum class NovatelAxes {
@@ -74,7 +74,7 @@ class NovatelImuReader {
   std::optional<std::string> find_type(bool is_extended, const NovatelImuType*& type) const;
 
   Options options_;
-  TextLines lines_;
+  files::TextLines lines_;
   NovatelLine parts_;
   std::optional<time::GpsTime> last_time_;
   std::vector<BadLine> bad_lines_;
@@ -103,4 +103,4 @@ class NovatelImuFormatter {
   std::array<double, 3> accel_carry_{};  ///< counts
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::novatel

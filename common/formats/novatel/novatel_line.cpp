@@ -7,7 +7,7 @@
 
 #include "inslab/foundation/files/text_lines.hpp"
 
-namespace inslab::io {
+namespace inslab::novatel {
 
 std::uint32_t novatel_crc(std::string_view text) {
   // zlib's inverts its register before and after; inverting the two once more leaves the plain one.
@@ -22,12 +22,12 @@ std::string crc_text(std::uint32_t crc) {
 }
 
 std::optional<std::string> split_novatel(std::string_view text, NovatelLine& line) {
-  text = trimmed(text);
+  text = files::trimmed(text);
   if (text.empty() || (text.front() != '#' && text.front() != '%')) return "does not begin with # or %";
   line.is_short = text.front() == '%';
   text.remove_prefix(1);
   if (const std::size_t star = text.rfind('*'); star != std::string_view::npos) {
-    const auto given = hex_from(text.substr(star + 1));
+    const auto given = files::hex_from(text.substr(star + 1));
     if (!given) return "ends in '" + std::string(text.substr(star).substr(0, 20)) + "'; expected * and a CRC";
     text = text.substr(0, star);
     const std::uint32_t computed = novatel_crc(text);
@@ -35,11 +35,11 @@ std::optional<std::string> split_novatel(std::string_view text, NovatelLine& lin
   }
   const std::size_t semicolon = text.find(';');
   if (semicolon == std::string_view::npos) return "has no ; between header and fields";
-  split(text.substr(0, semicolon), ',', line.header);
-  split(text.substr(semicolon + 1), ',', line.body);
+  files::split(text.substr(0, semicolon), ',', line.header);
+  files::split(text.substr(semicolon + 1), ',', line.body);
   line.name = line.header.front();
   line.header.erase(line.header.begin());
   return std::nullopt;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::novatel

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace inslab::io {
+namespace inslab::novatel {
 
 /// NovAtel's 32-bit CRC of what stands between the first character of a message (# or %) and its asterisk, neither
 /// included: the reflected polynomial 0xEDB88320 from 0, without a final inversion (OEM7 manual, "32-bit CRC").
@@ -27,4 +27,4 @@ struct NovatelLine {
 /// a5db8c7b"; a line without a CRC is taken as it is.
 std::optional<std::string> split_novatel(std::string_view text, NovatelLine& line);
 
-}  // namespace inslab::io
+}  // namespace inslab::novatel

@@ -4,7 +4,7 @@
 
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::io {
+namespace inslab::novatel {
 
 namespace {
 
@@ -64,4 +64,4 @@ const NovatelImuType* find_novatel_imu_type(std::uint32_t type) {
   return found == types.end() ? nullptr : &*found;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::novatel

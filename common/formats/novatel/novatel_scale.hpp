@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace inslab::io {
+namespace inslab::novatel {
 
 /// What one count of an IMU type means, and how often the type samples.
 struct NovatelImuType {
@@ -22,4 +22,4 @@ const std::vector<NovatelImuType>& novatel_imu_types();
 /// Null when the type is not known.
 const NovatelImuType* find_novatel_imu_type(std::uint32_t type);
 
-}  // namespace inslab::io
+}  // namespace inslab::novatel

@@ -7,7 +7,7 @@
 #include "inslab/foundation/files/error.hpp"
 #include "inslab/foundation/files/input_file.hpp"
 
-namespace inslab::cli {
+namespace inslab::profile_import {
 namespace {
 
 std::string vector_text(const Vector3& value) {
@@ -18,10 +18,10 @@ std::string vector_text(const Vector3& value) {
 }  // namespace
 
 std::string import_text(const std::string& file) {
-  const io::InputFile input(file);
-  if (input.size() > config::kMaxImportBytes) {
-    throw io::ReadError(
-        fmt::format("{}: has {} bytes; expected at most {}", file, input.size(), config::kMaxImportBytes));
+  const files::InputFile input(file);
+  if (input.size() > files::kMaxImportBytes) {
+    throw files::ReadError(
+        fmt::format("{}: has {} bytes; expected at most {}", file, input.size(), files::kMaxImportBytes));
   }
   std::string text(input.size(), '\0');
   input.read(0, reinterpret_cast<std::uint8_t*>(text.data()), text.size());
@@ -29,7 +29,7 @@ std::string import_text(const std::string& file) {
 }
 
 void refuse_depth(const std::string& place, std::size_t levels) {
-  throw io::ReadError(fmt::format("{}: is nested deeper than {} levels", place, levels));
+  throw files::ReadError(fmt::format("{}: is nested deeper than {} levels", place, levels));
 }
 
 std::string conversion_line(const std::string& from, const Vector3& from_value, const std::string& from_unit,
@@ -40,7 +40,7 @@ std::string conversion_line(const std::string& from, const Vector3& from_value, 
 void check_imported(const std::string& file, const ImuErrorProfile& profile) {
   auto broken = limit_violation(profile);
   if (!broken) broken = violation(profile);
-  if (broken) throw io::ReadError(file + ": makes no profile: " + broken->path + " " + broken->reason);
+  if (broken) throw files::ReadError(file + ": makes no profile: " + broken->path + " " + broken->reason);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::profile_import

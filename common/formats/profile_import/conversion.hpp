@@ -11,7 +11,7 @@
 /// `inslab profile import`: error parameters of other simulators and filters as profiles of ours. What differs is units
 /// and what a number means: a Gauss-Markov bias may be given by its steady-state sigma, as ours is, or by the density
 /// of the noise that drives it, sigma = density sqrt(T/2); white noise by its density or by its deviation at a rate.
-namespace inslab::cli {
+namespace inslab::profile_import {
 
 struct ImportOptions {
   std::optional<double> rate_hz;  ///< at which the other program runs, where its file does not say and it matters
@@ -28,7 +28,7 @@ struct ImportedProfile {
 std::string import_text(const std::string& file);
 
 /// Throws io::ReadError: at `place` the file has more in each other than an import may have.
-[[noreturn]] void refuse_depth(const std::string& place, std::size_t levels = config::kMaxImportLevels);
+[[noreturn]] void refuse_depth(const std::string& place, std::size_t levels = files::kMaxImportLevels);
 
 /// "gbstd [0.027 0.027 0.027] deg/h -> gyro.bias_gm_sigma_deg_per_h [...]: the same".
 std::string conversion_line(const std::string& from, const Vector3& from_value, const std::string& from_unit,
@@ -52,4 +52,4 @@ ImportedProfile import_gnss_ins_sim(const std::string& file, const ImportOptions
 /// density that drives it. Axes are turned from forward-left-up to forward-right-down.
 ImportedProfile import_gazebo(const std::string& file, const ImportOptions& options);
 
-}  // namespace inslab::cli
+}  // namespace inslab::profile_import

@@ -11,7 +11,7 @@
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::cli {
+namespace inslab::profile_import {
 namespace {
 
 using Element = tinyxml2::XMLElement;
@@ -19,7 +19,7 @@ using Element = tinyxml2::XMLElement;
 /// Every <sensor type="imu"> below `element`.
 void collect_imus(const std::string& file, const Element& element, std::size_t level,
                   std::vector<const Element*>& imus) {
-  if (level > config::kMaxImportLevels) refuse_depth(file + ": line " + std::to_string(element.GetLineNum()));
+  if (level > files::kMaxImportLevels) refuse_depth(file + ": line " + std::to_string(element.GetLineNum()));
   for (const Element* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
     const char* type = child->Attribute("type");
     const bool is_imu = std::strcmp(child->Name(), "sensor") == 0 && type != nullptr && std::strcmp(type, "imu") == 0;
@@ -85,7 +85,7 @@ class Gazebo {
   };
 
   [[noreturn]] void fail(const Element& element, const std::string& what) const {
-    throw io::ReadError(file_ + ": line " + std::to_string(element.GetLineNum()) + ": <" + element.Name() + "> " +
+    throw files::ReadError(file_ + ": line " + std::to_string(element.GetLineNum()) + ": <" + element.Name() + "> " +
                         what);
   }
 
@@ -95,7 +95,7 @@ class Gazebo {
       if (document_.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
         refuse_depth(file_ + ": line " + std::to_string(document_.ErrorLineNum()));
       }
-      throw io::ReadError(file_ + ": line " + std::to_string(document_.ErrorLineNum()) +
+      throw files::ReadError(file_ + ": line " + std::to_string(document_.ErrorLineNum()) +
                           ": is no XML: " + document_.ErrorName());
     }
   }
@@ -103,22 +103,22 @@ class Gazebo {
   const Element& chosen_sensor() const {
     std::vector<const Element*> imus;
     if (document_.RootElement() != nullptr) collect_imus(file_, *document_.RootElement(), 1, imus);
-    if (imus.empty()) throw io::ReadError(file_ + ": has no <sensor type=\"imu\">");
+    if (imus.empty()) throw files::ReadError(file_ + ": has no <sensor type=\"imu\">");
     std::string names;
     for (const Element* imu : imus) {
       if (name_of(*imu) == options_.sensor) return *imu;
       names += (names.empty() ? "" : ", ") + name_of(*imu);
     }
     if (!options_.sensor.empty()) {
-      throw io::ReadError(file_ + ": has no IMU '" + options_.sensor + "'; it has " + names);
+      throw files::ReadError(file_ + ": has no IMU '" + options_.sensor + "'; it has " + names);
     }
-    if (imus.size() > 1) throw io::ReadError(file_ + ": has several IMUs (" + names + "); choose with --sensor");
+    if (imus.size() > 1) throw files::ReadError(file_ + ": has several IMUs (" + names + "); choose with --sensor");
     return *imus.front();
   }
 
   double number(const Element& element) const {
     const char* text = element.GetText();
-    const auto value = io::number_from(io::trimmed(text == nullptr ? "" : text));
+    const auto value = files::number_from(files::trimmed(text == nullptr ? "" : text));
     if (!value || !std::isfinite(*value)) fail(element, "is not a finite number");
     return *value;
   }
@@ -224,4 +224,4 @@ ImportedProfile import_gazebo(const std::string& file, const ImportOptions& opti
   return Gazebo(file, options).run();
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::profile_import

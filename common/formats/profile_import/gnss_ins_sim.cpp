@@ -13,7 +13,7 @@
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::cli {
+namespace inslab::profile_import {
 namespace {
 
 /// Reads a dictionary of numbers and lists of three as Python or JSON writes it: np.array([...]) and products and
@@ -54,7 +54,7 @@ class DictionaryReader {
     }
     return file_ + ": line " + std::to_string(line) + ", column " + std::to_string(column);
   }
-  [[noreturn]] void fail(const std::string& what) const { throw io::ReadError(place() + ": " + what); }
+  [[noreturn]] void fail(const std::string& what) const { throw files::ReadError(place() + ": " + what); }
 
   /// The brace before the first key that begins with gyro_ or accel_.
   std::size_t begin_of_dictionary() {
@@ -110,7 +110,7 @@ class DictionaryReader {
   }
 
   Vector3 product() {
-    if (++level_ > config::kMaxImportLevels) refuse_depth(place());
+    if (++level_ > files::kMaxImportLevels) refuse_depth(place());
     const Vector3 value = product_at_level();
     --level_;
     return value;
@@ -187,7 +187,7 @@ class DictionaryReader {
         break;
       ++end;
     }
-    const auto value = io::number_from(std::string_view(text_).substr(at_, end - at_));
+    const auto value = files::number_from(std::string_view(text_).substr(at_, end - at_));
     if (!value) fail("expected a number, a list of three, or np.array of one");
     at_ = end;
     return *value;
@@ -208,7 +208,7 @@ class Conversion {
     values_ = DictionaryReader(file, import_text(file)).read();
     for (const auto& [key, value] : values_) {
       if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys)) {
-        throw io::ReadError(file + ": " + text::quoted(key) + " is not a key of gnss-ins-sim");
+        throw files::ReadError(file + ": " + text::quoted(key) + " is not a key of gnss-ins-sim");
       }
     }
   }
@@ -232,7 +232,7 @@ class Conversion {
  private:
   Vector3 value(const std::string& key) {
     const auto found = values_.find(key);
-    if (found == values_.end()) throw io::ReadError(file_ + ": has no '" + key + "'; gnss-ins-sim demands it");
+    if (found == values_.end()) throw files::ReadError(file_ + ": has no '" + key + "'; gnss-ins-sim demands it");
     return found->second;
   }
 
@@ -263,10 +263,10 @@ class Conversion {
           conversion_line(triad + "_b_corr", corr, "s", triad + ".bias_gm_correlation_time_s", corr, "the same"));
       return;
     }
-    if (!corr.array().isInf().all()) throw io::ReadError(file_ + ": '" + triad + "_b_corr': some finite, some not");
+    if (!corr.array().isInf().all()) throw files::ReadError(file_ + ": '" + triad + "_b_corr': some finite, some not");
     if (deviation.isZero(0.0)) return;
     if (!options_.rate_hz) {
-      throw io::ReadError(file_ + ": '" + triad + "_b_corr' is missing or infinite, which in gnss-ins-sim makes '" +
+      throw files::ReadError(file_ + ": '" + triad + "_b_corr' is missing or infinite, which in gnss-ins-sim makes '" +
                           stability + "' white noise of that deviation a sample; give its rate with --rate");
     }
     const Vector3 added = deviation / (file_units_per_density * std::sqrt(*options_.rate_hz));
@@ -289,4 +289,4 @@ ImportedProfile import_gnss_ins_sim(const std::string& file, const ImportOptions
   return Conversion(file, options).run();
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::profile_import

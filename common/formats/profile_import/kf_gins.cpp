@@ -6,7 +6,7 @@
 #include "inslab/formats/profile_import/conversion.hpp"
 #include "inslab/foundation/files/error.hpp"
 
-namespace inslab::cli {
+namespace inslab::profile_import {
 namespace {
 
 std::string place(const std::string& file, const YAML::Mark& mark) {
@@ -16,7 +16,7 @@ std::string place(const std::string& file, const YAML::Mark& mark) {
 double number_of(const std::string& file, const std::string& key, const YAML::Node& node) {
   double value = 0.0;
   if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value) || value < 0.0) {
-    throw io::ReadError(place(file, node.Mark()) + key + ": expected a finite number, 0 or above");
+    throw files::ReadError(place(file, node.Mark()) + key + ": expected a finite number, 0 or above");
   }
   return value;
 }
@@ -24,14 +24,14 @@ double number_of(const std::string& file, const std::string& key, const YAML::No
 /// The section's value of that key. Throws io::ReadError when it is missing.
 YAML::Node member(const std::string& file, const YAML::Node& section, const std::string& key) {
   const YAML::Node node = section[key];
-  if (!node) throw io::ReadError(place(file, section.Mark()) + "imunoise has no " + key);
+  if (!node) throw files::ReadError(place(file, section.Mark()) + "imunoise has no " + key);
   return node;
 }
 
 Vector3 vector_of(const std::string& file, const YAML::Node& section, const std::string& key) {
   const YAML::Node node = member(file, section, key);
   if (!node.IsSequence() || node.size() != 3) {
-    throw io::ReadError(place(file, node.Mark()) + key + ": expected a list of three numbers");
+    throw files::ReadError(place(file, node.Mark()) + key + ": expected a list of three numbers");
   }
   return {number_of(file, key, node[0]), number_of(file, key, node[1]), number_of(file, key, node[2])};
 }
@@ -44,7 +44,7 @@ YAML::Node parsed(const std::string& file) {
     constexpr std::size_t kLevelsOfYamlCpp = 500;
     refuse_depth(file + ": line " + std::to_string(error.mark.line + 1), kLevelsOfYamlCpp);
   } catch (const YAML::Exception& error) {
-    throw io::ReadError(place(file, error.mark) + "is no YAML: " + error.msg);
+    throw files::ReadError(place(file, error.mark) + "is no YAML: " + error.msg);
   }
 }
 
@@ -54,7 +54,7 @@ ImportedProfile import_kf_gins(const std::string& file, const ImportOptions&) {
   const YAML::Node root = parsed(file);
   const YAML::Node noise = root.IsMap() ? root["imunoise"] : YAML::Node(YAML::NodeType::Undefined);
   if (!noise || !noise.IsMap())
-    throw io::ReadError(file + ": has no section imunoise; expected KF-GINS's configuration");
+    throw files::ReadError(file + ": has no section imunoise; expected KF-GINS's configuration");
 
   ImportedProfile imported;
   GyroErrors& gyro = imported.profile.gyro;
@@ -86,4 +86,4 @@ ImportedProfile import_kf_gins(const std::string& file, const ImportOptions&) {
   return imported;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::profile_import

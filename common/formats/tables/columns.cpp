@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-namespace inslab::io {
+namespace inslab::tables {
 namespace {
 
 using Suffix = std::pair<std::string_view, std::string_view>;
@@ -57,4 +57,4 @@ std::string to_hex(const RunId& run_id) {
   return text;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::tables

@@ -15,7 +15,7 @@
 /// in .w .x .y .z, cross axes in .xy .xz .yx .yz .zx .zy (error of the first axis from the second). A list of at most
 /// n structs is its count and n groups of columns, streams.count, streams.0.topic, ...; those beyond the count are
 /// empty. A run id is 32 hexadecimal digits.
-namespace inslab::io {
+namespace inslab::tables {
 
 enum class ColumnKind { Bool, UInt32, UInt64, Int64, Double, Enum, Text };
 
@@ -180,4 +180,4 @@ void fill_row(const T& value, Row& row) {
   T::fields(value, filler);
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::tables

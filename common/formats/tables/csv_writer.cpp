@@ -5,7 +5,7 @@
 
 #include "inslab/foundation/files/error.hpp"
 
-namespace inslab::io {
+namespace inslab::tables {
 namespace {
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 16;
@@ -73,4 +73,4 @@ void CsvWriter::drain() {
   if (!ready.empty()) file_.append(reinterpret_cast<const std::uint8_t*>(ready.data()), ready.size());
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::tables

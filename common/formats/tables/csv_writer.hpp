@@ -6,7 +6,7 @@
 #include "inslab/formats/tables/columns.hpp"
 #include "inslab/foundation/files/output_file.hpp"
 
-namespace inslab::io {
+namespace inslab::tables {
 
 /// One cell as it stands in a CSV file.
 std::string csv_text(const Cell& cell);
@@ -27,8 +27,8 @@ class CsvWriter {
  private:
   void drain();
 
-  OutputFile file_;
+  files::OutputFile file_;
   std::string buffer_;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::tables

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace inslab::io {
+namespace inslab::tables {
 
 /// Closes an HDF5 object.
 class Hdf5Handle {
@@ -42,4 +42,4 @@ Result checked(Result result, const std::string& path, const std::string& action
   return result;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::tables

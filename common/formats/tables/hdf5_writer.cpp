@@ -9,7 +9,7 @@
 #include "inslab/foundation/files/error.hpp"
 #include "inslab/foundation/files/output_place.hpp"
 
-namespace inslab::io {
+namespace inslab::tables {
 namespace {
 
 constexpr hsize_t kRowsInChunk = 1024;
@@ -110,7 +110,7 @@ void throw_hdf5_error(const std::string& path, const std::string& action) {
     reason = reason.substr(quote + kQuote.size());
     reason.resize(std::min(reason.size(), reason.find('\'')));
   }
-  throw WriteError(path + ": cannot " + action + ": " + reason);
+  throw files::WriteError(path + ": cannot " + action + ": " + reason);
 }
 
 class Hdf5Writer::Table::Dataset {
@@ -181,7 +181,7 @@ void Hdf5Writer::Table::flush() {
 struct Hdf5Writer::State {
   explicit State(const std::string& asked_for) : path(asked_for), place(asked_for) {}
   std::string path;
-  OutputPlace place;
+  files::OutputPlace place;
   Hdf5Handle file;
   std::vector<std::unique_ptr<Table>> tables;  // closed before the file
 };
@@ -236,7 +236,7 @@ void Hdf5Writer::close() {
   try {
     for (const auto& table : state_->tables) table->flush();
     checked(H5Fflush(state_->file.get(), H5F_SCOPE_LOCAL), state_->path, "write");
-  } catch (const WriteError&) {
+  } catch (const files::WriteError&) {
     state_->tables.clear();
     state_->file.close();
     throw;
@@ -246,4 +246,4 @@ void Hdf5Writer::close() {
   state_->place.commit();
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::tables

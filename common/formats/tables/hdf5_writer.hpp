@@ -8,7 +8,7 @@
 
 #include "inslab/formats/tables/columns.hpp"
 
-namespace inslab::io {
+namespace inslab::tables {
 
 /// Writes tables into one HDF5 file: a group for each table, a one-dimensional, extendable dataset for each column.
 ///
@@ -62,4 +62,4 @@ class Hdf5Writer::Table {
   std::size_t buffered_ = 0;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::tables

@@ -19,7 +19,7 @@
 
 extern char** environ;
 
-namespace inslab::io {
+namespace inslab::tables {
 
 namespace {
 
@@ -101,7 +101,7 @@ class TemporaryFile {
 
  private:
   std::string path_;
-  std::optional<UnfinishedFile> unfinished_;
+  std::optional<files::UnfinishedFile> unfinished_;
 };
 
 /// Runs `program file` with its outputs in files; returns its wait status.
@@ -119,7 +119,7 @@ int run(const std::string& program, const std::string& file, const std::string& 
     throw PictureError(program + " cannot be run: " + std::strerror(error) +
                        "; pictures need gnuplot (Debian: the package gnuplot-nox)");
   }
-  const int status = wait_for_program(pid);
+  const int status = files::wait_for_program(pid);
   if (status < 0) throw PictureError("waiting for " + program + ": " + std::strerror(errno));
   return status;
 }
@@ -254,4 +254,4 @@ Curve thinned_by_distance(const Curve& track, double distance, std::size_t most)
   return kept;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::tables

@@ -5,7 +5,7 @@
 #include <vector>
 
 /// Pictures of curves, drawn by gnuplot (the program of that name, a package of every distribution).
-namespace inslab::io {
+namespace inslab::tables {
 
 /// gnuplot is not there, or did not like what it was given.
 class PictureError : public std::runtime_error {
@@ -74,4 +74,4 @@ Curve thinned_by_logarithm(const Curve& curve, std::size_t bins);
 /// the distance is doubled until they are.
 Curve thinned_by_distance(const Curve& track, double distance, std::size_t most);
 
-}  // namespace inslab::io
+}  // namespace inslab::tables

@@ -4,10 +4,10 @@
 
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 void GnssTextWriter::write(const GnssTextRecord& record) {
-  out_.number(time::to_seconds(record.in_week % SecondsOfWeek::kWeek), 9);
+  out_.number(time::to_seconds(record.in_week % files::SecondsOfWeek::kWeek), 9);
   out_.number(record.position.latitude_rad / units::kDeg, 12).number(record.position.longitude_rad / units::kDeg, 12);
   out_.number(record.position.height_m, 6);
   for (const double sigma_m : record.sigma_ned_m) out_.number(sigma_m, 6);
@@ -16,11 +16,11 @@ void GnssTextWriter::write(const GnssTextRecord& record) {
 
 bool GnssTextReader::next(GnssTextRecord& record) {
   std::array<double, 7> n{};
-  if (!next_numbers(lines_, n)) return false;
+  if (!files::next_numbers(lines_, n)) return false;
   record = {time_.of_line(lines_, n[0]), {n[1] * units::kDeg, n[2] * units::kDeg, n[3]}, {n[4], n[5], n[6]}};
   for (std::size_t i = 4; i < n.size(); ++i) {
     if (n[i] > 0.0) continue;
-    throw ReadError(
+    throw files::ReadError(
         lines_.path() + ": line " + std::to_string(lines_.number()) + ", column " + std::to_string(i + 1) + ": is " +
         std::to_string(n[i]) +
         "; expected the standard deviation of the position (north, east, down in columns 5 to 7), above 0 m");
@@ -28,9 +28,9 @@ bool GnssTextReader::next(GnssTextRecord& record) {
   try {
     nav::check_domain(record.position);
   } catch (const std::domain_error& error) {
-    throw ReadError(lines_.path() + ": line " + std::to_string(lines_.number()) + ": " + error.what());
+    throw files::ReadError(lines_.path() + ": line " + std::to_string(lines_.number()) + ": " + error.what());
   }
   return true;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -5,7 +5,7 @@
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/nav/geodesy.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 /// One position fix of a receiver's antenna.
 struct GnssTextRecord {
@@ -25,7 +25,7 @@ class GnssTextWriter {
   void close() { out_.close(); }
 
  private:
-  TextWriter out_;
+  files::TextWriter out_;
 };
 
 /// Reads what GnssTextWriter writes, line by line; lines that are empty or begin with # or % are comments.
@@ -39,8 +39,8 @@ class GnssTextReader {
   bool next(GnssTextRecord& record);
 
  private:
-  TextLines lines_;
-  SecondsOfWeek time_;
+  files::TextLines lines_;
+  files::SecondsOfWeek time_;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -6,7 +6,7 @@
 #include "inslab/foundation/files/text_lines.hpp"
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 namespace {
 
@@ -79,8 +79,8 @@ std::optional<int> axis_of(const Names& names, std::string_view name) {
 std::optional<ImuColumn> bracketed(const std::string& text, std::size_t place) {
   const std::size_t open = text.find_first_of("[("), close = text.find_last_of("])");
   if (open == std::string::npos || close == std::string::npos || close < open) return std::nullopt;
-  const std::string_view name = trimmed(std::string_view(text).substr(0, open));
-  const std::string_view unit = trimmed(std::string_view(text).substr(open + 1, close - open - 1));
+  const std::string_view name = files::trimmed(std::string_view(text).substr(0, open));
+  const std::string_view unit = files::trimmed(std::string_view(text).substr(open + 1, close - open - 1));
   ImuColumn column;
   column.place = place;
   if (std::find(std::begin(kTimeNames), std::end(kTimeNames), name) != std::end(kTimeNames)) {
@@ -123,4 +123,4 @@ std::optional<ImuColumn> imu_column_named(std::string_view name, std::size_t pla
   return bracketed(lower(name), place);
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 /// A column of an IMU's text that says something of an axis or of the time.
 struct ImuColumn {
@@ -21,4 +21,4 @@ struct ImuColumn {
 /// write it: timestamp [ns], w_RS_S_x [rad s^-1], a_x (m/s^2). Nothing when it is none of them, or has no unit.
 std::optional<ImuColumn> imu_column_named(std::string_view name, std::size_t place);
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -4,18 +4,18 @@
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/foundation/files/error.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 
-ImuErrors::ImuErrors(const McapReader& log, const ImuRecordingOptions& options, Begin begin, Take take)
+ImuErrors::ImuErrors(const mcap::McapReader& log, const ImuRecordingOptions& options, Begin begin, Take take)
     : options_(options),
       begin_(std::move(begin)),
       take_(std::move(take)),
       regular_(log.path(), "sample", options_, info_, {}, begin_, take_) {
   const std::string topic = catalog::stream_topic<ImuSample>(options_.sensor_number);
   const std::string truth_topic = catalog::stream_topic<ImuTruth>(options_.sensor_number);
-  if (channels_of(log, topic, wire::WireType<ImuSample>::name).empty() ||
-      channels_of(log, truth_topic, wire::WireType<ImuTruth>::name).empty()) {
-    throw ReadError(log.path() + ": has no topics " + topic + " and " + truth_topic + "; it has " + topics_text(log));
+  if (log::channels_of(log, topic, catalog::WireType<ImuSample>::name).empty() ||
+      log::channels_of(log, truth_topic, catalog::WireType<ImuTruth>::name).empty()) {
+    throw files::ReadError(log.path() + ": has no topics " + topic + " and " + truth_topic + "; it has " + log::topics_text(log));
   }
   info_.kind = "log, " + topic + " less its truth";
   info_.has_axis.fill(true);
@@ -57,4 +57,4 @@ ImuRecordingInfo ImuErrors::finish() {
   return info_;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -7,7 +7,7 @@
 #include "inslab/formats/mcap/mcap_reader.hpp"
 #include "inslab/formats/text/regular_samples.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 /// The errors of an IMU of a log, its samples less their truth, as a recording: told of the two as they come, in no
 /// order between each other, by whoever reads the log.
@@ -18,7 +18,7 @@ class ImuErrors {
 
   /// `begin` and `take` are called as read_imu_recording() calls them. Throws ReadError when the log does not hold both
   /// topics.
-  ImuErrors(const McapReader& log, const ImuRecordingOptions& options, Begin begin, Take take);
+  ImuErrors(const mcap::McapReader& log, const ImuRecordingOptions& options, Begin begin, Take take);
   ImuErrors(const ImuErrors&) = delete;
   ImuErrors& operator=(const ImuErrors&) = delete;
 
@@ -54,4 +54,4 @@ ImuIncrements increments_of(const Sample& sample) {
   return values;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

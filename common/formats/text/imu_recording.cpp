@@ -12,13 +12,13 @@
 #include "inslab/foundation/files/error.hpp"
 #include "inslab/foundation/files/text_lines.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 namespace {
 
-void read_samples(const McapReader& log, const ImuRecordingOptions& options, ImuRecordingInfo& info,
+void read_samples(const mcap::McapReader& log, const ImuRecordingOptions& options, ImuRecordingInfo& info,
                   RegularSamples& regular) {
   const std::string topic = catalog::stream_topic<ImuSample>(options.sensor_number);
-  for_each_sample<ImuSample>(log, topic, [&](const ImuSample& sample, std::uint64_t number) {
+  log::for_each_sample<ImuSample>(log, topic, [&](const ImuSample& sample, std::uint64_t number) {
     if (sample.gyro_valid && sample.accel_valid) {
       regular.take({static_cast<double>(sample.header.sim_time_ns) * 1e-9, increments_of(sample), number});
     } else {
@@ -29,13 +29,13 @@ void read_samples(const McapReader& log, const ImuRecordingOptions& options, Imu
 }
 
 /// The two topics alone, in the order of their log times.
-ImuRecordingInfo read_errors(const McapReader& log, const ImuRecordingOptions& options, const ImuErrors::Begin& begin,
+ImuRecordingInfo read_errors(const mcap::McapReader& log, const ImuRecordingOptions& options, const ImuErrors::Begin& begin,
                              const ImuErrors::Take& take) {
   ImuErrors errors(log, options, begin, take);
   const auto samples =
-      channels_of(log, catalog::stream_topic<ImuSample>(options.sensor_number), wire::WireType<ImuSample>::name);
+      log::channels_of(log, catalog::stream_topic<ImuSample>(options.sensor_number), catalog::WireType<ImuSample>::name);
   std::set<std::uint16_t> both =
-      channels_of(log, catalog::stream_topic<ImuTruth>(options.sensor_number), wire::WireType<ImuTruth>::name);
+      log::channels_of(log, catalog::stream_topic<ImuTruth>(options.sensor_number), catalog::WireType<ImuTruth>::name);
   both.insert(samples.begin(), samples.end());
   const auto add = [&errors](auto sample, const mcap::Message& message) {
     if (wire::decode(message.data, message.size, sample)) errors.add(sample);
@@ -45,7 +45,7 @@ ImuRecordingInfo read_errors(const McapReader& log, const ImuRecordingOptions& o
       [&](const mcap::Message& message) {
         return samples.count(message.channel_id) != 0 ? add(ImuSample(), message) : add(ImuTruth(), message);
       },
-      McapReader::Order::LogTime, both);
+      mcap::McapReader::Order::LogTime, both);
   return errors.finish();
 }
 
@@ -65,14 +65,14 @@ TextLayout layout_of_names(const std::string& path, std::uint64_t line, const st
     if (!column) continue;
     bool& taken = seen[static_cast<std::size_t>(column->axis + 1)];
     if (taken) {
-      throw ReadError(path + ": line " + std::to_string(line) + ": column '" + std::string(names[i]) +
+      throw files::ReadError(path + ": line " + std::to_string(line) + ": column '" + std::string(names[i]) +
                       "' gives again what another column gives");
     }
     taken = true;
     layout.columns.push_back(*column);
   }
   if (!seen[0] || layout.columns.size() < 2) {
-    throw ReadError(path + ": line " + std::to_string(line) +
+    throw files::ReadError(path + ": line " + std::to_string(line) +
                     ": expected 7 numbers, or names with a time such as time_s and at least one axis such as "
                     "gyro_x_rad_per_s or accel_x_m_per_s2");
   }
@@ -85,21 +85,21 @@ TextLayout layout_of(const std::string& path, std::uint64_t number, std::string_
                      const std::string& names_above) {
   std::vector<std::string_view> fields;
   const char separator = line.find(',') != std::string_view::npos ? ',' : ' ';
-  split(line, separator, fields);
+  files::split(line, separator, fields);
   const bool numbers =
-      std::all_of(fields.begin(), fields.end(), [](auto text) { return number_from(text).has_value(); });
+      std::all_of(fields.begin(), fields.end(), [](auto text) { return files::number_from(text).has_value(); });
   TextLayout layout;
   if (numbers && !names_above.empty()) {
     std::vector<std::string_view> names;
-    split(names_above, ',', names);
+    files::split(names_above, ',', names);
     if (names.size() != fields.size()) {
-      throw ReadError(path + ": line " + std::to_string(number) + ": has " + std::to_string(fields.size()) +
+      throw files::ReadError(path + ": line " + std::to_string(number) + ": has " + std::to_string(fields.size()) +
                       " columns; the names above it are " + std::to_string(names.size()));
     }
     layout = layout_of_names(path, number, names);
   } else if (numbers) {
     if (fields.size() != 1 + kImuAxes) {
-      throw ReadError(path + ": line " + std::to_string(number) + ": has " + std::to_string(fields.size()) +
+      throw files::ReadError(path + ": line " + std::to_string(number) + ": has " + std::to_string(fields.size()) +
                       " columns without names; expected 7: seconds, dtheta x y z rad, dv x y z m/s");
     }
     layout.fields = fields.size();
@@ -115,9 +115,9 @@ TextLayout layout_of(const std::string& path, std::uint64_t number, std::string_
 class TextRecording {
  public:
   explicit TextRecording(const std::string& path) : path_(path), lines_(path) {
-    if (!next_line()) throw ReadError(path + ": is empty; expected samples of an IMU");
+    if (!next_line()) throw files::ReadError(path + ": is empty; expected samples of an IMU");
     layout_ = layout_of(path, lines_.number(), line_, names_);
-    first_is_data_ = number_from(field(0)).has_value() && all_numbers();
+    first_is_data_ = files::number_from(field(0)).has_value() && all_numbers();
   }
 
   const TextLayout& layout() const { return layout_; }
@@ -125,10 +125,10 @@ class TextRecording {
   bool next(RawSample& raw) {
     if (!first_is_data_ && !next_line()) return false;
     first_is_data_ = false;
-    split(line_, layout_.separator, fields_);
+    files::split(line_, layout_.separator, fields_);
     const std::string place = path_ + ": line " + std::to_string(lines_.number());
     if (fields_.size() != layout_.fields) {
-      throw ReadError(place + ": has " + std::to_string(fields_.size()) + " columns; expected " +
+      throw files::ReadError(place + ": has " + std::to_string(fields_.size()) + " columns; expected " +
                       std::to_string(layout_.fields));
     }
     raw.place = lines_.number();
@@ -137,9 +137,9 @@ class TextRecording {
         raw.time_s = time_of(place, column);
         continue;
       }
-      const auto value = number_from(fields_[column.place]);
+      const auto value = files::number_from(fields_[column.place]);
       if (!value || !std::isfinite(*value)) {
-        throw ReadError(place + ", column " + std::to_string(column.place + 1) + ": is '" +
+        throw files::ReadError(place + ", column " + std::to_string(column.place + 1) + ": is '" +
                         std::string(fields_[column.place].substr(0, 40)) + "'; expected a finite number");
       }
       raw.values[static_cast<std::size_t>(column.axis)] = *value * column.scale;
@@ -151,7 +151,7 @@ class TextRecording {
   /// The next line that is no comment. Before the first one a comment may have the names of the columns.
   bool next_line() {
     while (lines_.next(line_)) {
-      line_ = trimmed(line_);
+      line_ = files::trimmed(line_);
       if (line_.empty()) continue;
       if (line_.front() != '#' && line_.front() != '%') return true;
       if (layout_.fields == 0) names_ = names_in_comment(line_);
@@ -163,7 +163,7 @@ class TextRecording {
     const std::size_t begin = comment.find_first_not_of("#% \t");
     if (begin == std::string_view::npos || comment.find(',') == std::string_view::npos) return "";
     std::vector<std::string_view> names;
-    split(comment.substr(begin), ',', names);
+    files::split(comment.substr(begin), ',', names);
     bool has_time = false, has_axis = false;
     for (const std::string_view name : names) {
       const auto column = imu_column_named(name, 0);
@@ -173,9 +173,9 @@ class TextRecording {
   }
   /// Seconds from the first sample.
   double time_of(const std::string& place, const ImuColumn& column) {
-    const auto ns = exact_nanoseconds(fields_[column.place], column.unit_ns);
+    const auto ns = files::exact_nanoseconds(fields_[column.place], column.unit_ns);
     if (!ns) {
-      throw ReadError(place + ", column " + std::to_string(column.place + 1) + ": is '" +
+      throw files::ReadError(place + ", column " + std::to_string(column.place + 1) + ": is '" +
                       std::string(fields_[column.place].substr(0, 40)) + "'; expected a time" +
                       (column.unit_ns == 1'000'000'000
                            ? " in seconds; milli-, micro- and nanoseconds need a name, such as time_ns, in a line above"
@@ -185,16 +185,16 @@ class TextRecording {
     return static_cast<double>(*ns - *first_ns_) * 1e-9;
   }
   std::string_view field(std::size_t i) {
-    split(line_, layout_.separator, fields_);
+    files::split(line_, layout_.separator, fields_);
     return fields_[i];
   }
   bool all_numbers() {
-    split(line_, layout_.separator, fields_);
-    return std::all_of(fields_.begin(), fields_.end(), [](auto text) { return number_from(text).has_value(); });
+    files::split(line_, layout_.separator, fields_);
+    return std::all_of(fields_.begin(), fields_.end(), [](auto text) { return files::number_from(text).has_value(); });
   }
 
   std::string path_;
-  TextLines lines_;
+  files::TextLines lines_;
   std::string_view line_;
   std::vector<std::string_view> fields_;
   std::string names_;  ///< in a comment above the first line; empty: none
@@ -204,7 +204,7 @@ class TextRecording {
 };
 
 bool is_mcap(const std::string& path) {
-  const InputFile file(path);
+  const files::InputFile file(path);
   constexpr std::uint8_t kMagic[] = {0x89, 'M', 'C', 'A', 'P'};
   if (file.size() < sizeof(kMagic)) return false;
   std::uint8_t head[sizeof(kMagic)];
@@ -220,7 +220,7 @@ ImuRecordingInfo read_imu_recording(const std::string& path, const ImuRecordingO
   ImuRecordingInfo info;
   std::array<bool, kImuAxes> is_rate{};
   if (is_mcap(path)) {
-    const McapReader log(path);
+    const mcap::McapReader log(path);
     if (options.minus_truth) return read_errors(log, options, begin, sample);
     info.kind = "log, " + catalog::stream_topic<ImuSample>(options.sensor_number);
     info.has_axis.fill(true);
@@ -230,7 +230,7 @@ ImuRecordingInfo read_imu_recording(const std::string& path, const ImuRecordingO
     return info;
   }
   if (options.minus_truth)
-    throw ReadError(path + ": is no log of ours; only such a log holds the truth beside the IMU");
+    throw files::ReadError(path + ": is no log of ours; only such a log holds the truth beside the IMU");
   TextRecording text(path);
   for (const ImuColumn& column : text.layout().columns) {
     if (column.axis < 0) continue;
@@ -245,4 +245,4 @@ ImuRecordingInfo read_imu_recording(const std::string& path, const ImuRecordingO
   return info;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 /// What a recording of an IMU may hold: gyros x y z, then accelerometers x y z.
 inline constexpr std::size_t kImuAxes = 6;
@@ -46,4 +46,4 @@ ImuRecordingInfo read_imu_recording(const std::string& path, const ImuRecordingO
                                     const std::function<void(const ImuRecordingInfo&)>& begin,
                                     const std::function<void(const ImuIncrements&)>& sample);
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -5,7 +5,7 @@
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/nav/vectors.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 /// One sample of an IMU: increments over the interval that ends at `in_week`, forward-right-down.
 struct ImuTextRecord {
@@ -25,7 +25,7 @@ class ImuTextWriter {
   void close() { out_.close(); }
 
  private:
-  TextWriter out_;
+  files::TextWriter out_;
 };
 
 /// Reads what ImuTextWriter writes, line by line; lines that are empty or begin with # or % are comments.
@@ -38,8 +38,8 @@ class ImuTextReader {
   bool next(ImuTextRecord& record);
 
  private:
-  TextLines lines_;
-  SecondsOfWeek time_;
+  files::TextLines lines_;
+  files::SecondsOfWeek time_;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -6,19 +6,19 @@
 #include "inslab/foundation/files/xml_text.hpp"
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 namespace {
 
 /// Longitude, latitude in degrees (9 decimals: 0.1 mm), height in m.
-void put_point(TextWriter& out, const nav::Geodetic& point) {
+void put_point(files::TextWriter& out, const nav::Geodetic& point) {
   out.number(point.longitude_rad / units::kDeg, 9).number(point.latitude_rad / units::kDeg, 9);
   out.number(point.height_m, 3).end_line();
 }
 
-void put(TextWriter& out, const std::string& line) { out.text(line).end_line(); }
+void put(files::TextWriter& out, const std::string& line) { out.text(line).end_line(); }
 
-void put_line(TextWriter& out, const std::string& name, const std::string& mode, const std::string& style,
+void put_line(files::TextWriter& out, const std::string& name, const std::string& mode, const std::string& style,
               const std::vector<nav::Geodetic>& points) {
   put(out, "<Placemark><name>" + name + "</name><styleUrl>#" + style + "</styleUrl><LineString><tessellate>1" +
                "</tessellate><altitudeMode>" + mode + "</altitudeMode><coordinates>");
@@ -26,7 +26,7 @@ void put_line(TextWriter& out, const std::string& name, const std::string& mode,
   put(out, "</coordinates></LineString></Placemark>");
 }
 
-void put_end(TextWriter& out, const std::string& name, const nav::Geodetic& point) {
+void put_end(files::TextWriter& out, const std::string& name, const nav::Geodetic& point) {
   put(out, "<Placemark><name>" + name + "</name><Point><altitudeMode>clampToGround</altitudeMode><coordinates>");
   put_point(out, point);
   put(out, "</coordinates></Point></Placemark>");
@@ -49,10 +49,10 @@ void KmlTrack::write(const std::string& path, const std::string& name) const {
   if (points_.empty()) throw std::logic_error("a track without points");
   std::vector<nav::Geodetic> points = points_;
   if ((added_ - 1) % every_ != 0) points.push_back(last_);
-  TextWriter out(path, ",");
+  files::TextWriter out(path, ",");
   put(out, R"(<?xml version="1.0" encoding="UTF-8"?>)");
   put(out, R"(<kml xmlns="http://www.opengis.net/kml/2.2"><Document>)");
-  put(out, "<name>" + xml_text(name) + "</name>");
+  put(out, "<name>" + files::xml_text(name) + "</name>");
   put(out, R"(<Style id="track"><LineStyle><color>ff0000ff</color><width>3</width></LineStyle></Style>)");
   put(out, R"(<Style id="ground"><LineStyle><color>ff00ffff</color><width>2</width></LineStyle></Style>)");
   put_line(out, "track, heights above the ellipsoid", "absolute", "track", points);
@@ -63,4 +63,4 @@ void KmlTrack::write(const std::string& path, const std::string& name) const {
   out.close();
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -5,7 +5,7 @@
 
 #include "inslab/nav/geodesy.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 /// A track for a globe (KML 2.2, OGC 07-147r2): one line at the heights of the track, one on the ground under it, the
 /// two ends as points. However long the run, at most kMaxPoints points are kept, evenly spaced in their number.
@@ -29,4 +29,4 @@ class KmlTrack {
   std::uint64_t every_ = 1;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

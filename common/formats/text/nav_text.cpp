@@ -2,7 +2,7 @@
 
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 void NavTextWriter::write(const time::GpsTime& time, const TrajectoryRow& row) {
   const nav::Vector3& v_n = row.v_n.value();
@@ -15,4 +15,4 @@ void NavTextWriter::write(const time::GpsTime& time, const TrajectoryRow& row) {
   out_.end_line();
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

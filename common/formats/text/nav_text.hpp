@@ -3,7 +3,7 @@
 #include "inslab/data/samples/trajectory_file.hpp"
 #include "inslab/foundation/files/text_writer.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 /// Writes the 11-column text that read_trajectory() reads: week, seconds of week, latitude deg, longitude deg, height
 /// m, v_N v_E v_D m/s, roll pitch yaw deg. Decimals: 9 of seconds, 12 of latitude and longitude (1e-7 m), 6 of height
@@ -19,7 +19,7 @@ class NavTextWriter {
   void close() { out_.close(); }
 
  private:
-  TextWriter out_;
+  files::TextWriter out_;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -8,7 +8,7 @@
 
 #include "inslab/formats/text/imu_recording.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 
 /// One sample of an IMU as its source has it; a rate becomes an increment when the interval is known.
 struct RawSample {
@@ -55,4 +55,4 @@ class RegularSamples {
   std::optional<double> last_time_s_;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -5,7 +5,7 @@
 
 #include "inslab/foundation/files/text_lines.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr std::pair<std::string_view, std::string_view> kNames[] = {
 
 std::optional<TextColumns> rtklib_columns(std::string_view text) {
   std::vector<std::string_view> names;
-  split(text, ' ', names);
+  files::split(text, ' ', names);
   if (names.size() < 4 || names.front() != "GPST" || names[1] != "latitude(deg)") return std::nullopt;
   std::vector<TextColumn> columns{column_named("week").value(), column_named("sow_s").value()};
   for (std::size_t i = 1; i < names.size(); ++i) {
@@ -31,4 +31,4 @@ std::optional<TextColumns> rtklib_columns(std::string_view text) {
   return TextColumns(std::move(columns));
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

@@ -4,7 +4,7 @@
 
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 namespace {
 
@@ -188,4 +188,4 @@ std::optional<TextColumns> columns_of_plain_text(std::size_t count) {
   }
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

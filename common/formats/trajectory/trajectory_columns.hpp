@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 /// What a column of a trajectory text may hold; the values in SI units and radians.
 enum class Quantity : std::size_t {
@@ -69,4 +69,4 @@ std::optional<TextColumn> column_named(std::string_view name);
 /// velocity. Nothing for another number.
 std::optional<TextColumns> columns_of_plain_text(std::size_t count);
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

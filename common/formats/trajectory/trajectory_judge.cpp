@@ -9,7 +9,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/position_spline.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 namespace {
 
@@ -91,7 +91,7 @@ class Judge {
   }
 
   /// As many digits as a person needs.
-  static std::string rounded(double value) { return inslab::detail::number_text(std::round(value * 1e4) / 1e4); }
+  static std::string rounded(double value) { return inslab::samples::detail::number_text(std::round(value * 1e4) / 1e4); }
 
   Quantity clock() const { return reading_.columns.has(Quantity::Time) ? Quantity::Time : Quantity::SecondOfWeek; }
 
@@ -219,4 +219,4 @@ TrajectoryFigures judge_trajectory(TrajectoryReading& reading, const TrajectoryL
   return judge.figures();
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

@@ -5,7 +5,7 @@
 #include "inslab/data/samples/trajectory_limits.hpp"
 #include "inslab/formats/trajectory/trajectory_reader.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 /// The largest value of something, and the row at whose end it stands.
 struct Worst {
@@ -46,4 +46,4 @@ nav::Vector3 unexplained_step_n(const TrajectoryFile& file, std::size_t row);
 /// limit; with `stop_at_first` measures no further than the first.
 TrajectoryFigures judge_trajectory(TrajectoryReading& reading, const TrajectoryLimits& limits, bool stop_at_first);
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

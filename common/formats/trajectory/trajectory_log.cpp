@@ -4,15 +4,15 @@
 #include "inslab/formats/log/logged_state.hpp"
 #include "inslab/formats/trajectory/trajectory_rows.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 namespace {
 
 template <class T>
-void read_topic(const McapReader& log, const TrajectoryReadOptions& options, TrajectoryReading& reading) {
+void read_topic(const mcap::McapReader& log, const TrajectoryReadOptions& options, TrajectoryReading& reading) {
   TrajectoryRows rows(reading);
   const auto add = [&](const T& sample, std::uint64_t number) {
-    const LoggedState state = state_of(sample);
+    const log::LoggedState state = log::state_of(sample);
     if (!state.is_solution) return true;
     if (state.in_range()) {
       rows.add(number, state.time, state.gps, state.row());
@@ -22,7 +22,7 @@ void read_topic(const McapReader& log, const TrajectoryReadOptions& options, Tra
     }
     return !rows.is_full() && (!options.stop_at_first || reading.problems.empty());
   };
-  const std::uint64_t unreadable = for_each_sample<T>(log, options.topic, add);
+  const std::uint64_t unreadable = log::for_each_sample<T>(log, options.topic, add);
   if (unreadable > 0) {
     reading.problems.add({Rule::ValueType, options.topic,
                           "has " + std::to_string(unreadable) + " messages that are not what their type says"});
@@ -32,18 +32,18 @@ void read_topic(const McapReader& log, const TrajectoryReadOptions& options, Tra
 }  // namespace
 
 TrajectoryReading read_trajectory_log(const std::string& path, const TrajectoryReadOptions& options) {
-  const McapReader log(path);
+  const mcap::McapReader log(path);
   TrajectoryReading reading;
-  if (!channels_of(log, options.topic, wire::WireType<NavSolution>::name).empty()) {
+  if (!log::channels_of(log, options.topic, catalog::WireType<NavSolution>::name).empty()) {
     read_topic<NavSolution>(log, options, reading);
-  } else if (!channels_of(log, options.topic, wire::WireType<TruthState>::name).empty()) {
+  } else if (!log::channels_of(log, options.topic, catalog::WireType<TruthState>::name).empty()) {
     read_topic<TruthState>(log, options, reading);
   } else {
     reading.problems.add(
         {Rule::FileColumns, "",
-         "has no topic " + options.topic + " with a truth or a navigation solution; it has " + topics_text(log)});
+         "has no topic " + options.topic + " with a truth or a navigation solution; it has " + log::topics_text(log)});
   }
   return reading;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

@@ -10,7 +10,7 @@
 #include "inslab/foundation/files/text_lines.hpp"
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 namespace {
 
@@ -25,8 +25,8 @@ constexpr std::size_t kRmcStatus = 2, kRmcDate = 9;
 /// "hhmmss.ss" since midnight; nothing when it is none.
 std::optional<time::Nanoseconds> time_of_day(std::string_view text) {
   if (text.size() < 6) return std::nullopt;
-  const auto hours = integer_from(text.substr(0, 2)), minutes = integer_from(text.substr(2, 2));
-  const auto second_ns = exact_nanoseconds(text.substr(4), kSecond_ns);
+  const auto hours = files::integer_from(text.substr(0, 2)), minutes = files::integer_from(text.substr(2, 2));
+  const auto second_ns = files::exact_nanoseconds(text.substr(4), kSecond_ns);
   const bool is_time = hours && minutes && second_ns && *hours >= 0 && *hours < 24 && *minutes >= 0 && *minutes < 60 &&
                        *second_ns >= 0 && *second_ns < 61 * kSecond_ns;
   if (!is_time) return std::nullopt;
@@ -37,8 +37,8 @@ std::optional<time::Nanoseconds> time_of_day(std::string_view text) {
 std::optional<double> angle(std::string_view text, std::string_view side, std::size_t degree_digits,
                             std::string_view positive, std::string_view negative) {
   if (text.size() < degree_digits + 2 || (side != positive && side != negative)) return std::nullopt;
-  const auto degrees = integer_from(text.substr(0, degree_digits));
-  const auto minutes = number_from(text.substr(degree_digits));
+  const auto degrees = files::integer_from(text.substr(0, degree_digits));
+  const auto minutes = files::number_from(text.substr(degree_digits));
   if (!degrees || !minutes || !(*minutes >= 0.0 && *minutes < 60.0) || *degrees < 0) return std::nullopt;
   const double deg = static_cast<double>(*degrees) + *minutes / 60.0;
   return (side == positive ? deg : -deg) * units::kDeg;
@@ -61,7 +61,7 @@ class NmeaReader {
 
   TrajectoryReading read() {
     for (std::string_view line; !is_done() && lines_.next(line);) {
-      line = trimmed(line);
+      line = files::trimmed(line);
       if (is_nmea_sentence(line) && has_good_checksum(line)) sentence(line.substr(1, line.find('*') - 1));
     }
     if (!reading_.file.rows.empty() && first_midnight_) {
@@ -83,14 +83,14 @@ class NmeaReader {
     if (star == std::string_view::npos) return true;
     unsigned sum = 0;
     for (const char c : line.substr(1, star - 1)) sum ^= static_cast<unsigned char>(c);
-    const auto given = hex_from(line.substr(star + 1));
+    const auto given = files::hex_from(line.substr(star + 1));
     if (given && *given == sum) return true;
     fail(Rule::ValueType, "has a checksum that does not fit what it says");
     return false;
   }
 
   void sentence(std::string_view text) {
-    split(text, ',', fields_);
+    files::split(text, ',', fields_);
     const std::string_view type = fields_[0].substr(2);
     if (type == "RMC") date();
     if (type == "GGA") fix();
@@ -104,7 +104,7 @@ class NmeaReader {
     if (ddmmyy.size() != 6 || !of_day) return;
     const std::string text = "20" + std::string(ddmmyy.substr(4, 2)) + "/" + std::string(ddmmyy.substr(2, 2)) + "/" +
                              std::string(ddmmyy.substr(0, 2));
-    const auto day = gps_from_calendar(text, "00:00:00.0");
+    const auto day = files::gps_from_calendar(text, "00:00:00.0");
     if (!day) return;
     constexpr time::Nanoseconds kGpsBegan = std::chrono::seconds(315'964'800);  // 1980-01-06, as POSIX counts
     const bool is_next_day = last_of_day_ && *last_of_day_ - *of_day > kDay / 2;
@@ -119,7 +119,7 @@ class NmeaReader {
     const auto latitude = angle(fields_[kLat], fields_[kNorth], 2, "N", "S");
     const auto longitude = angle(fields_[kLon], fields_[kEast], 3, "E", "W");
     if (!latitude || !longitude) return fail(Rule::ValueType, "has no position such as 4807.0380,N,01131.0000,E");
-    const auto altitude = number_from(fields_[kAltitude]), geoid = number_from(fields_[kGeoid]);
+    const auto altitude = files::number_from(fields_[kAltitude]), geoid = files::number_from(fields_[kGeoid]);
     if (!altitude || !std::isfinite(*altitude)) return fail(Rule::ValueType, "has no height");
     if (!geoid || !std::isfinite(*geoid)) {
       return fail(Rule::ValueType, "has no height of the geoid, without which that above the ellipsoid is not known");
@@ -150,7 +150,7 @@ class NmeaReader {
   }
 
   const TrajectoryReadOptions& options_;
-  TextLines lines_;
+  files::TextLines lines_;
   TrajectoryReading reading_;
   TrajectoryRows rows_;
   std::vector<std::string_view> fields_;
@@ -172,4 +172,4 @@ TrajectoryReading read_trajectory_nmea(const std::string& path, const Trajectory
   return NmeaReader(path, options).read();
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

@@ -2,7 +2,7 @@
 
 #include "inslab/formats/trajectory/trajectory_reader.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 /// Whether a line is a sentence of NMEA 0183, as receivers write them: "$GPGGA,...*hh".
 bool is_nmea_sentence(std::string_view line);
@@ -16,4 +16,4 @@ bool is_nmea_sentence(std::string_view line);
 /// cannot be read at all.
 TrajectoryReading read_trajectory_nmea(const std::string& path, const TrajectoryReadOptions& options);
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

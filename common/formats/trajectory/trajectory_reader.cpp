@@ -8,7 +8,7 @@
 #include "inslab/foundation/files/input_file.hpp"
 #include "inslab/foundation/files/text_lines.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 void TrajectoryProblems::add(Violation problem) {
   if (++counts_[problem.rule] <= kKeptPerRule) kept_.push_back(std::move(problem));
@@ -27,9 +27,9 @@ namespace {
 /// Among the first lines that say something; the first one may have been cut where the recording began.
 bool is_nmea(const std::string& path) {
   constexpr std::uint64_t kLinesLookedAt = 5;
-  TextLines lines(path);
+  files::TextLines lines(path);
   for (std::string_view line; lines.number() < kLinesLookedAt && lines.next(line);) {
-    if (is_nmea_sentence(trimmed(line))) return true;
+    if (is_nmea_sentence(files::trimmed(line))) return true;
   }
   return false;
 }
@@ -45,7 +45,7 @@ TrajectoryReading read_trajectory(const std::string& path, const TrajectoryReadO
   constexpr std::array<std::uint8_t, 5> kMcap{0x89, 'M', 'C', 'A', 'P'};
   std::array<std::uint8_t, kMcap.size()> beginning{};
   {
-    const InputFile file(path);
+    const files::InputFile file(path);
     if (file.size() >= beginning.size()) file.read(0, beginning.data(), beginning.size());
   }
   TrajectoryReading reading = beginning == kMcap ? read_trajectory_log(path, options) : read_text(path, options);
@@ -57,4 +57,4 @@ TrajectoryReading read_trajectory(const std::string& path, const TrajectoryReadO
   return reading;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

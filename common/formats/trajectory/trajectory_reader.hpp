@@ -10,7 +10,7 @@
 #include "inslab/formats/trajectory/trajectory_columns.hpp"
 #include "inslab/foundation/fields/violation.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 /// What is wrong with a file: how often each rule is broken, and the first few places of each.
 class TrajectoryProblems {
@@ -63,4 +63,4 @@ struct TrajectoryReadOptions {
 /// io/trajectory_judge.hpp. Throws ReadError when the file cannot be read at all.
 TrajectoryReading read_trajectory(const std::string& path, const TrajectoryReadOptions& options = {});
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

@@ -7,11 +7,11 @@
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 namespace {
 
-std::string rounded(double value) { return inslab::detail::number_text(std::round(value * 1e3) / 1e3); }
+std::string rounded(double value) { return inslab::samples::detail::number_text(std::round(value * 1e3) / 1e3); }
 
 class Repair {
  public:
@@ -231,4 +231,4 @@ TrajectoryReading repaired(const TrajectoryReading& reading, const TrajectoryLim
   return Repair(reading, limits, bounds, notes).run();
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

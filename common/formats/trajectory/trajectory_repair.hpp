@@ -5,7 +5,7 @@
 
 #include "inslab/formats/trajectory/trajectory_judge.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 /// What a repair may do, beyond which it leaves a fault alone and says so.
 struct RepairBounds {
@@ -36,4 +36,4 @@ struct RepairNote {
 TrajectoryReading repaired(const TrajectoryReading& reading, const TrajectoryLimits& limits, const RepairBounds& bounds,
                            std::vector<RepairNote>& notes);
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

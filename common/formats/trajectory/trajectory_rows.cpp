@@ -3,14 +3,14 @@
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 void TrajectoryRows::add(std::uint64_t line, time::Nanoseconds time, const time::GpsTime& start, TrajectoryRow row) {
   TrajectoryFile& file = reading_->file;
-  if (file.rows.size() == config::kMaxRowsInMemory) {
+  if (file.rows.size() == files::kMaxRowsInMemory) {
     if (!is_full_) {
       reading_->problems.add({Rule::BoundedSize, (reading_->is_log() ? "message " : "line ") + std::to_string(line),
-                              "is one row too many; expected at most " + std::to_string(config::kMaxRowsInMemory)});
+                              "is one row too many; expected at most " + std::to_string(files::kMaxRowsInMemory)});
     }
     is_full_ = true;
     return;
@@ -28,10 +28,10 @@ void TrajectoryRows::add(std::uint64_t line, time::Nanoseconds time, const time:
   if (row.time > before) return;
   const Quantity clock = reading_->columns.has(Quantity::Time) ? Quantity::Time : Quantity::SecondOfWeek;
   reading_->problems.add({Rule::FileTime, reading_->place(last, clock),
-                          "lies " + inslab::detail::number_text(time::to_seconds(before - row.time)) +
+                          "lies " + inslab::samples::detail::number_text(time::to_seconds(before - row.time)) +
                               " s before the row above it; expected time to increase"});
   file.rows.pop_back();
   reading_->lines.pop_back();
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

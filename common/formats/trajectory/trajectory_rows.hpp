@@ -2,7 +2,7 @@
 
 #include "inslab/formats/trajectory/trajectory_reader.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 /// Adds rows to a reading in the order of the file: takes care of the first one's GPS time and of time that does not
 /// increase.
@@ -23,4 +23,4 @@ class TrajectoryRows {
   time::Nanoseconds first_{0};
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

@@ -11,7 +11,7 @@
 #include "inslab/foundation/files/text_lines.hpp"
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 
 namespace {
 
@@ -71,7 +71,7 @@ class TextReader {
   TrajectoryReading read() {
     std::string_view line;
     while (lines_.next(line) && !is_done()) {
-      line = trimmed(line);
+      line = files::trimmed(line);
       if (line.empty()) continue;
       if (line.front() == '#' || line.front() == '%') {
         if (!has_columns()) keep_names_in_comment(line);
@@ -82,7 +82,7 @@ class TextReader {
         continue;
       }
       separator_ = line.find(',') == std::string_view::npos ? ' ' : ',';
-      split(line, separator_, fields_);
+      files::split(line, separator_, fields_);
       // Without columns no line can be read: the first problem is the last.
       if (!find_columns(line)) break;
     }
@@ -113,7 +113,7 @@ class TextReader {
       return;
     }
     std::vector<std::string_view> names;
-    split(line.substr(begin), line.find(',') == std::string_view::npos ? ' ' : ',', names);
+    files::split(line.substr(begin), line.find(',') == std::string_view::npos ? ' ' : ',', names);
     std::vector<TextColumn> columns;
     std::string unknown;
     for (const std::string_view name : names) {
@@ -129,15 +129,15 @@ class TextReader {
   /// Sets the columns from the first line that is no comment, whose fields are split; that line is a row unless it has
   /// the names. False, with a problem, when they cannot be told.
   bool find_columns(std::string_view line) {
-    const bool is_dated = from_comment_.size() > 0 && is_calendar_date(fields_.front());
+    const bool is_dated = from_comment_.size() > 0 && files::is_calendar_date(fields_.front());
     const bool is_row = std::all_of(fields_.begin() + (is_dated ? 2 : 0), fields_.end(),
-                                    [](std::string_view field) { return number_from(field).has_value(); });
+                                    [](std::string_view field) { return files::number_from(field).has_value(); });
     std::optional<TextColumns> columns;
     if (!is_row) {
       columns = columns_from(fields_);
     } else if (!options_.columns.empty()) {
       std::vector<std::string_view> names;
-      split(options_.columns, ',', names);
+      files::split(options_.columns, ',', names);
       columns = columns_from(names);
     } else if (from_comment_.size() > 0) {
       columns = from_comment_;
@@ -184,13 +184,13 @@ class TextReader {
   }
 
   void add_row(std::string_view line) {
-    split(line, separator_, fields_);
+    files::split(line, separator_, fields_);
     if (fields_.size() != reading_.columns.size()) {
       fail_line(Rule::FileColumns, "has " + std::to_string(fields_.size()) + " fields; expected " +
                                        std::to_string(reading_.columns.size()));
       return;
     }
-    if (is_calendar_date(fields_.front()) && !date_to_week()) return;
+    if (files::is_calendar_date(fields_.front()) && !date_to_week()) return;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       if (!read_field(i)) return;
     }
@@ -200,7 +200,7 @@ class TextReader {
 
   /// A calendar date and a time of day in GPS time, in place of week and seconds of week.
   bool date_to_week() {
-    const auto time = gps_from_calendar(fields_[0], fields_[1]);
+    const auto time = files::gps_from_calendar(fields_[0], fields_[1]);
     if (!time) {
       fail(Rule::ValueType, 0,
            "is '" + std::string(fields_[0].substr(0, 20)) + " " + std::string(fields_[1].substr(0, 20)) +
@@ -218,7 +218,7 @@ class TextReader {
   bool read_field(std::size_t i) {
     const TextColumn& column = reading_.columns[i];
     if (column.quantity == Quantity::Ignored) return true;
-    const auto number = number_from(fields_[i]);
+    const auto number = files::number_from(fields_[i]);
     if (!number) {
       fail(Rule::ValueType, i, "is '" + std::string(fields_[i].substr(0, 40)) + "'; expected a number");
       return false;
@@ -231,14 +231,14 @@ class TextReader {
     if (!(value >= range.minimum - slack && value <= range.maximum + slack)) {
       fail(Rule::ValueRange, i,
            std::isfinite(value)
-               ? "is " + inslab::detail::number_text(value) + range.unit_name + "; expected " +
-                     inslab::detail::number_text(range.minimum) + " to " + inslab::detail::number_text(range.maximum)
+               ? "is " + inslab::samples::detail::number_text(value) + range.unit_name + "; expected " +
+                     inslab::samples::detail::number_text(range.minimum) + " to " + inslab::samples::detail::number_text(range.maximum)
                : "is " + std::string(fields_[i]) + "; expected a finite number");
       return false;
     }
     values_[static_cast<std::size_t>(column.quantity)] = *number * column.scale;
     note_decimals(column.quantity, fields_[i]);
-    if (column.quantity == Quantity::Time) time_ns_ = exact_nanoseconds(fields_[i], unit_ns_of(column)).value_or(0);
+    if (column.quantity == Quantity::Time) time_ns_ = files::exact_nanoseconds(fields_[i], unit_ns_of(column)).value_or(0);
     return true;
   }
 
@@ -282,7 +282,7 @@ class TextReader {
                                  value(Quantity::QuaternionY), value(Quantity::QuaternionZ));
       if (std::abs(q_nv.norm() - 1.0) > 1e-3) {
         fail(Rule::ValueRange, *reading_.columns.find(Quantity::QuaternionW),
-             "begins a quaternion of norm " + inslab::detail::number_text(q_nv.norm()) + "; expected 1");
+             "begins a quaternion of norm " + inslab::samples::detail::number_text(q_nv.norm()) + "; expected 1");
         return false;
       }
       row.rpy = nav::rpy_from_quaternion(q_nv);
@@ -315,7 +315,7 @@ class TextReader {
   }
 
   const TrajectoryReadOptions& options_;
-  TextLines lines_;
+  files::TextLines lines_;
   TrajectoryReading reading_;
   TrajectoryRows rows_;
   TextColumns from_comment_;
@@ -336,4 +336,4 @@ TrajectoryReading read_trajectory_text(const std::string& path, const Trajectory
   return TextReader(path, options).read();
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

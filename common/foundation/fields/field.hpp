@@ -154,7 +154,7 @@ struct IsOptional<std::optional<T>> : std::true_type {};
 
 /// True for structs that list their fields.
 template <class T>
-inline constexpr bool has_fields = detail::HasFields<std::remove_const_t<T>>::value;
+inline constexpr bool has_fields = samples::detail::HasFields<std::remove_const_t<T>>::value;
 
 /// True for enums that JSON may give by number too.
 template <class Enum>
@@ -183,7 +183,7 @@ std::optional<Enum> enum_of_number(std::int64_t number) {
 
 /// True for std::vector.
 template <class T>
-inline constexpr bool is_list = detail::IsVector<std::remove_const_t<T>>::value;
+inline constexpr bool is_list = samples::detail::IsVector<std::remove_const_t<T>>::value;
 
 /// True for std::optional.
 template <class T>

@@ -82,7 +82,7 @@ class LimitChecker {
 /// The first field of `value` that is not finite, outside its limits or over its bound.
 template <class T>
 std::optional<Violation> limit_violation(const T& value) {
-  detail::LimitChecker checker;
+  samples::detail::LimitChecker checker;
   T::fields(value, checker);
   return checker.found;
 }

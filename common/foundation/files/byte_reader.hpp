@@ -7,7 +7,7 @@
 
 #include "inslab/foundation/files/error.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 /// Takes little-endian numbers and length-prefixed strings out of bytes that anybody may have written. Every step is
 /// checked; what does not fit throws ReadError with the place in the file.
@@ -68,4 +68,4 @@ class ByteReader {
   std::size_t at_ = 0;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace inslab::io {
+namespace inslab::files {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -62,4 +62,4 @@ class ByteWriter {
   std::vector<std::uint8_t>& out_;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -3,7 +3,7 @@
 #include "inslab/foundation/files/decimal_time.hpp"
 #include "inslab/foundation/files/text_lines.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 namespace {
 
@@ -42,4 +42,4 @@ std::optional<time::GpsTime> gps_from_calendar(std::string_view date, std::strin
   return time::GpsTime{} + time::Nanoseconds((days * 86400 + *hour * 3600 + *minute * 60) * kSecond_ns + *second_ns);
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::files

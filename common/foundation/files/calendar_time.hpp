@@ -5,7 +5,7 @@
 
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 /// Whether a text begins as a date does, 2024/03/05 or 2024-03-05.
 bool is_calendar_date(std::string_view text);
@@ -14,4 +14,4 @@ bool is_calendar_date(std::string_view text);
 /// the nanosecond. Nothing when they are none, or before GPS began on 1980-01-06.
 std::optional<time::GpsTime> gps_from_calendar(std::string_view date, std::string_view time_of_day);
 
-}  // namespace inslab::io
+}  // namespace inslab::files

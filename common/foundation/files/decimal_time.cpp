@@ -5,7 +5,7 @@
 
 #include "inslab/foundation/files/text_lines.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::optional<std::int64_t> exact_nanoseconds(std::string_view text, std::int64_
   return static_cast<std::int64_t>(negative ? -ns : ns);
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::files

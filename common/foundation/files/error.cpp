@@ -2,9 +2,9 @@
 
 #include <system_error>
 
-namespace inslab::io {
+namespace inslab::files {
 
 WriteError::WriteError(const std::string& path, const std::string& action, int error_number)
     : std::runtime_error(path + ": cannot " + action + ": " + std::generic_category().message(error_number)) {}
 
-}  // namespace inslab::io
+}  // namespace inslab::files

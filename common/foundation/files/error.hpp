@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace inslab::io {
+namespace inslab::files {
 
 /// A file that cannot be read, or does not hold what it should: names the file, the place and what was expected.
 class ReadError : public std::runtime_error {
@@ -31,4 +31,4 @@ class OutputRefused : public WriteError {
   using WriteError::WriteError;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -10,7 +10,7 @@
 #include <set>
 #include <tuple>
 
-namespace inslab::config {
+namespace inslab::files {
 
 namespace {
 
@@ -59,4 +59,4 @@ std::vector<std::string> files_read() {
   return noted().paths;
 }
 
-}  // namespace inslab::config
+}  // namespace inslab::files

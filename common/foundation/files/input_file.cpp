@@ -12,7 +12,7 @@
 #include "inslab/foundation/files/error.hpp"
 #include "inslab/foundation/files/files_read.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 InputFile::InputFile(const std::string& path) : path_(path) {
   descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe must not block here
@@ -30,7 +30,7 @@ InputFile::InputFile(const std::string& path) : path_(path) {
     throw ReadError(path_ + ": is not a regular file");
   }
   size_ = static_cast<std::uint64_t>(status.st_size);
-  config::note_file_read(path_);
+  note_file_read(path_);
 }
 
 InputFile::~InputFile() { ::close(descriptor_); }
@@ -48,4 +48,4 @@ void InputFile::read(std::uint64_t offset, std::uint8_t* out, std::size_t size) 
   }
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace inslab::io {
+namespace inslab::files {
 
 /// A regular file opened for reading at any place.
 class InputFile {
@@ -28,4 +28,4 @@ class InputFile {
   std::uint64_t size_ = 0;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -5,7 +5,7 @@
 
 /// How large, how deep and how many: what every input of Inslab may be at most. Whatever is beyond is refused at once,
 /// with the file, the place and the limit. docs/formats.md lists them.
-namespace inslab::config {
+namespace inslab::files {
 
 /// Scenarios, profiles, parameters, schedules, results of runs (JSON).
 inline constexpr std::size_t kMaxJsonBytes = std::size_t{128} << 20;
@@ -24,4 +24,4 @@ inline constexpr std::size_t kMaxRowsInMemory = 20'000'000;  ///< of trajectorie
 inline constexpr std::uint64_t kMaxLogRecordBytes = std::uint64_t{1} << 28;  ///< of a chunk after decompression, too
 inline constexpr std::uint64_t kMaxOpenLogBytes = std::uint64_t{1} << 30;    ///< of chunks that overlap in time
 
-}  // namespace inslab::config
+}  // namespace inslab::files

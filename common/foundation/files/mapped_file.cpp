@@ -11,7 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace inslab::recovery {
+namespace inslab::files {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
@@ -65,4 +65,4 @@ void MappedFile::map(std::size_t size) {
   size_ = size;
 }
 
-}  // namespace inslab::recovery
+}  // namespace inslab::files

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace inslab::recovery {
+namespace inslab::files {
 
 /// A file mapped into memory for reading and writing; what is written survives the process. Private to the user, and to
 /// one process at a time.
@@ -31,4 +31,4 @@ class MappedFile {
   std::size_t size_ = 0;
 };
 
-}  // namespace inslab::recovery
+}  // namespace inslab::files

@@ -9,7 +9,7 @@
 #include "inslab/foundation/files/text_lines.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 /// The next line of a text of numbers with spaces between, comments (# or %) and empty lines passed over; false at the
 /// end. Throws ReadError, naming file, line, column and what was expected, when it is not N finite numbers.
@@ -68,4 +68,4 @@ class SecondsOfWeek {
   int weeks_ = 0;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -10,7 +10,7 @@
 
 #include "inslab/foundation/files/error.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 OutputFile::OutputFile(const std::string& path, Kind kind) : path_(path) {
   if (kind == Kind::Result) {
@@ -87,4 +87,4 @@ void write_file(const std::string& path, std::string_view bytes) {
   file.close();
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -8,7 +8,7 @@
 
 #include "inslab/foundation/files/output_place.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 /// A file that grows by whole pieces: a piece is in the file entirely or not at all. A result has its name when it is
 /// closed, and until then what had the name before has it (io/output_place.hpp); a log grows under its own.
@@ -48,4 +48,4 @@ class OutputFile {
 /// Writes a whole result. Throws WriteError.
 void write_file(const std::string& path, std::string_view bytes);
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -14,7 +14,7 @@
 #include "inslab/foundation/files/files_read.hpp"
 #include "inslab/foundation/files/unfinished.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 namespace {
 
@@ -49,7 +49,7 @@ void check_output(const std::string& path) {
   const OutputRule rule = rule_in_force;
   struct stat status {};
   if (rule == OutputRule::ReplaceAll || ::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return;
-  if (config::is_file_read(path)) {
+  if (is_file_read(path)) {
     throw OutputRefused(path +
                         ": is an input of this command and is not replaced; expected another name for the output");
   }
@@ -107,4 +107,4 @@ void OutputPlace::commit() {
   committed_ = true;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace inslab::io {
+namespace inslab::files {
 
 /// What a process may do to regular files that are there already. Empty ones count as not there.
 enum class OutputRule {
@@ -48,4 +48,4 @@ class OutputPlace {
   bool committed_ = false;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::files

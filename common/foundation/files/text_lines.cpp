@@ -6,7 +6,7 @@
 #include "inslab/foundation/files/error.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 namespace {
 
@@ -33,7 +33,7 @@ std::string_view without_plus(std::string_view text) {
 
 }  // namespace
 
-static_assert(TextLines::kMaxLineBytes == config::kMaxLineBytes, "one limit");
+static_assert(TextLines::kMaxLineBytes == kMaxLineBytes, "one limit");
 
 TextLines::TextLines(const std::string& path) : file_(path) {}
 
@@ -104,4 +104,4 @@ std::optional<std::int64_t> integer_from(std::string_view text) {
 
 std::optional<std::uint32_t> hex_from(std::string_view text) { return whole_text<std::uint32_t>(text, 16); }
 
-}  // namespace inslab::io
+}  // namespace inslab::files

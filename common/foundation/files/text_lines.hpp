@@ -8,7 +8,7 @@
 
 #include "inslab/foundation/files/input_file.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 /// The lines of a text file, one after the other; never the whole file in memory. Lines end in \n or \r\n, the last one
 /// may end with the file.
@@ -53,4 +53,4 @@ std::optional<std::int64_t> integer_from(std::string_view text);
 /// The number that all of `text` is in hexadecimal digits; nothing when it is none or does not fit.
 std::optional<std::uint32_t> hex_from(std::string_view text);
 
-}  // namespace inslab::io
+}  // namespace inslab::files

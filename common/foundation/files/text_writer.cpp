@@ -5,7 +5,7 @@
 
 #include "inslab/foundation/files/error.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 namespace {
 
@@ -50,4 +50,4 @@ void TextWriter::drain() {
   if (!ready.empty()) file_.append(reinterpret_cast<const std::uint8_t*>(ready.data()), ready.size());
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -5,7 +5,7 @@
 
 #include "inslab/foundation/files/output_file.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 /// A text file that is written field by field, with numbers in a fixed number of decimals whatever the locale.
 class TextWriter {
@@ -33,4 +33,4 @@ class TextWriter {
   bool in_line_ = false;
 };
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace inslab::io {
+namespace inslab::files {
 
 namespace {
 
@@ -68,4 +68,4 @@ void discard_unfinished() {
   for (const std::string& folder : unfinished().files) ::rmdir(folder.c_str());  // of what is left, the empty folders
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <string>
 
-namespace inslab::io {
+namespace inslab::files {
 
 /// What this process would leave behind if it ended now: results that are not whole, files for gnuplot, and gnuplot.
 /// discard_unfinished() takes all of it away.
@@ -36,4 +36,4 @@ std::unique_lock<std::recursive_mutex> hold_unfinished();
 /// another file waits from here on, for ever.
 void discard_unfinished();
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -4,7 +4,7 @@
 
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 
 /// A text as it may stand in XML or HTML, in an attribute too; control characters and bytes that are not UTF-8 are
 /// shown by their number.
@@ -31,4 +31,4 @@ inline std::string xml_text(const std::string& text) {
   return out;
 }
 
-}  // namespace inslab::io
+}  // namespace inslab::files

@@ -18,7 +18,7 @@
 #include "inslab/foundation/host/shutdown_signal.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::app {
+namespace inslab::host {
 
 namespace {
 
@@ -148,4 +148,4 @@ void note_for_ending(const std::string& words) {
   all.note = words;
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::host

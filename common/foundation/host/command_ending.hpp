@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-namespace inslab::app {
+namespace inslab::host {
 
 /// How every command ends when SIGINT or SIGTERM comes: at once, wherever it is in its work. A thread waits for the
 /// signal, has `discard` take away what is not whole, says so in a last line and ends the process with 128 + the
@@ -51,4 +51,4 @@ class OwnEnding {
 /// What the last line adds when a signal ends the command from now on, such as "the log X is whole"; empty: nothing.
 void note_for_ending(const std::string& words);
 
-}  // namespace inslab::app
+}  // namespace inslab::host

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace inslab::app {
+namespace inslab::host {
 
 /// What every command of the product returns to the shell.
 enum ExitCode : int {
@@ -11,4 +11,4 @@ enum ExitCode : int {
   kNotAccepted = 4,  ///< an acceptance limit of the scenario was missed
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::host

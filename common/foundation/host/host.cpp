@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string_view>
 
-namespace inslab::app {
+namespace inslab::host {
 
 namespace {
 
@@ -150,4 +150,4 @@ std::string utc_text(time::Nanoseconds realtime) { return utc(realtime, "%Y%m%dT
 
 std::string utc_words(time::Nanoseconds realtime) { return utc(realtime, "%Y-%m-%d %H:%M:%S UTC"); }
 
-}  // namespace inslab::app
+}  // namespace inslab::host

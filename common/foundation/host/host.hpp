@@ -8,7 +8,7 @@
 #include "inslab/foundation/time/gps_time.hpp"
 
 /// What the pure models must not know: clocks, the process, the machine.
-namespace inslab::app {
+namespace inslab::host {
 
 time::Nanoseconds realtime_now();   ///< CLOCK_REALTIME
 time::Nanoseconds monotonic_now();  ///< CLOCK_MONOTONIC
@@ -39,4 +39,4 @@ std::string utc_text(time::Nanoseconds realtime);
 /// The same to be read: "2026-11-29 04:20:11 UTC".
 std::string utc_words(time::Nanoseconds realtime);
 
-}  // namespace inslab::app
+}  // namespace inslab::host

@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-namespace inslab::app {
+namespace inslab::host {
 
 namespace {
 
@@ -22,4 +22,4 @@ int after_the_last_word(int exit_code) {
   return exit_code;
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::host

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace inslab::app {
+namespace inslab::host {
 
 namespace {
 const double kLogWidth = std::log(1.02);
@@ -27,4 +27,4 @@ double LatencyHistogram::quantile_s(double q) const {
   return max_s_;
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::host

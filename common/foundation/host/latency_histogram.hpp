@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-namespace inslab::app {
+namespace inslab::host {
 
 /// Latencies from 100 ns to 1000 s in bins of 2 %, in flat memory. What lies outside counts in the bin at that end, so
 /// that clocks which do not agree cannot upset it.
@@ -25,4 +25,4 @@ class LatencyHistogram {
   double max_s_ = -1.0;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::host

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <optional>
 
-namespace inslab::app {
+namespace inslab::host {
 
 /// The queue between the threads of DDS, which only put, and the one worker, which computes and writes.
 template <class Message>
@@ -62,4 +62,4 @@ class Mailbox {
   std::uint64_t dropped_ = 0;
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::host

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace inslab::app {
+namespace inslab::host {
 
 std::vector<NetworkInterface> network_interfaces() {
   ifaddrs* first = nullptr;
@@ -38,4 +38,4 @@ std::string words_of(const std::vector<NetworkInterface>& interfaces) {
   return words.empty() ? "none that is up" : words;
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::host

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace inslab::app {
+namespace inslab::host {
 
 /// An IPv4 address of this host and the interface that has it.
 struct NetworkInterface {
@@ -22,4 +22,4 @@ std::optional<std::string> address_on(const std::vector<NetworkInterface>& inter
 /// "lo (127.0.0.1), eth0 (192.168.1.7)", for messages.
 std::string words_of(const std::vector<NetworkInterface>& interfaces);
 
-}  // namespace inslab::app
+}  // namespace inslab::host

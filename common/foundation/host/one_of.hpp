@@ -8,7 +8,7 @@
 #include "inslab/foundation/text/nearest.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::app {
+namespace inslab::host {
 
 /// The check of an option or argument whose value is one of these words: what else is given is named, with the words
 /// there are and the one that was most likely meant.
@@ -22,4 +22,4 @@ inline CLI::Validator one_of(const std::vector<std::string>& words) {
   return CLI::Validator(judge, "{" + list + "}");
 }
 
-}  // namespace inslab::app
+}  // namespace inslab::host

@@ -4,7 +4,7 @@
 
 #include "inslab/foundation/host/exit_code.hpp"
 
-namespace inslab::app {
+namespace inslab::host {
 
 /// What one part of a command's work came to.
 struct Outcome {
@@ -40,4 +40,4 @@ constexpr int badness(ExitCode code) {
 /// The worse of two; the first where they are as bad.
 inline Outcome worse(const Outcome& a, const Outcome& b) { return badness(b.code) > badness(a.code) ? b : a; }
 
-}  // namespace inslab::app
+}  // namespace inslab::host

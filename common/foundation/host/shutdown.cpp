@@ -8,7 +8,7 @@
 
 #include "inslab/foundation/host/shutdown_signal.hpp"
 
-namespace inslab::app {
+namespace inslab::host {
 
 namespace {
 
@@ -48,4 +48,4 @@ int shutdown_signal() { return g_requested; }
 
 void wake_on_shutdown(int descriptor) { g_wake = descriptor; }
 
-}  // namespace inslab::app
+}  // namespace inslab::host

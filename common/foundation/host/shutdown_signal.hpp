@@ -1,6 +1,6 @@
 #pragma once
 
-namespace inslab::app {
+namespace inslab::host {
 
 /// Which signal app/shutdown.hpp speaks of: the first to end that came; 0: none has.
 int shutdown_signal();
@@ -8,4 +8,4 @@ int shutdown_signal();
 /// From now on each signal to end also writes a byte to this descriptor, which must not block; -1: to none.
 void wake_on_shutdown(int descriptor);
 
-}  // namespace inslab::app
+}  // namespace inslab::host

@@ -3,7 +3,7 @@
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
 
-namespace inslab::app {
+namespace inslab::host {
 
 /// Whether a signal ends a service now. When everybody is told to stop at once, the end of the run is on its way from
 /// the trajectory server: a service in a run waits for it a little, so that one that is stopped with its set is not
@@ -23,4 +23,4 @@ class StopGrace {
   time::Nanoseconds told_at_{0};  ///< CLOCK_MONOTONIC; 0: no signal yet
 };
 
-}  // namespace inslab::app
+}  // namespace inslab::host

@@ -8,7 +8,7 @@
 
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::cli {
+namespace inslab::terminal {
 
 /// fmt::print() for what may hold names and messages of others: control characters are shown by their number and do
 /// not reach the terminal.
@@ -22,4 +22,4 @@ void tell(fmt::format_string<Arguments...> pattern, Arguments&&... arguments) {
   tell(stdout, pattern, std::forward<Arguments>(arguments)...);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::terminal

@@ -3,7 +3,7 @@
 #include "inslab/models/navigation/matching_parameters.hpp"
 #include "inslab/models/navigation/parameters_file.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app) {
   const scenario::LoadedImu& imu = scenario.sensor<catalog::Imu>(app.imu);
@@ -19,4 +19,4 @@ AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::Ref
   return setup;
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

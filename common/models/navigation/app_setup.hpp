@@ -6,7 +6,7 @@
 #include "inslab/models/navigation/parameters.hpp"
 #include "inslab/scenario/load.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// What the app is told of the unit it sits in.
 struct AppSetup {
@@ -20,4 +20,4 @@ struct AppSetup {
 /// the app is told they are mounted. Throws config::Error when the scenario lacks a sensor, or the file is not good.
 AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app);
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

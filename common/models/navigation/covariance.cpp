@@ -3,7 +3,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 namespace {
 
@@ -100,4 +100,4 @@ void Covariance::forget(Eigen::Index first, const Eigen::Vector3d& variances) {
   P_.diagonal().segment<3>(first) = variances;
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -2,7 +2,7 @@
 
 #include "inslab/models/navigation/state_layout.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 /// Columns, or entries, for the chosen blocks.
@@ -55,4 +55,4 @@ class Covariance {
   StateMatrix P_;
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

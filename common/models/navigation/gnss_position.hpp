@@ -6,7 +6,7 @@
 #include "inslab/models/navigation/measurement.hpp"
 #include "inslab/nav/attitude.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// A fix's position of the antenna, r_n + C_nb l_b.
 struct GnssPosition {
@@ -34,4 +34,4 @@ struct GnssPosition {
   }
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -6,7 +6,7 @@
 #include "inslab/models/navigation/measurement.hpp"
 #include "inslab/nav/attitude.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// A fix's velocity of the antenna, v_n + C_nb (omega_ib x l_b) - omega_ie x C_nb l_b. A sigma of 0 means that there is
 /// none.
@@ -40,4 +40,4 @@ struct GnssVelocity {
   }
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -11,7 +11,7 @@
 #include "inslab/nav/symmetric.hpp"
 #include "inslab/nav/wgs84.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 namespace {
 
@@ -331,4 +331,4 @@ void InertialFilter::correct(const StateVector& x) {
       nav::Strapdown(state, gravity_, kFullRotation, newest_.dt_s > 0.0 ? std::optional(newest_) : std::nullopt);
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -8,7 +8,7 @@
 #include "inslab/models/navigation/parameters.hpp"
 #include "inslab/nav/strapdown.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// One interval of the IMU as the filter takes it in, or a part of one.
 struct ImuInterval {
@@ -128,4 +128,4 @@ class InertialFilter {
   std::uint32_t rejections_ = 0;
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -10,7 +10,7 @@
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/geodesy.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 namespace {
 
@@ -228,4 +228,4 @@ Beginning Initializer::in_motion(const ImuSample& sample, const MotionAlignment:
   return beginning;
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -9,7 +9,7 @@
 #include "inslab/models/navigation/parameters.hpp"
 #include "inslab/nav/strapdown.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// Where and how surely the filter begins.
 struct Beginning {
@@ -75,4 +75,4 @@ class Initializer {
   std::vector<std::pair<double, Vector3>> turns_;  ///< time and sum of dtheta, a few times a second
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -7,7 +7,7 @@
 #include "inslab/models/navigation/matching_uses.hpp"
 #include "inslab/nav/attitude.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::vector<std::string> left_out_of_matching(const AnyProfile& profile) {
       profile);
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

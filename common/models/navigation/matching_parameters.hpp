@@ -6,7 +6,7 @@
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/models/navigation/parameters.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// The parameters of the filter that matches an IMU: what the profile says at random is what the filter believes.
 ///
@@ -22,4 +22,4 @@ NavigationParameters matching_parameters(const ImuErrorProfile& imu, const Insta
 /// Names of what a profile of the unit sets and the matching parameters leave out.
 std::vector<std::string> left_out_of_matching(const AnyProfile& profile);
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

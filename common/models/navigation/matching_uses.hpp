@@ -5,7 +5,7 @@
 
 /// What matching_parameters() makes of each field of the profiles of a unit; left_out_of_matching() shows what it
 /// leaves out.
-namespace inslab::reference_nav::matching {
+namespace inslab::navigation::matching {
 
 inline constexpr profiles::FieldUse kImuErrorUses[] = {
     profiles::handled("gyro.bias_constant_deg_per_h"),
@@ -140,4 +140,4 @@ constexpr const auto& uses_of(Tag<VibrationProfile>) { return kVibrationUses; }
 constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
 constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetometerErrorUses; }
 
-}  // namespace inslab::reference_nav::matching
+}  // namespace inslab::navigation::matching

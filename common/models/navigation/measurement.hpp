@@ -10,7 +10,7 @@
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/nav/vectors.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// Where the filter believes to be when a measurement is predicted: the point of linearisation.
 struct Situation {
@@ -103,4 +103,4 @@ struct UpdateResult {
   }
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

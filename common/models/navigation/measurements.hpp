@@ -8,7 +8,7 @@
 #include "inslab/models/navigation/gnss_velocity.hpp"
 #include "inslab/models/navigation/zero_velocity_update.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// Every kind of measurement that the filter takes: the one list. A kind is a header with a struct of
 ///
@@ -83,4 +83,4 @@ inline std::vector<Measurement> measurements_of(const Observation& observation, 
   return measurements;
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -11,7 +11,7 @@
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/nav/symmetric.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 namespace {
 
@@ -265,4 +265,4 @@ void MotionAlignment::solve() {
   why_not_ = why.str();
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

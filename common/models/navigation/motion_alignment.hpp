@@ -11,7 +11,7 @@
 #include "inslab/nav/gravity.hpp"
 #include "inslab/nav/vectors.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 using nav::Matrix3;
 using nav::Quaternion;
@@ -94,4 +94,4 @@ class MotionAlignment {
   std::string why_not_ = "no fix with a velocity has come";
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

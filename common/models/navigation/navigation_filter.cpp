@@ -7,7 +7,7 @@
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/models/navigation/processes.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 namespace {
 
@@ -261,4 +261,4 @@ NavSolution NavigationFilter::solution(const ImuSample& sample) const {
   return solution;
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

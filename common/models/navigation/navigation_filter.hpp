@@ -11,7 +11,7 @@
 #include "inslab/models/navigation/measurements.hpp"
 #include "inslab/models/navigation/rest_detector.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// The navigation app as a pure model: IMU samples and observations of any kind in measurements.hpp, such as fixes, in,
 /// a solution for every IMU sample out.
@@ -97,4 +97,4 @@ class NavigationFilter {
   bool has_measured_ = false;
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

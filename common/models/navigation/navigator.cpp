@@ -1,6 +1,6 @@
 #include "inslab/models/navigation/navigator.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 std::optional<Navigator::Step> Navigator::step() {
   if (samples_.empty() || samples_.front().available_sim_time_ns > complete_up_to_ns_) return std::nullopt;
@@ -12,4 +12,4 @@ std::optional<Navigator::Step> Navigator::step() {
   return Step{sample.header.sequence_number, filter_.add(sample)};
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -7,7 +7,7 @@
 
 #include "inslab/models/navigation/navigation_filter.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// The filter fed in the order in which a flight computer would have its inputs: of an observation
 /// (measurements.hpp; a fix, for one) and an IMU sample, the one that is available first comes first, whatever the
@@ -50,4 +50,4 @@ class Navigator {
   std::int64_t complete_up_to_ns_ = kEver;
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -4,7 +4,7 @@
 
 #include "inslab/data/catalog/profile_rules.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 std::optional<Violation> violation(const NavigationParameters& p) {
   if (!(p.lever_arm_b_m.norm() <= kMaxLeverArmM)) {
@@ -29,4 +29,4 @@ std::optional<Violation> violation(const NavigationParameters& p) {
   return std::nullopt;
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -7,7 +7,7 @@
 #include "inslab/foundation/fields/violation.hpp"
 
 /// The reference navigation app: a loosely coupled error-state Kalman filter without bus, clock or files.
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// What the filter believes of a gyro triad. Gauss-Markov sigma is the steady-state standard deviation, and also what
 /// the state begins with; a correlation time of 0 stands for a constant.
@@ -215,12 +215,12 @@ void InitialState::fields(Self& self, Visitor& visit) {
 /// The first rule that the parameters break and that no single field's limits express, or nothing.
 std::optional<Violation> violation(const NavigationParameters& parameters);
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation
 
 namespace inslab {
 
 template <>
-struct EnumNames<reference_nav::InitialAttitude> {
+struct EnumNames<navigation::InitialAttitude> {
   static constexpr std::string_view type = "InitialAttitude";
   static constexpr std::string_view prefix = "INITIAL_ATTITUDE_";
   static constexpr std::array<std::string_view, 3> values{"static_alignment", "levelled", "given"};

@@ -2,12 +2,12 @@
 
 #include "inslab/scenario/read_document.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 NavigationParameters read_parameters(const std::string& file) {
   auto parameters = scenario::read_document<NavigationParameters>(file, scenario::DocumentKind::Navigation);
-  if (auto broken = violation(parameters)) throw config::Error(file, *broken);
+  if (auto broken = violation(parameters)) throw json::Error(file, *broken);
   return parameters;
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -4,10 +4,10 @@
 
 #include "inslab/models/navigation/parameters.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// The parameters of a file. Throws config::Error, naming file, path in it and reason, for what a declaration or a rule
 /// refuses.
 NavigationParameters read_parameters(const std::string& file);
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -2,7 +2,7 @@
 
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 Process process_of(StateBlock block, const NavigationParameters& p) {
   switch (block) {
@@ -33,4 +33,4 @@ StateVector initial_sigmas(const NavigationParameters& p) {
   return sigmas;
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

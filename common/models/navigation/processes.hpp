@@ -2,7 +2,7 @@
 
 #include "inslab/models/navigation/state_layout.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// What a block of errors does by itself: Gauss-Markov, each for itself.
 struct Process {
@@ -16,4 +16,4 @@ Process process_of(StateBlock block, const NavigationParameters& parameters);
 /// Standard deviations of the state at the beginning: what the parameters say.
 StateVector initial_sigmas(const NavigationParameters& parameters);
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// Why alignments were refused, each reason once however often it came: two that differ in their numbers alone are one.
 class Refusals {
@@ -41,4 +41,4 @@ class Refusals {
   std::vector<std::string> reasons_;
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

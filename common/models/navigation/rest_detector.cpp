@@ -2,7 +2,7 @@
 
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 namespace {
 
@@ -35,4 +35,4 @@ bool RestDetector::add(const Vector3& omega_ib_b, const Vector3& f_b, double dt_
   return rest;
 }
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -2,7 +2,7 @@
 
 #include "inslab/models/navigation/parameters.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// Tells rest from motion by what the IMU alone feels: in windows one after the other, every axis of the specific force
 /// and of the rate must spread less, and the mean rate be less, than the stated thresholds. A smooth cruise passes too:
@@ -32,4 +32,4 @@ class RestDetector {
   Vector3 f_squares_ = Vector3::Zero();
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

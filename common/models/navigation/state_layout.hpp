@@ -7,7 +7,7 @@
 
 #include "inslab/models/navigation/parameters.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// What the filter's state is made of, in its order: blocks of errors, each the estimate less the truth. The first
 /// three are always there; of the others the parameters choose (`states`). A new one is a line here and in kBlocks, a
@@ -105,4 +105,4 @@ class Estimates {
   std::array<Vector3, kBlocks.size() - kFirstChosenBlock> values_;
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

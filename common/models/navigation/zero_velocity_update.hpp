@@ -6,7 +6,7 @@
 #include "inslab/data/samples/stream_header.hpp"
 #include "inslab/models/navigation/measurement.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 
 /// Somebody who knows, such as a wheel's sensor or a brake, says that the IMU stood still at this time.
 struct Standstill {
@@ -40,4 +40,4 @@ struct ZeroVelocityUpdate {
   }
 };
 
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -7,11 +7,11 @@ namespace inslab::trajectory {
 
 namespace {
 
-nav::NavState state_of(const io::TrajectoryRow& row) {
+nav::NavState state_of(const TrajectoryRow& row) {
   return {row.position, *row.v_n, nav::quaternion_from_rpy(*row.rpy)};
 }
 
-nav::NavState between(const io::TrajectoryRow& from, const io::TrajectoryRow& to, time::Nanoseconds t) {
+nav::NavState between(const TrajectoryRow& from, const TrajectoryRow& to, time::Nanoseconds t) {
   const nav::NavState start = state_of(from), end = state_of(to);
   const double span_s = time::to_seconds(to.time - from.time), elapsed_s = time::to_seconds(t - from.time);
   const double share = elapsed_s / span_s;
@@ -26,9 +26,9 @@ nav::NavState between(const io::TrajectoryRow& from, const io::TrajectoryRow& to
 
 }  // namespace
 
-FileStates::FileStates(std::shared_ptr<const io::TrajectoryFile> file) : file_(std::move(file)) {
+FileStates::FileStates(std::shared_ptr<const TrajectoryFile> file) : file_(std::move(file)) {
   if (file_->rows.size() < 2) throw std::invalid_argument(file_->name + " has fewer than two rows");
-  for (const io::TrajectoryRow& row : file_->rows) {
+  for (const TrajectoryRow& row : file_->rows) {
     if (!row.v_n || !row.rpy) {
       throw std::invalid_argument(file_->name + " has rows without " + (row.v_n ? "attitude" : "velocity"));
     }
@@ -36,7 +36,7 @@ FileStates::FileStates(std::shared_ptr<const io::TrajectoryFile> file) : file_(s
 }
 
 nav::NavState FileStates::at(time::Nanoseconds t) {
-  const std::vector<io::TrajectoryRow>& rows = file_->rows;
+  const std::vector<TrajectoryRow>& rows = file_->rows;
   if (t < rows.front().time || t > end()) {
     throw std::domain_error(file_->name + " has rows from " + std::to_string(time::to_seconds(rows.front().time)) +
                             " s to " + std::to_string(time::to_seconds(end())) + " s, none for " +

@@ -15,7 +15,7 @@ class FileStates {
  public:
   /// Each row of `file` has velocity and attitude. Throws std::invalid_argument, naming the file, where one has not, or
   /// when there are fewer than two rows.
-  explicit FileStates(std::shared_ptr<const io::TrajectoryFile> file);
+  explicit FileStates(std::shared_ptr<const TrajectoryFile> file);
 
   /// The state at `t`, which does not decrease from call to call. Throws std::domain_error, naming the file and both
   /// times, when `t` lies outside the rows.
@@ -24,7 +24,7 @@ class FileStates {
   time::Nanoseconds end() const { return file_->rows.back().time; }
 
  private:
-  std::shared_ptr<const io::TrajectoryFile> file_;
+  std::shared_ptr<const TrajectoryFile> file_;
   std::size_t row_ = 0;  ///< the last one not after the time asked for
 };
 

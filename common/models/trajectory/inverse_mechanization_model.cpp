@@ -5,7 +5,7 @@
 
 namespace inslab::trajectory {
 
-InverseMechanizationModel::InverseMechanizationModel(std::shared_ptr<const io::TrajectoryFile> file,
+InverseMechanizationModel::InverseMechanizationModel(std::shared_ptr<const TrajectoryFile> file,
                                                      const nav::Gravity& gravity, const Options& options,
                                                      const time::Grid& grid, const time::GpsTime& start)
     : states_(std::move(file)),

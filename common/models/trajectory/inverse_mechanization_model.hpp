@@ -27,7 +27,7 @@ class InverseMechanizationModel final : public TruthModel {
   };
 
   /// Throws as FileStates and nav::Strapdown do.
-  InverseMechanizationModel(std::shared_ptr<const io::TrajectoryFile> file, const nav::Gravity& gravity,
+  InverseMechanizationModel(std::shared_ptr<const TrajectoryFile> file, const nav::Gravity& gravity,
                             const Options& options, const time::Grid& grid, const time::GpsTime& start);
 
   /// `omega_iv_v` and `f_v` are the mean of the two intervals that meet at the instant, at the ends that of the only

@@ -27,7 +27,7 @@ class RowPath final : public Path {
   nav::PositionSpline spline_;
 };
 
-nav::PositionSpline position_spline(const io::TrajectoryFile& file) {
+nav::PositionSpline position_spline(const TrajectoryFile& file) {
   std::vector<nav::Geodetic> points;
   std::vector<double> intervals_s;
   points.reserve(file.rows.size());
@@ -37,7 +37,7 @@ nav::PositionSpline position_spline(const io::TrajectoryFile& file) {
     points.push_back(file.rows[k].position);
     if (k > 0) intervals_s.push_back(time::to_seconds(file.rows[k].time - file.rows[k - 1].time));
   }
-  const auto velocity_e = [](const io::TrajectoryRow& row) -> std::optional<nav::Vector3> {
+  const auto velocity_e = [](const TrajectoryRow& row) -> std::optional<nav::Vector3> {
     if (!row.v_n) return std::nullopt;
     return C_en_at(row.position) * *row.v_n;
   };
@@ -58,22 +58,22 @@ std::vector<PathMotion> motions_at_points(const nav::PositionSpline& spline) {
   return motions;
 }
 
-std::vector<nav::RollPitchYaw> attitudes(const io::TrajectoryFile& file, const nav::PositionSpline& spline,
+std::vector<nav::RollPitchYaw> attitudes(const TrajectoryFile& file, const nav::PositionSpline& spline,
                                          const scenario::PathAttitude& path_attitude) {
   if (!file.rows.front().rpy) return attitudes_along(motions_at_points(spline), path_attitude);
   std::vector<nav::RollPitchYaw> rpy;
   rpy.reserve(file.rows.size());
-  for (const io::TrajectoryRow& row : file.rows) rpy.push_back(row.rpy.value());
+  for (const TrajectoryRow& row : file.rows) rpy.push_back(row.rpy.value());
   return rpy;
 }
 
 }  // namespace
 
-SmoothMotion motion_through(const io::TrajectoryFile& file, const scenario::PathAttitude& path_attitude) {
+SmoothMotion motion_through(const TrajectoryFile& file, const scenario::PathAttitude& path_attitude) {
   if (file.rows.size() < 2) throw std::invalid_argument(file.name + ": a motion needs at least two rows");
   std::vector<time::Nanoseconds> times;
   times.reserve(file.rows.size());
-  for (const io::TrajectoryRow& row : file.rows) times.push_back(row.time);
+  for (const TrajectoryRow& row : file.rows) times.push_back(row.time);
   try {
     nav::PositionSpline spline = position_spline(file);
     std::vector<nav::Quaternion> q_ev;

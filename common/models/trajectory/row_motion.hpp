@@ -12,6 +12,6 @@ namespace inslab::trajectory {
 ///
 /// Throws std::invalid_argument when the file has fewer than two rows, and std::domain_error, naming the file and
 /// where, when its attitudes turn too far from row to row or a position lies outside the valid domain.
-SmoothMotion motion_through(const io::TrajectoryFile& file, const scenario::PathAttitude& path_attitude);
+SmoothMotion motion_through(const TrajectoryFile& file, const scenario::PathAttitude& path_attitude);
 
 }  // namespace inslab::trajectory

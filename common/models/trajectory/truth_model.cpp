@@ -26,7 +26,7 @@ std::unique_ptr<TruthModel> make_file_model(const scenario::LoadedScenario& scen
     return std::make_unique<SmoothModel>(motion_through(*scenario.trajectory_file, motion.attitude_from_path), "row",
                                          scenario.gravity(), scenario.truth_grid(), start);
   } catch (const std::domain_error& error) {
-    throw config::Error(scenario.file.string(), {Rule::MethodNeeds, "trajectory.file.method", error.what()});
+    throw json::Error(scenario.file.string(), {Rule::MethodNeeds, "trajectory.file.method", error.what()});
   }
 }
 
@@ -36,7 +36,7 @@ std::unique_ptr<TruthModel> make_waypoint_model(const scenario::LoadedScenario& 
     return std::make_unique<SmoothModel>(motion_along_waypoints(scenario.scenario.trajectory, end, scenario.gravity()),
                                          "waypoint", scenario.gravity(), scenario.truth_grid(), start);
   } catch (const std::domain_error& error) {
-    throw config::Error(scenario.file.string(), {Rule::WaypointTurn, "trajectory.waypoints", error.what()});
+    throw json::Error(scenario.file.string(), {Rule::WaypointTurn, "trajectory.waypoints", error.what()});
   }
 }
 

@@ -9,7 +9,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/geodesy.hpp"
 
-namespace inslab::align {
+namespace inslab::calibrate {
 namespace {
 
 constexpr std::size_t kBadLinesShown = 5;
@@ -49,23 +49,23 @@ std::string bad_lines_text(const AlignedRecording& aligned) {
   return text;
 }
 
-io::Picture seconds_picture(const AlignmentResult& result, const std::string& title) {
-  io::Picture picture;
+tables::Picture seconds_picture(const AlignmentResult& result, const std::string& title) {
+  tables::Picture picture;
   picture.title = title + ": each second's angles from the mean of the seconds";
   const std::array<const char*, 3> names{"roll", "pitch", "yaw"};
   for (int i = 0; i < 3; ++i) {
-    io::Curve curve;
+    tables::Curve curve;
     for (std::size_t k = 0; k < result.each_second.size(); ++k) {
       const nav::RollPitchYaw& rpy = result.each_second[k];
       const nav::Vector3 angles(rpy.roll_rad, rpy.pitch_rad, rpy.yaw_rad);
       curve.x.push_back(static_cast<double>(k + 1));
       curve.y.push_back(nav::wrapped_to_pi(angles[i] - result.seconds.mean_rad[i]) * units::kDegPerRad);
     }
-    io::Panel panel;
+    tables::Panel panel;
     panel.x_label = i == 2 ? "time (s)" : "";
     panel.y_label = fmt::format("{} (deg)", names[static_cast<std::size_t>(i)]);
     panel.tight_x = true;
-    panel.curves = {io::thinned(curve, kPlottedBins)};
+    panel.curves = {tables::thinned(curve, kPlottedBins)};
     picture.panels.push_back(panel);
   }
   picture.panel_width_px = 800;
@@ -73,4 +73,4 @@ io::Picture seconds_picture(const AlignmentResult& result, const std::string& ti
   return picture;
 }
 
-}  // namespace inslab::align
+}  // namespace inslab::calibrate

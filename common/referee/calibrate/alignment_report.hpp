@@ -5,7 +5,7 @@
 #include "inslab/formats/tables/picture.hpp"
 #include "inslab/referee/calibrate/recording.hpp"
 
-namespace inslab::align {
+namespace inslab::calibrate {
 
 /// The attitude by sample, by second and of the whole span, for people.
 std::string report_text(const AlignedRecording& aligned);
@@ -14,6 +14,6 @@ std::string report_text(const AlignedRecording& aligned);
 std::string bad_lines_text(const AlignedRecording& aligned);
 
 /// Each second's departure from the mean of the seconds.
-io::Picture seconds_picture(const AlignmentResult& result, const std::string& title);
+tables::Picture seconds_picture(const AlignmentResult& result, const std::string& title);
 
-}  // namespace inslab::align
+}  // namespace inslab::calibrate

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace inslab::cli {
+namespace inslab::calibrate {
 namespace {
 
 /// More tau than any record has: 2^46 samples.
@@ -50,22 +50,22 @@ AxisAnalysis analyse_axis(std::size_t axis, const allan::Record& record, const a
 
 }  // namespace
 
-void ImuAnalyser::begin(const io::ImuRecordingInfo& info) {
+void ImuAnalyser::begin(const recordings::ImuRecordingInfo& info) {
   const auto sizes = allan::octave_cluster_sizes(kLargestCluster, kPointsPerOctave);
-  records_.assign(io::kImuAxes, allan::Record(info.dt_s));
-  curves_.assign(io::kImuAxes, allan::AllanStream(info.dt_s, sizes));
+  records_.assign(recordings::kImuAxes, allan::Record(info.dt_s));
+  curves_.assign(recordings::kImuAxes, allan::AllanStream(info.dt_s, sizes));
 }
 
-void ImuAnalyser::add(const io::ImuIncrements& increments) {
-  for (std::size_t i = 0; i < io::kImuAxes; ++i) {
+void ImuAnalyser::add(const recordings::ImuIncrements& increments) {
+  for (std::size_t i = 0; i < recordings::kImuAxes; ++i) {
     records_[i].add(increments[i]);
     curves_[i].add(increments[i]);
   }
 }
 
-ImuAnalysis ImuAnalyser::finish(const std::string& path, const io::ImuRecordingInfo& recording) const {
+ImuAnalysis ImuAnalyser::finish(const std::string& path, const recordings::ImuRecordingInfo& recording) const {
   ImuAnalysis analysis{path, recording, options_.recording.minus_truth, {}};
-  for (std::size_t i = 0; i < io::kImuAxes; ++i) {
+  for (std::size_t i = 0; i < recordings::kImuAxes; ++i) {
     if (recording.has_axis[i]) analysis.axes.push_back(analyse_axis(i, records_[i], curves_[i], options_));
   }
   return analysis;
@@ -73,10 +73,10 @@ ImuAnalysis ImuAnalyser::finish(const std::string& path, const io::ImuRecordingI
 
 ImuAnalysis analyse_imu(const std::string& path, const AnalysisOptions& options) {
   ImuAnalyser analyser(options);
-  const io::ImuRecordingInfo recording = io::read_imu_recording(
-      path, options.recording, [&](const io::ImuRecordingInfo& info) { analyser.begin(info); },
-      [&](const io::ImuIncrements& increments) { analyser.add(increments); });
+  const recordings::ImuRecordingInfo recording = recordings::read_imu_recording(
+      path, options.recording, [&](const recordings::ImuRecordingInfo& info) { analyser.begin(info); },
+      [&](const recordings::ImuIncrements& increments) { analyser.add(increments); });
   return analyser.finish(path, recording);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::calibrate

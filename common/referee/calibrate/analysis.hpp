@@ -9,7 +9,7 @@
 #include "inslab/noise/allan/fit.hpp"
 
 /// `inslab allan`: what the output of a recorded IMU says of its random errors.
-namespace inslab::cli {
+namespace inslab::calibrate {
 
 inline constexpr double kIntervalConfidence = 0.99;
 
@@ -40,14 +40,14 @@ struct AxisAnalysis {
 };
 
 struct AnalysisOptions {
-  io::ImuRecordingOptions recording;
+  recordings::ImuRecordingOptions recording;
   std::vector<allan::Term> terms;  ///< none: those that the record speaks for
   double finest_tau_s = 0.0;       ///< smaller tau are shown, but not fitted
 };
 
 struct ImuAnalysis {
   std::string path;
-  io::ImuRecordingInfo recording;
+  recordings::ImuRecordingInfo recording;
   bool is_error = false;  ///< the truth was taken off
   std::vector<AxisAnalysis> axes;
 };
@@ -58,11 +58,11 @@ class ImuAnalyser {
   explicit ImuAnalyser(AnalysisOptions options) : options_(std::move(options)) {}
 
   /// Before the first sample.
-  void begin(const io::ImuRecordingInfo& info);
-  void add(const io::ImuIncrements& increments);
+  void begin(const recordings::ImuRecordingInfo& info);
+  void add(const recordings::ImuIncrements& increments);
 
   /// Fits each axis that the recording has.
-  ImuAnalysis finish(const std::string& path, const io::ImuRecordingInfo& recording) const;
+  ImuAnalysis finish(const std::string& path, const recordings::ImuRecordingInfo& recording) const;
 
  private:
   AnalysisOptions options_;
@@ -73,4 +73,4 @@ class ImuAnalyser {
 /// Reads the recording once, in flat memory, and fits each axis it has. Throws io::ReadError.
 ImuAnalysis analyse_imu(const std::string& path, const AnalysisOptions& options);
 
-}  // namespace inslab::cli
+}  // namespace inslab::calibrate

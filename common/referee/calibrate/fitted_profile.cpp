@@ -11,7 +11,7 @@
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::cli {
+namespace inslab::calibrate {
 namespace {
 
 /// The member of a triad's errors that a parameter goes to.
@@ -110,4 +110,4 @@ ImuErrorProfile fitted_profile(const ImuAnalysis& analysis) {
   return profile;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::calibrate

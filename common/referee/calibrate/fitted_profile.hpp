@@ -5,7 +5,7 @@
 #include "inslab/data/profiles/imu_error_profile.hpp"
 #include "inslab/referee/calibrate/analysis.hpp"
 
-namespace inslab::cli {
+namespace inslab::calibrate {
 
 /// A fitted parameter's name, unit and size in the terms of a profile.
 struct ProfileUnit {
@@ -22,4 +22,4 @@ ProfileUnit profile_unit(allan::Parameter parameter, bool is_gyro);
 /// out. Throws std::runtime_error naming the parameter when the fit lies outside what a profile may say.
 ImuErrorProfile fitted_profile(const ImuAnalysis& analysis);
 
-}  // namespace inslab::cli
+}  // namespace inslab::calibrate

@@ -5,18 +5,18 @@
 #include "inslab/data/json/json_writer.hpp"
 #include "inslab/foundation/files/output_file.hpp"
 
-namespace inslab::cli {
+namespace inslab::calibrate {
 namespace {
 
 /// `value` without what equals `usual`.
-config::Json shortened(const config::Json& value, const config::Json& usual) {
+json::Json shortened(const json::Json& value, const json::Json& usual) {
   if (value.is_array() && value.size() == 3 && value[0].is_number() && value[0] == value[1] && value[1] == value[2]) {
     return value[0];
   }
   if (!value.is_object()) return value;
-  config::Json object = config::Json::object();
+  json::Json object = json::Json::object();
   for (const auto& item : value.items()) {
-    const config::Json& other = usual.at(item.key());
+    const json::Json& other = usual.at(item.key());
     if (item.value() == other && item.key() != "name") continue;
     object[item.key()] = shortened(item.value(), other);
   }
@@ -26,11 +26,11 @@ config::Json shortened(const config::Json& value, const config::Json& usual) {
 }  // namespace
 
 std::string profile_text(const ImuErrorProfile& profile) {
-  return shortened(config::to_json(profile), config::to_json(ImuErrorProfile())).dump(2) + "\n";
+  return shortened(json::to_json(profile), json::to_json(ImuErrorProfile())).dump(2) + "\n";
 }
 
 void write_profile(const std::string& path, const ImuErrorProfile& profile) {
-  io::write_file(path, profile_text(profile));
+  files::write_file(path, profile_text(profile));
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::calibrate

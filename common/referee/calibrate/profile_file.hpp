@@ -4,7 +4,7 @@
 
 #include "inslab/data/profiles/imu_error_profile.hpp"
 
-namespace inslab::cli {
+namespace inslab::calibrate {
 
 /// A profile as the text of its JSON file; keys that have their defaults are left out, and three equal axes are one
 /// number.
@@ -13,4 +13,4 @@ std::string profile_text(const ImuErrorProfile& profile);
 /// Writes it. Throws io::WriteError.
 void write_profile(const std::string& path, const ImuErrorProfile& profile);
 
-}  // namespace inslab::cli
+}  // namespace inslab::calibrate

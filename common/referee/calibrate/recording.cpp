@@ -10,7 +10,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/gravity.hpp"
 
-namespace inslab::align {
+namespace inslab::calibrate {
 namespace {
 
 StaticAlignment alignment(double dt_s, const RecordingOptions& options) {
@@ -22,17 +22,17 @@ StaticAlignment alignment(double dt_s, const RecordingOptions& options) {
 bool is_novatel(const std::string& path) {
   constexpr std::uint64_t kLooked = 4;
   std::string head;
-  const io::InputFile file(path);
+  const files::InputFile file(path);
   head.resize(static_cast<std::size_t>(std::min(file.size(), kLooked)));
   file.read(0, reinterpret_cast<std::uint8_t*>(head.data()), head.size());
   const bool is_named = head.size() > 1 && head[1] >= 'A' && head[1] <= 'Z';
   if (!is_named || (head[0] != '#' && head[0] != '%' && head[0] != '<')) return false;
   if (head[0] == '<') {
-    throw io::ReadError(path +
+    throw files::ReadError(path +
                         ": line 1 is NovAtel's abbreviated ASCII (<), which has no CRC; expected RAWIMUSXA or "
                         "RAWIMUXA lines");
   }
-  io::TextLines lines(path);
+  files::TextLines lines(path);
   std::string_view line;
   return lines.next(line) && line.find(';') != std::string_view::npos;
 }
@@ -51,12 +51,12 @@ void check_rate(const std::string& path, double shortest_s, double dt_s, std::ui
   std::ostringstream why;
   why << path << ": samples are " << shortest_s << " s apart at least; expected " << dt_s << " s of IMU type "
       << imu_type;
-  throw io::ReadError(why.str());
+  throw files::ReadError(why.str());
 }
 
 AlignedRecording align_novatel(const std::string& path, const RecordingOptions& options) {
-  io::NovatelImuReader reader(path, options.novatel);
-  io::NovatelImuRecord record;
+  novatel::NovatelImuReader reader(path, options.novatel);
+  novatel::NovatelImuRecord record;
   std::optional<StaticAlignment> sums;
   std::uint32_t imu_type = 0;
   std::uint64_t record_count = 0;
@@ -65,13 +65,13 @@ AlignedRecording align_novatel(const std::string& path, const RecordingOptions& 
   AlignedRecording aligned;
   while (reader.next(record)) {
     if (sums && record.imu_type != imu_type) {
-      throw io::ReadError(path + ": line " + std::to_string(record.line) + " is of IMU type " +
+      throw files::ReadError(path + ": line " + std::to_string(record.line) + " is of IMU type " +
                           std::to_string(record.imu_type) + "; expected " + std::to_string(imu_type) +
                           ", as the lines before it");
     }
     if (!sums) {
       imu_type = record.imu_type;
-      aligned.dt_s = 1.0 / io::find_novatel_imu_type(record.imu_type)->rate_hz;
+      aligned.dt_s = 1.0 / novatel::find_novatel_imu_type(record.imu_type)->rate_hz;
       sums = alignment(aligned.dt_s, options);
     }
     if (record_count++ > 0) shortest_s = std::min(shortest_s, time::to_seconds(record.time - before));
@@ -89,7 +89,7 @@ AlignedRecording align_novatel(const std::string& path, const RecordingOptions& 
       why += ", the first is line " + std::to_string(aligned.bad_lines.front().line) + ": " +
              aligned.bad_lines.front().reason;
     }
-    throw io::ReadError(why);
+    throw files::ReadError(why);
   }
   aligned.alignment = sums->result();
   return aligned;
@@ -99,26 +99,26 @@ AlignedRecording align_novatel(const std::string& path, const RecordingOptions& 
 
 AlignedRecording align_recording(const std::string& path, const RecordingOptions& options) {
   if (is_novatel(path)) return align_novatel(path, options);
-  io::ImuRecordingOptions recording;
+  recordings::ImuRecordingOptions recording;
   recording.sensor_number = options.sensor_number;
   std::optional<StaticAlignment> sums;
   AlignedRecording aligned;
-  io::read_imu_recording(
+  recordings::read_imu_recording(
       path, recording,
-      [&](const io::ImuRecordingInfo& info) {
-        for (std::size_t axis = 0; axis < io::kImuAxes; ++axis) {
+      [&](const recordings::ImuRecordingInfo& info) {
+        for (std::size_t axis = 0; axis < recordings::kImuAxes; ++axis) {
           if (!info.has_axis[axis]) {
-            throw io::ReadError(path + ": has no " + io::kImuAxisNames[axis] + "; alignment needs all six axes");
+            throw files::ReadError(path + ": has no " + recordings::kImuAxisNames[axis] + "; alignment needs all six axes");
           }
         }
         aligned.dt_s = info.dt_s;
         sums = alignment(info.dt_s, options);
       },
-      [&](const io::ImuIncrements& i) {
+      [&](const recordings::ImuIncrements& i) {
         sums->add({i[0], i[1], i[2]}, {i[3], i[4], i[5]});
       });
   aligned.alignment = sums->result();
   return aligned;
 }
 
-}  // namespace inslab::align
+}  // namespace inslab::calibrate

@@ -7,20 +7,20 @@
 #include "inslab/formats/novatel/novatel_imu.hpp"
 #include "inslab/referee/calibrate/static_alignment.hpp"
 
-namespace inslab::align {
+namespace inslab::calibrate {
 
 struct RecordingOptions {
   double latitude_deg = 0.0;
   double height_m = 0.0;
   nav::AlignmentLimits limits;
-  io::NovatelImuReader::Options novatel;
+  novatel::NovatelImuReader::Options novatel;
   std::uint32_t sensor_number = 0;  ///< of a log of ours
 };
 
 struct AlignedRecording {
   AlignmentResult alignment;
   double dt_s = 0.0;
-  std::vector<io::BadLine> bad_lines;  ///< of a NovAtel log, the first ones
+  std::vector<novatel::BadLine> bad_lines;  ///< of a NovAtel log, the first ones
   std::uint64_t bad_line_count = 0;
 };
 
@@ -29,4 +29,4 @@ struct AlignedRecording {
 /// IMU sample; std::invalid_argument for an IMU type that is not known.
 AlignedRecording align_recording(const std::string& path, const RecordingOptions& options);
 
-}  // namespace inslab::align
+}  // namespace inslab::calibrate

@@ -9,7 +9,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/referee/calibrate/fitted_profile.hpp"
 
-namespace inslab::cli {
+namespace inslab::calibrate {
 namespace {
 
 double rate_unit(bool is_gyro) { return is_gyro ? units::kDegPerH : units::kMGal; }
@@ -37,7 +37,7 @@ std::string bound(double value) { return std::isinf(value) ? "unbounded" : fmt::
 
 std::string axis_text(const AxisAnalysis& axis) {
   const double unit = rate_unit(axis.is_gyro());
-  std::string text = fmt::format("{}: mean {:.6g} {}\n", io::kImuAxisNames[axis.axis], axis.mean / unit,
+  std::string text = fmt::format("{}: mean {:.6g} {}\n", recordings::kImuAxisNames[axis.axis], axis.mean / unit,
                                  rate_unit_name(axis.is_gyro()));
   if (axis.parameters.empty()) return text + "  no noise at all\n";
   for (const FittedParameter& fitted : axis.parameters) {
@@ -54,7 +54,7 @@ std::string deviations_text(const ImuAnalysis& analysis) {
   const std::vector<CurvePoint>* longest = nullptr;
   std::string text = fmt::format("{:>12}", "tau s");
   for (const AxisAnalysis& axis : analysis.axes) {
-    text += fmt::format("  {:>14}", fmt::format("{} {}", io::kImuAxisNames[axis.axis], rate_unit_name(axis.is_gyro())));
+    text += fmt::format("  {:>14}", fmt::format("{} {}", recordings::kImuAxisNames[axis.axis], rate_unit_name(axis.is_gyro())));
     if (longest == nullptr || axis.curve.size() > longest->size()) longest = &axis.curve;
   }
   text += "\n";
@@ -75,9 +75,9 @@ std::string deviations_text(const ImuAnalysis& analysis) {
 }
 
 /// One picture of a triad: the points, their 99 % band dotted, the fit.
-io::Panel panel(const ImuAnalysis& analysis, bool is_gyro) {
+tables::Panel panel(const ImuAnalysis& analysis, bool is_gyro) {
   constexpr const char* kColours[] = {"#c0392b", "#27803b", "#2464a8"};
-  io::Panel panel;
+  tables::Panel panel;
   panel.title = is_gyro ? "gyroscopes" : "accelerometers";
   panel.x_label = "tau (s)";
   panel.y_label = fmt::format("Allan deviation ({})", rate_unit_name(is_gyro));
@@ -85,10 +85,10 @@ io::Panel panel(const ImuAnalysis& analysis, bool is_gyro) {
   for (const AxisAnalysis& axis : analysis.axes) {
     if (axis.is_gyro() != is_gyro || axis.curve.empty()) continue;
     const std::string colour = fmt::format(" linecolor rgb '{}'", kColours[axis.axis % 3]);
-    io::Curve points{std::string(io::kImuAxisNames[axis.axis]), {}, {}, "points pointtype 7 pointsize 0.4" + colour};
-    io::Curve low{"", {}, {}, "lines dashtype 3" + colour}, high = low;
-    io::Curve fitted{"", {}, {}, "lines linewidth 1.5" + colour};
-    const auto add = [unit = rate_unit(is_gyro)](io::Curve& curve, double tau_s, double value) {
+    tables::Curve points{std::string(recordings::kImuAxisNames[axis.axis]), {}, {}, "points pointtype 7 pointsize 0.4" + colour};
+    tables::Curve low{"", {}, {}, "lines dashtype 3" + colour}, high = low;
+    tables::Curve fitted{"", {}, {}, "lines linewidth 1.5" + colour};
+    const auto add = [unit = rate_unit(is_gyro)](tables::Curve& curve, double tau_s, double value) {
       curve.x.push_back(tau_s);
       curve.y.push_back(value > 0.0 ? value / unit : std::numeric_limits<double>::quiet_NaN());
     };
@@ -106,7 +106,7 @@ io::Panel panel(const ImuAnalysis& analysis, bool is_gyro) {
 }  // namespace
 
 std::string report_text(const ImuAnalysis& analysis) {
-  const io::ImuRecordingInfo& recording = analysis.recording;
+  const recordings::ImuRecordingInfo& recording = analysis.recording;
   std::string text =
       fmt::format("{} ({}): {} samples at {:.6g} Hz, {:.6g} s\n", analysis.path, recording.kind, recording.samples,
                   1.0 / recording.dt_s, static_cast<double>(recording.samples) * recording.dt_s);
@@ -122,23 +122,23 @@ std::string curve_csv(const ImuAnalysis& analysis) {
   std::string text = "axis,tau_s,deviation,low_99,high_99,fitted\n";
   for (const AxisAnalysis& axis : analysis.axes) {
     for (const CurvePoint& point : axis.curve) {
-      text += fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", io::kImuAxisNames[axis.axis], point.tau_s,
+      text += fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", recordings::kImuAxisNames[axis.axis], point.tau_s,
                           point.deviation, point.interval.low, point.interval.high, point.fitted);
     }
   }
   return text;
 }
 
-io::Picture curve_picture(const ImuAnalysis& analysis) {
-  io::Picture picture;
+tables::Picture curve_picture(const ImuAnalysis& analysis) {
+  tables::Picture picture;
   picture.title = analysis.is_error ? "Allan deviation of the IMU's errors" : "Allan deviation";
   picture.panel_width_px = 900;
   picture.panel_height_px = 480;
   for (const bool is_gyro : {true, false}) {
-    io::Panel triad = panel(analysis, is_gyro);
+    tables::Panel triad = panel(analysis, is_gyro);
     if (!triad.curves.empty()) picture.panels.push_back(std::move(triad));
   }
   return picture;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::calibrate

@@ -5,7 +5,7 @@
 #include "inslab/formats/tables/picture.hpp"
 #include "inslab/referee/calibrate/analysis.hpp"
 
-namespace inslab::cli {
+namespace inslab::calibrate {
 
 /// The recording, each axis's fitted parameters with their intervals, and the Allan deviations, for people.
 std::string report_text(const ImuAnalysis& analysis);
@@ -14,6 +14,6 @@ std::string report_text(const ImuAnalysis& analysis);
 std::string curve_csv(const ImuAnalysis& analysis);
 
 /// The curves with their bands and fits, in deg/h and mGal.
-io::Picture curve_picture(const ImuAnalysis& analysis);
+tables::Picture curve_picture(const ImuAnalysis& analysis);
 
-}  // namespace inslab::cli
+}  // namespace inslab::calibrate

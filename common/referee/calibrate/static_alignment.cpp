@@ -7,7 +7,7 @@
 
 #include "inslab/nav/geodesy.hpp"
 
-namespace inslab::align {
+namespace inslab::calibrate {
 namespace {
 
 nav::Vector3 angles(const nav::RollPitchYaw& rpy) { return {rpy.roll_rad, rpy.pitch_rad, rpy.yaw_rad}; }
@@ -113,4 +113,4 @@ AlignmentResult StaticAlignment::result() const {
   return result;
 }
 
-}  // namespace inslab::align
+}  // namespace inslab::calibrate

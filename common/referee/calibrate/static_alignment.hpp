@@ -9,7 +9,7 @@
 #include "inslab/nav/attitude.hpp"
 
 /// Static coarse alignment of a whole recording: the lab report.
-namespace inslab::align {
+namespace inslab::calibrate {
 
 /// Spread of many solutions of one attitude.
 struct Spread {
@@ -73,4 +73,4 @@ class StaticAlignment {
   std::vector<nav::RollPitchYaw> each_second_;
 };
 
-}  // namespace inslab::align
+}  // namespace inslab::calibrate

@@ -20,7 +20,7 @@
 #include "inslab/scenario/motion_matrix.hpp"
 #include "inslab/sim/look_ahead.hpp"
 
-namespace inslab::cli {
+namespace inslab::check {
 
 namespace {
 
@@ -58,18 +58,18 @@ std::string ahead_of(const scenario::LoadedScenario& loaded, const CheckOptions:
     if (progress) progress(loaded.scenario.name, span_s, sim_time);
   };
   try {
-    return text_of(look_ahead(loaded, span_s, show));
+    return sim::text_of(sim::look_ahead(loaded, span_s, show));
   } catch (const std::domain_error& error) {
-    throw config::Error(loaded.file.string(), {Rule::ValueRange, "trajectory", error.what()});
+    throw json::Error(loaded.file.string(), {Rule::ValueRange, "trajectory", error.what()});
   }
 }
 
 FileCheck check_scenario(const CheckOptions& options) {
   const scenario::LoadedScenario loaded = scenario::load(options.file);
-  if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
+  if (const auto& app = loaded.scenario.reference_nav) (void)navigation::setup_for(loaded, *app);
   if (options.lists_files) {
     FileCheck listed;
-    for (const std::string& path : config::files_read()) listed.text += path + "\n";
+    for (const std::string& path : files::files_read()) listed.text += path + "\n";
     return listed;
   }
   const std::string ahead = ahead_of(loaded, options.progress);
@@ -86,7 +86,7 @@ FileCheck check_scenario(const CheckOptions& options) {
 }
 
 FileCheck check_navigation(const std::string& file) {
-  return good(file, fmt::format("navigation filter '{}'", reference_nav::read_parameters(file).name));
+  return good(file, fmt::format("navigation filter '{}'", navigation::read_parameters(file).name));
 }
 
 FileCheck check_profile(const CheckOptions& options, ProfileKind kind) {
@@ -98,29 +98,29 @@ FileCheck check_profile(const CheckOptions& options, ProfileKind kind) {
 }
 
 FileCheck check_log(const std::string& file) {
-  const io::McapReader log(file);
+  const mcap::McapReader log(file);
   const std::string ending = log.closed_properly() ? "closed properly" : "NOT closed properly: " + log.ending();
   return good(file, fmt::format("log of {} messages on {} topics, {}; inslab info and inslab summary say more",
                                 log.statistics().message_count, log.channels().size(), ending));
 }
 
 FileCheck check_recording(const std::string& file) {
-  const io::ImuRecordingInfo info = io::read_imu_recording(
-      file, {}, [](const io::ImuRecordingInfo&) {}, [](const io::ImuIncrements&) {});
+  const recordings::ImuRecordingInfo info = recordings::read_imu_recording(
+      file, {}, [](const recordings::ImuRecordingInfo&) {}, [](const recordings::ImuIncrements&) {});
   return good(
       file, fmt::format("recording of an IMU, {}: {} samples at {:.6g} Hz", info.kind, info.samples, 1.0 / info.dt_s));
 }
 
 FileCheck check_novatel(const std::string& file) {
-  io::NovatelImuReader reader(file);
-  io::NovatelImuRecord record;
+  novatel::NovatelImuReader reader(file);
+  novatel::NovatelImuRecord record;
   while (reader.next(record)) continue;
   if (reader.record_count() == 0) {
     const std::string why = reader.bad_lines().empty()
                                 ? ""
                                 : "; the first: line " + std::to_string(reader.bad_lines().front().line) + ": " +
                                       reader.bad_lines().front().reason;
-    throw io::ReadError(fmt::format("{}: is a log of NovAtel lines, none of which can be used: {} are bad{}", file,
+    throw files::ReadError(fmt::format("{}: is a log of NovAtel lines, none of which can be used: {} are bad{}", file,
                                     reader.bad_line_count(), why));
   }
   return good(file, fmt::format("log of NovAtel IMU lines: {} samples, {} bad lines, {} lines of other messages",
@@ -128,12 +128,12 @@ FileCheck check_novatel(const std::string& file) {
 }
 
 FileCheck check_document(const CheckOptions& options, const std::optional<scenario::DocumentKind>& kind,
-                         const config::Json& json) {
+                         const json::Json& json) {
   const bool has_name_alone =
       json.is_object() && json.contains("name") && json.size() == 1u + json.count("source") + json.count("$schema");
   // What resembles nothing is judged as a scenario, which says what is wrong with it.
   if (!kind && has_name_alone) {
-    throw config::Error(
+    throw json::Error(
         options.file,
         {Rule::RequiredKey, "", "has nothing but a name, as a profile of each kind may; --kind says which it is"});
   }
@@ -143,7 +143,7 @@ FileCheck check_document(const CheckOptions& options, const std::optional<scenar
   if (*kind == scenario::DocumentKind::Schedule) {
     return good(options.file, fmt::format("schedule of {} swaps", scenario::load_schedule(options.file, 1).size()));
   }
-  throw io::ReadError(options.file + ": is a lab's inventory; deploy/lab check says what is wrong with it, or in it");
+  throw files::ReadError(options.file + ": is a lab's inventory; deploy/lab check says what is wrong with it, or in it");
 }
 
 FileCheck check_rows(const std::string& file) {
@@ -177,9 +177,9 @@ FileCheck check_file(const CheckOptions& options) {
     case FileKind::Form::Unknown:
       break;
   }
-  throw io::ReadError(options.file +
+  throw files::ReadError(options.file +
                       ": is nothing that is known here; expected a scenario, a profile, a filter's parameters, a "
                       "schedule, a log (MCAP), a trajectory or a recording of an IMU (docs/formats.md)");
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::check

@@ -5,7 +5,7 @@
 
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::cli {
+namespace inslab::check {
 
 /// A file that is to be read, with all that it names.
 struct CheckOptions {
@@ -29,4 +29,4 @@ struct FileCheck {
 /// io::ReadError for what is wrong with it.
 FileCheck check_file(const CheckOptions& options);
 
-}  // namespace inslab::cli
+}  // namespace inslab::check

@@ -12,7 +12,7 @@
 #include "inslab/foundation/files/input_file.hpp"
 #include "inslab/foundation/files/text_lines.hpp"
 
-namespace inslab::cli {
+namespace inslab::check {
 
 namespace {
 
@@ -23,7 +23,7 @@ bool begins_with(std::string_view text, std::string_view beginning) {
 }
 
 /// That is no space and no mark of the byte order; '\0': there is none in the beginning of the file.
-char first_character(const io::InputFile& file) {
+char first_character(const files::InputFile& file) {
   std::array<std::uint8_t, 256> head{};
   const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(head.size(), file.size()));
   file.read(0, head.data(), size);
@@ -34,7 +34,7 @@ char first_character(const io::InputFile& file) {
   return found == std::string_view::npos ? '\0' : text[found];
 }
 
-bool is_log(const io::InputFile& file) {
+bool is_log(const files::InputFile& file) {
   constexpr std::array<std::uint8_t, 5> kMagic{0x89, 'M', 'C', 'A', 'P'};
   std::array<std::uint8_t, kMagic.size()> head{};
   if (file.size() < head.size()) return false;
@@ -45,14 +45,14 @@ bool is_log(const io::InputFile& file) {
 /// What a line of names says; nothing when too few of them are known.
 std::optional<Form> form_of_names(std::string_view line) {
   std::vector<std::string_view> names;
-  io::split(line, line.find(',') == std::string_view::npos ? ' ' : ',', names);
+  files::split(line, line.find(',') == std::string_view::npos ? ' ' : ',', names);
   int axes = 0, positions = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto imu = io::imu_column_named(names[i], i);
+    const auto imu = recordings::imu_column_named(names[i], i);
     if (imu && imu->axis >= 0) ++axes;
-    const auto row = io::column_named(names[i]);
-    const bool is_position = row && (row->quantity == io::Quantity::Latitude ||
-                                     row->quantity == io::Quantity::Longitude || row->quantity == io::Quantity::Height);
+    const auto row = trajectory::column_named(names[i]);
+    const bool is_position = row && (row->quantity == trajectory::Quantity::Latitude ||
+                                     row->quantity == trajectory::Quantity::Longitude || row->quantity == trajectory::Quantity::Height);
     if (is_position) ++positions;
   }
   if (axes == 0 && positions < 2) return std::nullopt;
@@ -67,30 +67,30 @@ Form form_of_numbers(const std::vector<std::string_view>& fields) {
   if (fields.size() != 7) return Form::Unknown;
   constexpr double kIncrement = 0.5;
   const bool is_small = std::all_of(fields.begin() + 1, fields.begin() + 4, [](std::string_view field) {
-    return std::abs(io::number_from(field).value_or(1.0)) < kIncrement;
+    return std::abs(files::number_from(field).value_or(1.0)) < kIncrement;
   });
   return is_small ? Form::Recording : Form::Trajectory;
 }
 
 Form form_of_text(const std::string& path) {
   constexpr std::uint64_t kLinesLookedAt = 200;
-  io::TextLines lines(path);
+  files::TextLines lines(path);
   std::vector<std::string_view> fields;
   for (std::string_view line; lines.number() < kLinesLookedAt && lines.next(line);) {
-    line = io::trimmed(line);
+    line = files::trimmed(line);
     if (line.empty()) continue;
     if (begins_with(line, "%RAWIMU") || begins_with(line, "#RAWIMU")) return Form::NovatelLog;
-    if (io::is_nmea_sentence(line)) return Form::Trajectory;
+    if (trajectory::is_nmea_sentence(line)) return Form::Trajectory;
     const bool is_comment = line.front() == '#' || line.front() == '%';
     const std::string_view names =
         is_comment ? line.substr(std::min(line.size(), line.find_first_not_of("#% \t"))) : line;
     if (const auto form = form_of_names(names)) return *form;
-    if (io::rtklib_columns(names)) return Form::Trajectory;
+    if (trajectory::rtklib_columns(names)) return Form::Trajectory;
     if (is_comment) continue;
-    io::split(line, line.find(',') == std::string_view::npos ? ' ' : ',', fields);
+    files::split(line, line.find(',') == std::string_view::npos ? ' ' : ',', fields);
     const bool is_dated = fields.size() > 2 && fields.front().find('/') != std::string_view::npos;
     if (is_dated) return Form::Trajectory;
-    return std::all_of(fields.begin(), fields.end(), [](std::string_view f) { return io::number_from(f).has_value(); })
+    return std::all_of(fields.begin(), fields.end(), [](std::string_view f) { return files::number_from(f).has_value(); })
                ? form_of_numbers(fields)
                : Form::Unknown;
   }
@@ -103,13 +103,13 @@ FileKind file_kind(const std::string& path) {
   FileKind kind;
   bool is_document = false;
   {
-    const io::InputFile file(path);
+    const files::InputFile file(path);
     if (is_log(file)) {
       kind.form = Form::Log;
       return kind;
     }
     const char first = first_character(file);
-    if (first == '\0') throw io::ReadError(path + ": is empty, or no text");
+    if (first == '\0') throw files::ReadError(path + ": is empty, or no text");
     is_document = first == '{' || first == '[';
   }
   if (!is_document) {
@@ -117,9 +117,9 @@ FileKind file_kind(const std::string& path) {
     return kind;
   }
   kind.form = Form::Document;
-  kind.json = config::read_json_file(path);
+  kind.json = json::read_json_file(path);
   kind.document = scenario::document_kind(kind.json);
   return kind;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::check

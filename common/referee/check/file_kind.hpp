@@ -5,7 +5,7 @@
 
 #include "inslab/scenario/document_kind.hpp"
 
-namespace inslab::cli {
+namespace inslab::check {
 
 /// What a file is, seen from what is in it and not from its name.
 struct FileKind {
@@ -20,10 +20,10 @@ struct FileKind {
   };
   Form form = Form::Unknown;
   std::optional<scenario::DocumentKind> document;  ///< of a JSON file whose keys are known
-  config::Json json;                               ///< of a JSON file
+  json::Json json;                               ///< of a JSON file
 };
 
 /// Throws config::Error or io::ReadError when the file cannot be read.
 FileKind file_kind(const std::string& path);
 
-}  // namespace inslab::cli
+}  // namespace inslab::check

@@ -8,7 +8,7 @@
 #include "inslab/data/json/json_reader.hpp"
 #include "inslab/formats/text/nav_text.hpp"
 
-namespace inslab::cli {
+namespace inslab::check {
 
 namespace {
 
@@ -18,16 +18,16 @@ void say(std::string& text, fmt::format_string<Arguments...> pattern, Arguments&
 }
 
 /// "max_gap_s=5" ... as the scenario's trajectory.file.limits has them.
-io::TrajectoryLimits limits_from(const std::vector<std::string>& settings) {
-  config::Json json = config::Json::object();
+TrajectoryLimits limits_from(const std::vector<std::string>& settings) {
+  json::Json json = json::Json::object();
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) {
-      throw config::Error("--limit", {Rule::ValueType, "", "is '" + setting + "'; expected NAME=VALUE"});
+      throw json::Error("--limit", {Rule::ValueType, "", "is '" + setting + "'; expected NAME=VALUE"});
     }
-    json[setting.substr(0, equals)] = config::parse_json(setting.substr(equals + 1), "--limit " + setting);
+    json[setting.substr(0, equals)] = json::parse_json(setting.substr(equals + 1), "--limit " + setting);
   }
-  return config::from_json<io::TrajectoryLimits>(json, "--limit");
+  return json::from_json<TrajectoryLimits>(json, "--limit");
 }
 
 /// What repairing a broken rule would take.
@@ -51,7 +51,7 @@ const char* remedy(Rule rule) {
   }
 }
 
-void say_problems(std::string& text, const io::TrajectoryProblems& problems) {
+void say_problems(std::string& text, const trajectory::TrajectoryProblems& problems) {
   for (const auto& [rule, count] : problems.counts()) {
     say(text, "  {} x {}: {}\n", count, enum_name(rule), remedy(rule));
     std::uint64_t shown = 0;
@@ -64,8 +64,8 @@ void say_problems(std::string& text, const io::TrajectoryProblems& problems) {
   }
 }
 
-void say_figures(std::string& text, const io::TrajectoryReading& reading, const io::TrajectoryFigures& figures) {
-  const auto at = [&reading](const io::Worst& worst) {
+void say_figures(std::string& text, const trajectory::TrajectoryReading& reading, const trajectory::TrajectoryFigures& figures) {
+  const auto at = [&reading](const trajectory::Worst& worst) {
     return fmt::format("({} {})", reading.is_log() ? "message" : "line", reading.lines.at(worst.row));
   };
   const auto& rows = reading.file.rows;
@@ -88,7 +88,7 @@ void say_figures(std::string& text, const io::TrajectoryReading& reading, const 
 }
 
 /// Of rows without velocities, where the rounding of their numbers is more than the motion.
-void say_rounding(std::string& text, const io::TrajectoryReading& reading, const io::TrajectoryFigures& figures) {
+void say_rounding(std::string& text, const trajectory::TrajectoryReading& reading, const trajectory::TrajectoryFigures& figures) {
   constexpr const char* kColumns[] = {"latitudes", "longitudes", "heights"};
   for (int i = 0; i < 3; ++i) {
     if (figures.rounding_m_per_s2[i] == 0.0) continue;
@@ -100,9 +100,9 @@ void say_rounding(std::string& text, const io::TrajectoryReading& reading, const
 }
 
 /// Says what the rows are like and what is wrong with them; true when nothing is.
-bool judge(std::string& text, io::TrajectoryReading& reading, const io::TrajectoryLimits& limits) {
+bool judge(std::string& text, trajectory::TrajectoryReading& reading, const TrajectoryLimits& limits) {
   if (reading.file.rows.size() >= 2) {
-    const io::TrajectoryFigures figures = io::judge_trajectory(reading, limits, false);
+    const trajectory::TrajectoryFigures figures = trajectory::judge_trajectory(reading, limits, false);
     say_figures(text, reading, figures);
     say_rounding(text, reading, figures);
   }
@@ -110,21 +110,21 @@ bool judge(std::string& text, io::TrajectoryReading& reading, const io::Trajecto
   return reading.problems.empty();
 }
 
-void write_rows(const io::TrajectoryFile& file, const std::string& destination) {
-  io::NavTextWriter out(destination);
-  for (const io::TrajectoryRow& row : file.rows) out.write(file.start + row.time, row);
+void write_rows(const TrajectoryFile& file, const std::string& destination) {
+  recordings::NavTextWriter out(destination);
+  for (const TrajectoryRow& row : file.rows) out.write(file.start + row.time, row);
   out.close();
 }
 
-bool repair(std::string& text, const io::TrajectoryReading& reading, const io::TrajectoryLimits& limits,
+bool repair(std::string& text, const trajectory::TrajectoryReading& reading, const TrajectoryLimits& limits,
             const std::string& destination) {
   if (reading.file.rows.size() < 2 || !reading.file.rows.front().v_n || !reading.file.rows.front().rpy) {
     say(text, "not repaired: the 11 columns that are written need two rows or more with velocity and attitude\n");
     return false;
   }
-  std::vector<io::RepairNote> notes;
-  io::TrajectoryReading mended = io::repaired(reading, limits, io::RepairBounds{}, notes);
-  for (const io::RepairNote& note : notes) say(text, "{}: {}\n", note.is_repaired ? "changed" : "left", note.text);
+  std::vector<trajectory::RepairNote> notes;
+  trajectory::TrajectoryReading mended = trajectory::repaired(reading, limits, trajectory::RepairBounds{}, notes);
+  for (const trajectory::RepairNote& note : notes) say(text, "{}: {}\n", note.is_repaired ? "changed" : "left", note.text);
   for (const auto& [rule, count] : reading.problems.counts()) {
     if (rule == Rule::FileTime || rule == Rule::ValueType || rule == Rule::ValueRange || rule == Rule::FileColumns) {
       say(text, "changed: {} rows that could not be read were left out ({})\n", count, enum_name(rule));
@@ -140,8 +140,8 @@ bool repair(std::string& text, const io::TrajectoryReading& reading, const io::T
 }  // namespace
 
 TrajectoryChecked check_trajectory(const TrajectoryCheckOptions& options) {
-  const io::TrajectoryLimits limits = limits_from(options.limits);
-  io::TrajectoryReading reading = io::read_trajectory(options.file, {options.columns, options.topic, false});
+  const TrajectoryLimits limits = limits_from(options.limits);
+  trajectory::TrajectoryReading reading = trajectory::read_trajectory(options.file, {options.columns, options.topic, false});
   TrajectoryChecked checked;
   say(checked.text, "{}:\n", options.file);
   checked.is_good = judge(checked.text, reading, limits);
@@ -150,4 +150,4 @@ TrajectoryChecked check_trajectory(const TrajectoryCheckOptions& options) {
   return checked;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::check

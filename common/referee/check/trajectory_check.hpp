@@ -5,13 +5,13 @@
 
 #include "inslab/formats/trajectory/trajectory_repair.hpp"
 
-namespace inslab::cli {
+namespace inslab::check {
 
 /// What a file of rows is to be judged by.
 struct TrajectoryCheckOptions {
   std::string file;
   std::string columns;  ///< of a text that does not begin with their names
-  std::string topic = io::TrajectoryReadOptions{}.topic;
+  std::string topic = trajectory::TrajectoryReadOptions{}.topic;
   std::vector<std::string> limits;  ///< NAME=VALUE, as in a scenario's limits
   std::string repair;               ///< where the repaired rows are written; empty: nowhere
 };
@@ -25,4 +25,4 @@ struct TrajectoryChecked {
 /// Throws io::ReadError, io::WriteError, config::Error for limits that there are not.
 TrajectoryChecked check_trajectory(const TrajectoryCheckOptions& options);
 
-}  // namespace inslab::cli
+}  // namespace inslab::check

@@ -5,7 +5,7 @@
 
 #include "inslab/models/imu/bandwidth.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::vector<double> FilterResponse::differences() const {
   return all;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

@@ -4,7 +4,7 @@
 
 #include "inslab/data/profiles/imu_error_profile.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 /// What the low-pass filter of one axis makes of errors that come with the samples, from the filter itself
 /// (imu::Bandwidth): its answer h[k] to one increment. Without a filter h is 1, 0, 0, ...
@@ -34,4 +34,4 @@ class FilterResponse {
   std::vector<double> answer_{1.0};
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

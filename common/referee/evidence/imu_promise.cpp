@@ -6,7 +6,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/imu/spectrum.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 namespace {
 
@@ -164,4 +164,4 @@ double ImuPromise::spread_error(double duration_s) const {
          std::max(of_band(imu::Spectrum(vibration_.linear_random)), of_band(imu::Spectrum(vibration_.angular_random)));
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

@@ -6,7 +6,7 @@
 #include "inslab/referee/evidence/filter_response.hpp"
 #include "inslab/referee/evidence/log_summary.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 /// What the profiles of one IMU in use at a time promise for its output minus its truth, as rates, at one sample
 /// period.
@@ -64,4 +64,4 @@ class ImuPromise {
   VibrationProfile vibration_;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

@@ -10,35 +10,35 @@
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/sim/run_log.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 namespace {
 
 /// What a metadata record holds as JSON. Throws config::Error.
-config::Json json_of(const io::mcap::Metadata& record, const std::string& place) {
+json::Json json_of(const mcap::Metadata& record, const std::string& place) {
   const auto json = record.values.find("json");
-  if (json == record.values.end()) throw config::Error(place, {Rule::RequiredKey, "json", "missing"});
-  return config::parse_json(json->second, place);
+  if (json == record.values.end()) throw json::Error(place, {Rule::RequiredKey, "json", "missing"});
+  return json::parse_json(json->second, place);
 }
 
 template <class Profile>
-void read_initial(const io::McapReader& log, const SensorAddress& sensor, LogSummary& summary) {
-  const std::string name = logger::profile_record(Profile::kind, sensor, 0);
+void read_initial(const mcap::McapReader& log, const SensorAddress& sensor, LogSummary& summary) {
+  const std::string name = sim::profile_record(Profile::kind, sensor, 0);
   for (const auto& record : log.metadata()) {
     if (record.name != name) continue;
     const std::string place = log.path() + " (metadata " + name + ")";
-    auto profile = config::from_json<Profile>(json_of(record, place), place);
+    auto profile = json::from_json<Profile>(json_of(record, place), place);
     profile.target = sensor;
     summary.profiles.push_back({-1, profile});
   }
 }
 
-std::string value_of(const io::mcap::StringMap& values, const std::string& key) {
+std::string value_of(const mcap::StringMap& values, const std::string& key) {
   const auto found = values.find(key);
   return found == values.end() ? std::string() : text::shown(found->second);
 }
 
-void read_metadata(const io::McapReader& log, LogSummary& summary) {
+void read_metadata(const mcap::McapReader& log, LogSummary& summary) {
   for (const auto& record : log.metadata()) {
     if (record.name.rfind("recovery/", 0) == 0) summary.recoveries.push_back(record.values);
     if (record.name == "build") summary.identity.version = value_of(record.values, "version");
@@ -46,7 +46,7 @@ void read_metadata(const io::McapReader& log, LogSummary& summary) {
     summary.identity.scenario_file = value_of(record.values, "file");
     summary.identity.unit = value_of(record.values, "unit");
     const std::string place = log.path() + " (metadata scenario)";
-    summary.scenario = config::from_json<scenario::Scenario>(json_of(record, place), place);
+    summary.scenario = json::from_json<scenario::Scenario>(json_of(record, place), place);
   }
   for_each_sensor(summary.scenario, [&](auto tag, const auto& sensor) {
     using Kind = typename decltype(tag)::type;
@@ -84,14 +84,14 @@ const AnyProfile* LogSummary::in_use(ProfileKind kind, const SensorAddress& sens
   return place ? &profiles[*place].profile : nullptr;
 }
 
-SummaryOfLog::SummaryOfLog(const io::McapReader& log) {
+SummaryOfLog::SummaryOfLog(const mcap::McapReader& log) {
   summary_.path = log.path();
   summary_.closed_properly = log.closed_properly();
   summary_.ending = log.ending();
   read_metadata(log, summary_);
 }
 
-void SummaryOfLog::take_part(io::LogWalk& walk) {
+void SummaryOfLog::take_part(log::LogWalk& walk) {
   walk.each<TruthState>([this](const TruthState& truth) { identify(truth); });
   stream<TruthState>(walk);
   for_each(catalog::SensorSamples{}, [&](auto sample) { stream<typename decltype(sample)::type>(walk); });
@@ -110,25 +110,25 @@ void SummaryOfLog::take_part(io::LogWalk& walk) {
 void SummaryOfLog::identify(const TruthState& truth) {
   RunIdentity& identity = summary_.identity;
   if (!identity.run_id.empty()) return;
-  identity.run_id = app::run_id_text(truth.header.run_id);
+  identity.run_id = host::run_id_text(truth.header.run_id);
   const std::int64_t sent_ns = truth.header.publish_realtime_ns;
-  if (sent_ns > 0) identity.began_utc = app::utc_words(time::Nanoseconds(sent_ns));
+  if (sent_ns > 0) identity.began_utc = host::utc_words(time::Nanoseconds(sent_ns));
 }
 
 template <class T>
-void SummaryOfLog::stream(io::LogWalk& walk) {
-  walk.each<T>([this](const T& sample, const io::LogWalk::Place& place) {
+void SummaryOfLog::stream(log::LogWalk& walk) {
+  walk.each<T>([this](const T& sample, const log::LogWalk::Place& place) {
     auto found = monitors_.find(place.topic);
     if (found == monitors_.end()) {
-      found = monitors_.emplace(place.topic, app::StreamMonitor(place.topic, StreamDirection::In)).first;
+      found = monitors_.emplace(place.topic, streams::StreamMonitor(place.topic, StreamDirection::In)).first;
     }
     found->second.received(sample.header, place.log_time_ns);
   });
 }
 
 template <class Profile>
-void SummaryOfLog::journal(io::LogWalk& walk) {
-  walk.each<Profile>([this](const Profile& entry, const io::LogWalk::Place& place) {
+void SummaryOfLog::journal(log::LogWalk& walk) {
+  walk.each<Profile>([this](const Profile& entry, const log::LogWalk::Place& place) {
     if (place.topic.rfind(catalog::kJournal, 0) == 0) {
       summary_.profiles.push_back({entry.request.apply_at_ns, entry});
     }
@@ -157,12 +157,12 @@ LogSummary SummaryOfLog::finish() {
   return std::move(summary_);
 }
 
-LogSummary summarize(const io::McapReader& log) {
+LogSummary summarize(const mcap::McapReader& log) {
   SummaryOfLog summary(log);
-  io::LogWalk walk(log);
+  log::LogWalk walk(log);
   summary.take_part(walk);
   walk.go();
   return summary.finish();
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

@@ -14,7 +14,7 @@
 #include "inslab/formats/log/log_walk.hpp"
 #include "inslab/scenario/scenario.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 /// One stream as its writer and as the log saw it.
 struct StreamSummary {
@@ -69,7 +69,7 @@ struct LogSummary {
   std::vector<ServiceStatus> services;           ///< the last report of each
   std::optional<VehicleLink> vehicle_link;       ///< the last report; of a live vehicle only
   std::vector<ProfileAck> acks;
-  std::vector<io::mcap::StringMap> recoveries;  ///< see logger::RunLog
+  std::vector<mcap::StringMap> recoveries;  ///< see logger::RunLog
   std::vector<ProfileInUse> profiles;           ///< what the scenario began with, and the journal in its order
   ProfileTimeline timeline;                     ///< of these profiles
 
@@ -81,12 +81,12 @@ struct LogSummary {
 class SummaryOfLog {
  public:
   /// What the log says of scenario and profiles is there at once. Throws config::Error when that is no JSON of ours.
-  explicit SummaryOfLog(const io::McapReader& log);
+  explicit SummaryOfLog(const mcap::McapReader& log);
 
   const scenario::Scenario& scenario() const { return summary_.scenario; }
 
   /// Asks for what it wants to know. It stays where it is until the walk is over.
-  void take_part(io::LogWalk& walk);
+  void take_part(log::LogWalk& walk);
 
   /// When the walk is over; once.
   LogSummary finish();
@@ -94,16 +94,16 @@ class SummaryOfLog {
  private:
   void identify(const TruthState& truth);
   template <class T>
-  void stream(io::LogWalk& walk);
+  void stream(log::LogWalk& walk);
   template <class Profile>
-  void journal(io::LogWalk& walk);
+  void journal(log::LogWalk& walk);
 
   LogSummary summary_;
-  std::map<std::string, app::StreamMonitor> monitors_;
+  std::map<std::string, streams::StreamMonitor> monitors_;
   std::map<std::pair<std::string, std::uint32_t>, ServiceStatus> services_;
 };
 
 /// Reads a whole log once, for its summary alone. Throws io::ReadError, and as SummaryOfLog does.
-LogSummary summarize(const io::McapReader& log);
+LogSummary summarize(const mcap::McapReader& log);
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

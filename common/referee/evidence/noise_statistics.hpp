@@ -5,7 +5,7 @@
 
 #include "inslab/foundation/fields/field.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 /// Running mean and rms of first differences of a vector series.
 class NoiseStatistics {
@@ -44,4 +44,4 @@ class NoiseStatistics {
   std::uint64_t differences_ = 0;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

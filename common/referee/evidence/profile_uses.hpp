@@ -4,7 +4,7 @@
 #include "inslab/data/profiles/profile_uses.hpp"
 
 /// What the evidence of a swap weighs of each field of the swapped profile; SwapEvidence::left_out shows the rest.
-namespace inslab::cli::evidence {
+namespace inslab::evidence {
 
 inline constexpr profiles::FieldUse kImuErrorUses[] = {
     profiles::left_out("gyro.bias_constant_deg_per_h", "biases",
@@ -209,4 +209,4 @@ inline std::vector<std::string> names_left_out(const AnyProfile& profile) {
       profile);
 }
 
-}  // namespace inslab::cli::evidence
+}  // namespace inslab::evidence

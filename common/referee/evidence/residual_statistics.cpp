@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 double ResidualStatistics::pooled_sigma() const {
   // Regressors differ by ten decades (seconds, rad/s): each to length 1 first. One that never changed explains
@@ -31,4 +31,4 @@ double ResidualStatistics::pooled_sigma() const {
   return std::sqrt(left.cwiseMax(0.0).mean() / freedom);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

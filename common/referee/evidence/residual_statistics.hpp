@@ -5,7 +5,7 @@
 
 #include "inslab/foundation/fields/field.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 /// Spread of an IMU's errors about what a straight line over time and the motion explain: what bias, drift, scale
 /// factors, cross axes and g-sensitivity do in a stretch of seconds is taken out by least squares, noise and vibration
@@ -48,4 +48,4 @@ class ResidualStatistics {
   std::uint64_t count_ = 0;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

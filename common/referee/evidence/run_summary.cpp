@@ -9,7 +9,7 @@
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 namespace {
 
@@ -33,9 +33,9 @@ class Account {
     for (const std::string& line : broken_) say("FAILED: {}\n", line);
     say("{}\n", held());
   }
-  app::Outcome outcome() const {
-    if (broken_.empty()) return {app::kOk, held()};
-    return {app::kFailed,
+  host::Outcome outcome() const {
+    if (broken_.empty()) return {host::kOk, held()};
+    return {host::kFailed,
             broken_.front() + (broken_.size() > 1 ? fmt::format(" (and {} more)", broken_.size() - 1) : "")};
   }
   const std::string& text() const { return text_; }
@@ -118,7 +118,7 @@ void say_vehicle(const LogSummary& summary, Account& account) {
 
 void say_recoveries(const LogSummary& summary, Account& account) {
   if (!summary.recoveries.empty()) account.say("\n");
-  for (const io::mcap::StringMap& recovery : summary.recoveries) {
+  for (const mcap::StringMap& recovery : summary.recoveries) {
     const auto value = [&recovery](const char* key) {
       const auto found = recovery.find(key);
       return found == recovery.end() ? std::string("?") : found->second;
@@ -233,4 +233,4 @@ RunSummary run_summary(const LogSummary& summary, const std::vector<SwapEvidence
   return {account.text(), account.outcome()};
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

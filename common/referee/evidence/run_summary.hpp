@@ -7,12 +7,12 @@
 #include "inslab/foundation/host/outcome.hpp"
 #include "inslab/referee/evidence/swap_evidence.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 /// What a log says about a run, in words, and what it comes to.
 struct RunSummary {
   std::string text;
-  app::Outcome outcome;  ///< kFailed with the first check that did not hold
+  host::Outcome outcome;  ///< kFailed with the first check that did not hold
 };
 
 /// Per topic what was sent, received, lost and how old it was; per swap its acknowledgement, its first sample and the
@@ -22,4 +22,4 @@ struct RunSummary {
 RunSummary run_summary(const LogSummary& summary, const std::vector<SwapEvidence>& swaps,
                        const std::optional<std::string>& failure);
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

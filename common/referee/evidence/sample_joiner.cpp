@@ -1,6 +1,6 @@
 #include "inslab/referee/evidence/sample_joiner.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 namespace {
 
@@ -24,7 +24,7 @@ void drain(Kept& kept, std::int64_t limit_ns, const Use& use) {
 
 SampleJoiner::SampleJoiner(SwapWindowsOfLog& windows) : windows_(windows), next_join_(kPause) {}
 
-void SampleJoiner::take_part(io::LogWalk& walk) {
+void SampleJoiner::take_part(log::LogWalk& walk) {
   const auto of_sensor = [](auto& kept) {
     return [&kept](const auto& sample) { kept.emplace(Key{sample.sensor_number, sample.header.sim_time_ns}, sample); };
   };
@@ -64,4 +64,4 @@ void SampleJoiner::join(bool all) {
   drain(truths_, limit_ns, [](const Key&, const TruthState&) {});
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

@@ -6,7 +6,7 @@
 #include "inslab/formats/log/log_walk.hpp"
 #include "inslab/referee/evidence/swap_window.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 /// Brings together samples that belong together: they come over several topics, in no order among each other.
 class SampleJoiner {
@@ -14,7 +14,7 @@ class SampleJoiner {
   /// Puts them into these windows, which are used until the end.
   explicit SampleJoiner(SwapWindowsOfLog& windows);
 
-  void take_part(io::LogWalk& walk);
+  void take_part(log::LogWalk& walk);
 
   /// When the walk is over.
   void finish() { join(true); }
@@ -34,4 +34,4 @@ class SampleJoiner {
   std::map<Key, MagneticField> fields_;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

@@ -9,7 +9,7 @@
 #include "inslab/referee/evidence/profile_uses.hpp"
 #include "inslab/referee/evidence/sample_joiner.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 namespace {
 
@@ -300,7 +300,7 @@ struct SwapWeigher::Gathered {
 SwapWeigher::SwapWeigher(const LogSummary& summary) : gathered_(std::make_unique<Gathered>(summary)) {}
 SwapWeigher::~SwapWeigher() = default;
 
-void SwapWeigher::take_part(io::LogWalk& walk) {
+void SwapWeigher::take_part(log::LogWalk& walk) {
   if (!gathered_->windows.all().empty()) gathered_->joiner.take_part(walk);
 }
 
@@ -311,7 +311,7 @@ std::vector<SwapEvidence> SwapWeigher::finish() {
     SwapEvidence weighed;
     weighed.ack = swap.ack;
     weighed.profile_name = name_of(*swap.profile);
-    weighed.left_out = evidence::names_left_out(*swap.profile);
+    weighed.left_out = names_left_out(*swap.profile);
     weighed.first_sample_holds = swap.first_sequence_seen == swap.ack.first_sequence;
     const Weigher weigher(gathered_->summary, swap);
     weighed.why_nothing = weigher.why_nothing();
@@ -321,12 +321,12 @@ std::vector<SwapEvidence> SwapWeigher::finish() {
   return evidence;
 }
 
-std::vector<SwapEvidence> weigh_swaps(const io::McapReader& log, const LogSummary& summary) {
+std::vector<SwapEvidence> weigh_swaps(const mcap::McapReader& log, const LogSummary& summary) {
   SwapWeigher weigher(summary);
-  io::LogWalk walk(log);
+  log::LogWalk walk(log);
   weigher.take_part(walk);
   walk.go();
   return weigher.finish();
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

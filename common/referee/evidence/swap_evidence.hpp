@@ -6,7 +6,7 @@
 
 #include "inslab/referee/evidence/log_summary.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 /// A quantity measured in a stretch of the log beside what the profiles in use promise for it.
 struct Measured {
@@ -48,7 +48,7 @@ class SwapWeigher {
   SwapWeigher(const SwapWeigher&) = delete;
   SwapWeigher& operator=(const SwapWeigher&) = delete;
 
-  void take_part(io::LogWalk& walk);
+  void take_part(log::LogWalk& walk);
 
   /// When the walk is over; once.
   std::vector<SwapEvidence> finish();
@@ -59,6 +59,6 @@ class SwapWeigher {
 };
 
 /// Reads the log once, for its swaps alone. Throws io::ReadError.
-std::vector<SwapEvidence> weigh_swaps(const io::McapReader& log, const LogSummary& summary);
+std::vector<SwapEvidence> weigh_swaps(const mcap::McapReader& log, const LogSummary& summary);
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

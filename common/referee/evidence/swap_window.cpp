@@ -8,7 +8,7 @@
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/nav/wgs84.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 namespace {
 
@@ -309,4 +309,4 @@ void SwapWindowsOfLog::add(const MagneticField& sample, const TruthState& vehicl
   for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) { window.magnetic_nt.add(k, error_nt); });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

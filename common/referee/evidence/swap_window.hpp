@@ -13,7 +13,7 @@
 #include "inslab/referee/evidence/noise_statistics.hpp"
 #include "inslab/referee/evidence/residual_statistics.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 
 /// The low-pass filters of one IMU, which go on from interval to interval as the model's do.
 class SensorFilter {
@@ -115,4 +115,4 @@ class SwapWindowsOfLog {
   std::map<Sensor, Passing> passing_;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

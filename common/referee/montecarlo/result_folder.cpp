@@ -17,7 +17,7 @@ namespace inslab::montecarlo {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Json;
+using json::Json;
 
 constexpr const char* kStudyFile = "study.json";
 
@@ -43,14 +43,14 @@ std::string first_difference(const Json& there, const Json& here) {
 ResultFolder::ResultFolder(const std::string& path, const Study& study) : path_(path), fingerprint_(study.fingerprint) {
   std::error_code error;
   fs::create_directories(path_, error);
-  if (error) throw io::WriteError(path, "making the folder", error.value());
+  if (error) throw files::WriteError(path, "making the folder", error.value());
   remove_leftovers();
   claim(study);
 }
 
 /// What processes of this host were writing when they were killed.
 void ResultFolder::remove_leftovers() const {
-  const std::string of_this_host = "." + app::host_name() + ".";
+  const std::string of_this_host = "." + host::host_name() + ".";
   for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
     const std::string name = entry.path().filename().string();
     const std::size_t host = name.rfind(of_this_host);
@@ -69,11 +69,11 @@ void ResultFolder::claim(const Study& study) const {
     std::error_code error;
     fs::create_hard_link(aside, name, error);  // unlike a rename it never replaces another's
     fs::remove(aside);
-    if (error && error != std::errc::file_exists) throw io::WriteError(name, "making the file", error.value());
+    if (error && error != std::errc::file_exists) throw files::WriteError(name, "making the file", error.value());
   }
-  const Json there = config::read_json_file(name);
+  const Json there = json::read_json_file(name);
   if (there == study.description) return;
-  throw io::ReadError(path_.string() + ": holds the results of another study: " +
+  throw files::ReadError(path_.string() + ": holds the results of another study: " +
                       first_difference(there, study.description) + "; expected a folder of this study, or a new one");
 }
 
@@ -82,29 +82,29 @@ std::optional<RunResult> ResultFolder::result(std::uint32_t run) const {
   if (!fs::exists(name)) return std::nullopt;
   RunResult result;
   try {
-    result = config::read_file<RunResult>(name);
-  } catch (const config::Error&) {
+    result = json::read_file<RunResult>(name);
+  } catch (const json::Error&) {
     return std::nullopt;
   }
   if (result.fingerprint == fingerprint_ && result.run == run) return result;
-  throw io::ReadError(fmt::format("{}: is run {} of study {}; expected run {} of study {}", name, result.run,
+  throw files::ReadError(fmt::format("{}: is run {} of study {}; expected run {} of study {}", name, result.run,
                                   result.fingerprint, run, fingerprint_));
 }
 
 void ResultFolder::keep(const RunResult& result) const {
-  keep(run_file(result.run), config::to_json(result).dump() + "\n");
+  keep(run_file(result.run), json::to_json(result).dump() + "\n");
 }
 
 void ResultFolder::keep(const std::string& name, const std::string& text) const {
   const std::string aside = written_aside(name, text);
   std::error_code error;
   fs::rename(aside, file(name), error);
-  if (error) throw io::WriteError(file(name), "renaming the file", error.value());
+  if (error) throw files::WriteError(file(name), "renaming the file", error.value());
 }
 
 std::string ResultFolder::written_aside(const std::string& name, const std::string& text) const {
-  const std::string aside = file(fmt::format(".{}.{}.{}", name, app::host_name(), app::process_id()));
-  io::write_file(aside, text);
+  const std::string aside = file(fmt::format(".{}.{}.{}", name, host::host_name(), host::process_id()));
+  files::write_file(aside, text);
   return aside;
 }
 

@@ -13,13 +13,13 @@ namespace inslab::montecarlo {
 
 namespace {
 
-namespace ref = reference_nav;
+namespace ref = navigation;
 
 /// A scenario that starts "now" must say the same whenever it is run.
 constexpr time::Nanoseconds kNow{std::chrono::seconds(1795600000)};
 
 /// Hands everything to the scorer, and at the study's instants keeps the covariance until the scorer has the error.
-class ScoringSink : public cli::RunSink {
+class ScoringSink : public sim::RunSink {
  public:
   ScoringSink(const Study& study, std::uint64_t seed)
       : study_(study),
@@ -45,7 +45,7 @@ class ScoringSink : public cli::RunSink {
     if (begun_ || study_.loaded.imus[index].number != app_.imu) return;
     if (study_.draw_start) {
       const Vector9 sigmas = ref::initial_sigmas(study_.app.parameters).head<ref::kNavStates>();
-      navigator_->start(cli::drawn_start(truth, sigmas, draws_), truth.header.sim_time_ns);
+      navigator_->start(sim::drawn_start(truth, sigmas, draws_), truth.header.sim_time_ns);
     }
     begun_ = true;
   }
@@ -155,7 +155,7 @@ std::optional<RunResult> single_run(const Study& study, std::uint32_t run, const
     scenario::LoadedScenario loaded = study.loaded;
     loaded.scenario.seed = result.seed;
     ScoringSink sink(study, result.seed);
-    cli::OfflineRun offline(loaded, loaded.start(kNow), RunId{}, sink);
+    sim::OfflineRun offline(loaded, loaded.start(kNow), RunId{}, sink);
     sink.attach(offline.navigator());
     constexpr int kStepsBetweenLooks = 4096;
     for (bool more = true; more;) {

@@ -10,14 +10,14 @@ namespace inslab::montecarlo {
 
 namespace {
 
-using config::Json;
+using json::Json;
 
 std::string fingerprint_of(const std::string& text) { return fmt::format("{:016x}", random::seed_of(0, text)); }
 
 /// The rows are part of the study; their file's name is not.
-Json rows_json(const io::TrajectoryFile& file) {
+Json rows_json(const TrajectoryFile& file) {
   std::string text;
-  for (const io::TrajectoryRow& row : file.rows) {
+  for (const TrajectoryRow& row : file.rows) {
     text += fmt::format("{} {} {} {}", row.time.count(), row.position.latitude_rad, row.position.longitude_rad,
                         row.position.height_m);
     if (row.v_n) text += fmt::format(" {} {} {}", row.v_n->x(), row.v_n->y(), row.v_n->z());
@@ -30,20 +30,20 @@ Json rows_json(const io::TrajectoryFile& file) {
 Json description_of(const Study& study, const std::string& version) {
   scenario::Scenario scenario = study.loaded.scenario;
   scenario.reference_nav->parameters.clear();  // they stand below, whatever their file is called
-  Json description{{"version", version}, {"scenario", config::to_json(scenario)}};
+  Json description{{"version", version}, {"scenario", json::to_json(scenario)}};
   if (study.loaded.trajectory_file) description["trajectory_file"] = rows_json(*study.loaded.trajectory_file);
   for_each_sensor(study.loaded, [&description](auto tag, const auto& sensor) {
     using Kind = typename decltype(tag)::type;
     Json profiles;
     for_each_of(scenario::LoadedSection<Kind>::profiles,
-                [&](const auto& named) { profiles[named.word] = config::to_json(sensor.*named.profile); });
+                [&](const auto& named) { profiles[named.word] = json::to_json(sensor.*named.profile); });
     description[std::string(Kind::name)].push_back(profiles);
   });
   description["swaps"] = Json::array();
   for (const AnyProfile& swap : study.loaded.swaps) {
-    description["swaps"].push_back(std::visit([](const auto& profile) { return config::to_json(profile); }, swap));
+    description["swaps"].push_back(std::visit([](const auto& profile) { return json::to_json(profile); }, swap));
   }
-  description["filter"] = config::to_json(study.app.parameters);
+  description["filter"] = json::to_json(study.app.parameters);
   description["filter_left_out"] = study.app.left_out;
   description["draw_start"] = study.draw_start;
   return description;
@@ -57,19 +57,19 @@ Study load_study(const std::string& scenario_file, const std::string& parameters
   study.loaded = scenario::load(scenario_file);
   scenario::Scenario& scenario = study.loaded.scenario;
   if (scenario.trajectory.source == scenario::TrajectorySource::VehicleState) {
-    throw io::ReadError(scenario_file +
+    throw files::ReadError(scenario_file +
                         ": trajectory.source is vehicle_state; expected one that needs no live vehicle");
   }
   if (!scenario.reference_nav) {
     if (scenario.imu.empty() || scenario.gnss.empty()) {
-      throw io::ReadError(scenario_file + ": expected an IMU and a receiver for the filter to navigate by");
+      throw files::ReadError(scenario_file + ": expected an IMU and a receiver for the filter to navigate by");
     }
     scenario.reference_nav = scenario::ReferenceNav{scenario.imu.front().number, scenario.gnss.front().number, ""};
   }
   if (!parameters_file.empty()) {
     scenario.reference_nav->parameters = std::filesystem::absolute(parameters_file).string();
   }
-  study.app = reference_nav::setup_for(study.loaded, *scenario.reference_nav);
+  study.app = navigation::setup_for(study.loaded, *scenario.reference_nav);
   study.draw_start = draw_start;
   study.description = description_of(study, version);
   study.fingerprint = fingerprint_of(study.description.dump());

@@ -8,9 +8,9 @@ namespace inslab::montecarlo {
 /// What the runs of a study share.
 struct Study {
   scenario::LoadedScenario loaded;  ///< with the reference navigation app, whether or not its file has it
-  reference_nav::AppSetup app;
+  navigation::AppSetup app;
   bool draw_start = false;   ///< begin at the truth plus errors drawn from the filter's initial sigmas
-  config::Json description;  ///< all of the above, the seed of run 0 included, and the program's version
+  json::Json description;  ///< all of the above, the seed of run 0 included, and the program's version
   std::string fingerprint;   ///< 64 bits drawn from the description, in hexadecimal
 
   /// Run k has the scenario's seed plus k: run 0 is the scenario's own.

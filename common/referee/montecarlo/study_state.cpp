@@ -44,9 +44,9 @@ KeptSummary keep_summary(const ResultFolder& folder, const Summary& summary) {
   folder.keep("summary.json", summary_json(summary).dump(2) + "\n");
   if (summary.succeeded == 0) return kept;
   try {
-    folder.keep("summary.svg", io::drawn(summary_picture(summary), io::PictureFormat::Svg));
+    folder.keep("summary.svg", tables::drawn(summary_picture(summary), tables::PictureFormat::Svg));
     kept.has_picture = true;
-  } catch (const io::PictureError& error) {  // a compute node need not have gnuplot
+  } catch (const tables::PictureError& error) {  // a compute node need not have gnuplot
     kept.why_no_picture = error.what();
   }
   return kept;

@@ -21,16 +21,16 @@ const FigureSummary* drift_of(const Summary& summary) {
   return found;
 }
 
-io::Panel distribution_panel(const FigureSummary& figure) {
+tables::Panel distribution_panel(const FigureSummary& figure) {
   std::vector<double> sorted = figure.over_runs.values;
   std::sort(sorted.begin(), sorted.end());
   const auto n = static_cast<double>(sorted.size());
-  io::Curve share{"", {}, {}, "steps linewidth 2 linecolor rgb '#1f5fa8'"};
+  tables::Curve share{"", {}, {}, "steps linewidth 2 linecolor rgb '#1f5fa8'"};
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     share.x.push_back(sorted[i]);
     share.y.push_back((static_cast<double>(i) + 1.0) / n);
   }
-  io::Panel panel;
+  tables::Panel panel;
   panel.title = std::string(enum_name(figure.figure.metric)) + " of the runs";
   panel.x_label = "m; dashed: 50 % and 95 %";
   panel.y_label = "share of runs";
@@ -39,21 +39,21 @@ io::Panel distribution_panel(const FigureSummary& figure) {
   return panel;
 }
 
-io::Panel over_time(const Summary& summary, const char* label, Believed InstantSummary::*which) {
+tables::Panel over_time(const Summary& summary, const char* label, Believed InstantSummary::*which) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  io::Curve rms{"RMS over the runs", {}, {}, kMeasured};
-  io::Curve low{"95 % confidence", {}, {}, kBound};
-  io::Curve high{"", {}, {}, kBound};
-  io::Curve sigma{"sigma as reported", {}, {}, kBelieved};
+  tables::Curve rms{"RMS over the runs", {}, {}, kMeasured};
+  tables::Curve low{"95 % confidence", {}, {}, kBound};
+  tables::Curve high{"", {}, {}, kBound};
+  tables::Curve sigma{"sigma as reported", {}, {}, kBelieved};
   for (const InstantSummary& instant : summary.instants) {
     const Believed& b = instant.*which;
-    for (io::Curve* curve : {&rms, &low, &high, &sigma}) curve->x.push_back(instant.time_s);
+    for (tables::Curve* curve : {&rms, &low, &high, &sigma}) curve->x.push_back(instant.time_s);
     rms.y.push_back(b.rms.value);
     low.y.push_back(b.rms.low.value_or(kNaN));
     high.y.push_back(b.rms.high.value_or(kNaN));
     sigma.y.push_back(b.sigma);
   }
-  io::Panel panel;
+  tables::Panel panel;
   panel.y_label = label;
   panel.curves = {rms, sigma};
   if (summary.succeeded > 1) panel.curves.insert(panel.curves.end(), {low, high});
@@ -61,17 +61,17 @@ io::Panel over_time(const Summary& summary, const char* label, Believed InstantS
   return panel;
 }
 
-io::Panel nees_over_time(const Summary& summary) {
-  io::Curve nees{"mean over the runs", {}, {}, kMeasured};
-  io::Curve low{"95 % band of an honest filter", {}, {}, kBelieved};
-  io::Curve high{"", {}, {}, kBelieved};
+tables::Panel nees_over_time(const Summary& summary) {
+  tables::Curve nees{"mean over the runs", {}, {}, kMeasured};
+  tables::Curve low{"95 % band of an honest filter", {}, {}, kBelieved};
+  tables::Curve high{"", {}, {}, kBelieved};
   for (const InstantSummary& instant : summary.instants) {
-    for (io::Curve* curve : {&nees, &low, &high}) curve->x.push_back(instant.time_s);
+    for (tables::Curve* curve : {&nees, &low, &high}) curve->x.push_back(instant.time_s);
     nees.y.push_back(instant.nees);
     low.y.push_back(instant.nees_band.low);
     high.y.push_back(instant.nees_band.high);
   }
-  io::Panel panel;
+  tables::Panel panel;
   panel.x_label = "sim time (s)";
   panel.y_label = "NEES, 9 degrees";
   panel.log_y = true;
@@ -81,8 +81,8 @@ io::Panel nees_over_time(const Summary& summary) {
 
 }  // namespace
 
-io::Picture summary_picture(const Summary& summary) {
-  io::Picture picture;
+tables::Picture summary_picture(const Summary& summary) {
+  tables::Picture picture;
   picture.title = summary.name + ": " + std::to_string(summary.succeeded) + " runs";
   picture.panel_width_px = 900;
   picture.panel_height_px = 240;

@@ -123,22 +123,22 @@ std::string acceptance_text(const Summary& s) {
   return text;
 }
 
-config::Json json_of(const Estimate& e) {
+json::Json json_of(const Estimate& e) {
   const auto bound = [](const std::optional<double>& value) {
-    return value ? config::Json(*value) : config::Json(nullptr);
+    return value ? json::Json(*value) : json::Json(nullptr);
   };
   return {{"value", e.value}, {"low", bound(e.low)}, {"high", bound(e.high)}};
 }
 
-config::Json json_of(const Distribution& d) {
+json::Json json_of(const Distribution& d) {
   return {{"runs", d.values.size()}, {"mean", json_of(d.mean)}, {"rms", json_of(d.rms)},
           {"p50", json_of(d.p50)},   {"p95", json_of(d.p95)},   {"p99", json_of(d.p99)}};
 }
 
-config::Json json_of(const Believed& b) { return {{"rms", json_of(b.rms)}, {"sigma", b.sigma}}; }
+json::Json json_of(const Believed& b) { return {{"rms", json_of(b.rms)}, {"sigma", b.sigma}}; }
 
-config::Json json_of(const FigureSummary& f) {
-  config::Json json{{"metric", enum_name(f.figure.metric)},
+json::Json json_of(const FigureSummary& f) {
+  json::Json json{{"metric", enum_name(f.figure.metric)},
                     {"phase", enum_name(f.figure.phase)},
                     {"swap_interval", f.figure.swap_interval},
                     {"after_s", f.figure.after_s}};
@@ -146,7 +146,7 @@ config::Json json_of(const FigureSummary& f) {
   return json;
 }
 
-config::Json json_of(const InstantSummary& i) {
+json::Json json_of(const InstantSummary& i) {
   return {{"time_s", i.time_s},
           {"runs", i.runs},
           {"horizontal_m", json_of(i.horizontal_m)},
@@ -167,8 +167,8 @@ std::string summary_text(const Summary& summary) {
          acceptance_text(summary);
 }
 
-config::Json summary_json(const Summary& s) {
-  using config::Json;
+json::Json summary_json(const Summary& s) {
+  using json::Json;
   Json json{{"name", s.name},           {"fingerprint", s.fingerprint}, {"first_seed", s.first_seed},
             {"wanted", s.wanted},       {"succeeded", s.succeeded},     {"failed", Json::array()},
             {"missing", s.missing},     {"confidence", kConfidence},    {"figures", Json::array()},

@@ -9,6 +9,6 @@ namespace inslab::montecarlo {
 std::string summary_text(const Summary& summary);
 
 /// Every figure. A bound that is absent is null.
-config::Json summary_json(const Summary& summary);
+json::Json summary_json(const Summary& summary);
 
 }  // namespace inslab::montecarlo

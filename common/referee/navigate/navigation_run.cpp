@@ -12,7 +12,7 @@
 #include "inslab/referee/score/score_text.hpp"
 #include "inslab/scenario/load.hpp"
 
-namespace inslab::cli {
+namespace inslab::navigate {
 namespace {
 
 /// A file of parameters; else what the scenario says its app is told, or what matches its sensors.
@@ -106,4 +106,4 @@ Navigated navigate_files(const NavigateOptions& options) {
   return done;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::navigate

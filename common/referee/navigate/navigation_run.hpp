@@ -6,7 +6,7 @@
 #include "inslab/referee/navigate/offline_filter.hpp"
 #include "inslab/referee/score/score_log.hpp"
 
-namespace inslab::cli {
+namespace inslab::navigate {
 
 /// What the filter is to be run on: a log, or the texts of an IMU and of a receiver.
 struct NavigateOptions {
@@ -34,4 +34,4 @@ struct Navigated {
 Navigated navigate_log(const NavigateOptions& options);
 Navigated navigate_files(const NavigateOptions& options);
 
-}  // namespace inslab::cli
+}  // namespace inslab::navigate

@@ -6,12 +6,12 @@
 #include "inslab/formats/text/imu_text.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
 
-namespace inslab::cli {
+namespace inslab::navigate {
 
 namespace {
 
 /// A position of the 7-column text; it has no velocity, which a sigma of 0 says.
-GnssFix fix_of(const io::GnssTextRecord& record) {
+GnssFix fix_of(const recordings::GnssTextRecord& record) {
   GnssFix fix;
   fix.header.sim_time_ns = record.in_week.count();
   fix.available_sim_time_ns = fix.header.sim_time_ns;
@@ -29,7 +29,7 @@ bool navigates(const NavSolution& solution) {
 
 }  // namespace
 
-OfflineFilter::OfflineFilter(const reference_nav::AppSetup& setup, const std::vector<GnssFix>& fixes)
+OfflineFilter::OfflineFilter(const navigation::AppSetup& setup, const std::vector<GnssFix>& fixes)
     : navigator_(setup.parameters, setup.gravity) {
   for (const GnssFix& fix : fixes) navigator_.add(fix);
 }
@@ -46,10 +46,10 @@ std::optional<NavSolution> OfflineFilter::take(const ImuSample& sample) {
   return step && step->solution && navigates(*step->solution) ? step->solution : std::nullopt;
 }
 
-OfflineFilter filter_with_fixes_of(const io::McapReader& log, std::uint32_t gnss_number,
-                                   const reference_nav::AppSetup& setup) {
+OfflineFilter filter_with_fixes_of(const mcap::McapReader& log, std::uint32_t gnss_number,
+                                   const navigation::AppSetup& setup) {
   std::vector<GnssFix> fixes;
-  io::for_each_sample<GnssFix>(log, catalog::stream_topic<GnssFix>(gnss_number),
+  log::for_each_sample<GnssFix>(log, catalog::stream_topic<GnssFix>(gnss_number),
                                [&](const GnssFix& fix, std::uint64_t) {
                                  fixes.push_back(fix);
                                  return true;
@@ -57,36 +57,36 @@ OfflineFilter filter_with_fixes_of(const io::McapReader& log, std::uint32_t gnss
   return {setup, fixes};
 }
 
-ImuTruth first_true_state(const io::McapReader& log, std::uint32_t imu_number) {
+ImuTruth first_true_state(const mcap::McapReader& log, std::uint32_t imu_number) {
   std::optional<ImuTruth> first;
   const std::string topic = catalog::stream_topic<ImuTruth>(imu_number);
-  io::for_each_sample<ImuTruth>(log, topic, [&](const ImuTruth& truth, std::uint64_t) {
+  log::for_each_sample<ImuTruth>(log, topic, [&](const ImuTruth& truth, std::uint64_t) {
     first = truth;
     return false;
   });
-  if (!first) throw io::ReadError(log.path() + ": " + topic + " is empty; expected a true state to start at");
+  if (!first) throw files::ReadError(log.path() + ": " + topic + " is empty; expected a true state to start at");
   return *first;
 }
 
 OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const std::string& imu_text,
-                                   const reference_nav::AppSetup& setup) {
+                                   const navigation::AppSetup& setup) {
   std::vector<GnssFix> fixes;
-  io::GnssTextReader reader(gnss_text);
-  for (io::GnssTextRecord record; reader.next(record);) {
-    if (fixes.size() == config::kMaxRowsInMemory) {
-      throw io::ReadError(gnss_text + ": has more than " + std::to_string(fixes.size()) +
+  recordings::GnssTextReader reader(gnss_text);
+  for (recordings::GnssTextRecord record; reader.next(record);) {
+    if (fixes.size() == files::kMaxRowsInMemory) {
+      throw files::ReadError(gnss_text + ": has more than " + std::to_string(fixes.size()) +
                           " rows; expected at most that");
     }
     fixes.push_back(fix_of(record));
   }
-  if (fixes.empty()) throw io::ReadError(gnss_text + ": has no fix; expected at least one line of 7 numbers");
+  if (fixes.empty()) throw files::ReadError(gnss_text + ": has no fix; expected at least one line of 7 numbers");
   std::int64_t imu_from_ns = 0, imu_to_ns = 0;
   for_each_text_sample(imu_text, 0, [&](const ImuSample& sample) {
     if (imu_from_ns == 0) imu_from_ns = sample.header.sim_time_ns - sample.interval_ns;
     imu_to_ns = sample.header.sim_time_ns;
   });
   // Each file counts from the week of its own first line; one of them may begin just after the week's end.
-  constexpr std::int64_t kWeek_ns = std::chrono::nanoseconds(io::SecondsOfWeek::kWeek).count();
+  constexpr std::int64_t kWeek_ns = std::chrono::nanoseconds(files::SecondsOfWeek::kWeek).count();
   const std::int64_t apart_ns = imu_from_ns - fixes.front().header.sim_time_ns;
   const std::int64_t shift_ns = std::abs(apart_ns) > kWeek_ns / 2 ? (apart_ns > 0 ? kWeek_ns : -kWeek_ns) : 0;
   for (GnssFix& fix : fixes) {
@@ -99,7 +99,7 @@ OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const std::stri
       return std::to_string(static_cast<double>(from_ns) * 1e-9) + " to " +
              std::to_string(static_cast<double>(to_ns) * 1e-9) + " s";
     };
-    throw io::ReadError(gnss_text + ": lasts from " + span(gnss_from_ns, gnss_to_ns) + " of the GPS week, " + imu_text +
+    throw files::ReadError(gnss_text + ": lasts from " + span(gnss_from_ns, gnss_to_ns) + " of the GPS week, " + imu_text +
                         " from " + span(imu_from_ns, imu_to_ns) + ": they do not meet; expected one time base in both");
   }
   return {setup, fixes};
@@ -107,24 +107,24 @@ OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const std::stri
 
 void for_each_text_sample(const std::string& imu_text, std::uint32_t gps_week,
                           const std::function<void(const ImuSample&)>& visit) {
-  io::ImuTextReader reader(imu_text);
+  recordings::ImuTextReader reader(imu_text);
   std::optional<time::Nanoseconds> before;
   ImuSample sample;
-  for (io::ImuTextRecord record; reader.next(record); before = record.in_week) {
+  for (recordings::ImuTextRecord record; reader.next(record); before = record.in_week) {
     if (!before) continue;
     sample.interval_ns = (record.in_week - *before).count();
     sample.header.sim_time_ns = record.in_week.count();
-    sample.header.gps_time_of_week_ns = (record.in_week % io::SecondsOfWeek::kWeek).count();
+    sample.header.gps_time_of_week_ns = (record.in_week % files::SecondsOfWeek::kWeek).count();
     sample.available_sim_time_ns = sample.header.sim_time_ns;
-    sample.header.gps_week = gps_week + static_cast<std::uint32_t>(record.in_week / io::SecondsOfWeek::kWeek);
+    sample.header.gps_week = gps_week + static_cast<std::uint32_t>(record.in_week / files::SecondsOfWeek::kWeek);
     sample.header.sequence_number += 1;
     sample.dtheta_b = record.dtheta_b;
     sample.dv_b = record.dv_b;
     visit(sample);
   }
   if (sample.header.sequence_number == 0) {
-    throw io::ReadError(imu_text + ": has no interval; expected at least two lines of 7 numbers");
+    throw files::ReadError(imu_text + ": has no interval; expected at least two lines of 7 numbers");
   }
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::navigate

@@ -4,12 +4,12 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/attitude.hpp"
 
-namespace inslab::cli {
+namespace inslab::navigate {
 
 ResultFiles::ResultFiles(const std::string& stem) : solution_(stem + ".nav"), sigmas_(stem + "_sigmas.txt", " ") {}
 
 void ResultFiles::write(const NavSolution& s) {
-  io::TrajectoryRow row;
+  TrajectoryRow row;
   row.position = {s.latitude_rad, s.longitude_rad, s.height_m};
   row.v_n = s.v_n;
   row.rpy = nav::rpy_from_quaternion(s.q_n_body);
@@ -23,9 +23,9 @@ void ResultFiles::write(const NavSolution& s) {
 }
 
 void ResultFiles::close() {
-  const auto together = io::hold_unfinished();
+  const auto together = files::hold_unfinished();
   solution_.close();
   sigmas_.close();
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::navigate

@@ -6,7 +6,7 @@
 #include "inslab/formats/text/nav_text.hpp"
 #include "inslab/foundation/files/text_writer.hpp"
 
-namespace inslab::cli {
+namespace inslab::navigate {
 
 /// The result of an offline navigation: STEM.nav, the 11-column text of positions, velocities and attitudes, and line
 /// by line beside it STEM_sigmas.txt: week, seconds of week, standard deviations of position m, velocity m/s (north,
@@ -21,9 +21,9 @@ class ResultFiles {
   std::uint64_t rows() const { return rows_; }
 
  private:
-  io::NavTextWriter solution_;
-  io::TextWriter sigmas_;
+  recordings::NavTextWriter solution_;
+  files::TextWriter sigmas_;
   std::uint64_t rows_ = 0;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::navigate

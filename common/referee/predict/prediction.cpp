@@ -34,7 +34,7 @@ std::vector<AnyProfile> profiles_of(const scenario::LoadedScenario& loaded) {
   return profiles;
 }
 
-class PredictionSink : public cli::RunSink {
+class PredictionSink : public sim::RunSink {
  public:
   PredictionSink(Prediction& prediction, const scenario::LoadedScenario& loaded, bool uses_fixes)
       : prediction_(prediction) {
@@ -73,7 +73,7 @@ Figures figures(const PredictedError& error) {
 
 Prediction predicted(const scenario::LoadedScenario& loaded, const PredictionOptions& options) {
   if (loaded.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) {
-    throw io::ReadError(loaded.file.string() + ": follows a live vehicle, whose motion is not known beforehand");
+    throw files::ReadError(loaded.file.string() + ": follows a live vehicle, whose motion is not known beforehand");
   }
   ExpectedErrors::Setup setup;
   setup.gravity = loaded.gravity();
@@ -84,7 +84,7 @@ Prediction predicted(const scenario::LoadedScenario& loaded, const PredictionOpt
   setup.vertical = options.hold_vertical ? Vertical::Held : Vertical::Free;
   Prediction prediction{ExpectedErrors(setup, profiles_of(loaded))};
   PredictionSink sink(prediction, loaded, uses_fixes);
-  cli::OfflineRun run(loaded, loaded.start(app::realtime_now()), RunId{}, sink);
+  sim::OfflineRun run(loaded, loaded.start(host::realtime_now()), RunId{}, sink);
   while (run.step()) {
   }
   sink.end_gap(time::to_seconds(run.sim_time()));
@@ -114,27 +114,27 @@ std::string table_text(const std::vector<PredictedError>& errors) {
   return text;
 }
 
-io::Picture picture_of(const Prediction& prediction, const scenario::Scenario& scenario) {
+tables::Picture picture_of(const Prediction& prediction, const scenario::Scenario& scenario) {
   const std::array<const char*, 3> quantities{"position (m)", "velocity (m/s)", "phi angle (deg)"};
   const std::array<const char*, 3> axes{"north", "east", "down"};
-  io::Picture picture;
+  tables::Picture picture;
   picture.title = scenario.name + ": expected errors, 1 sigma";
   picture.panel_width_px = 900;
   for (std::size_t quantity = 0; quantity < 3; ++quantity) {
-    io::Panel panel;
+    tables::Panel panel;
     panel.x_label = quantity == 2 ? "sim time (s)" : "";
     panel.log_y = panel.tight_x = true;
     panel.has_key = quantity == 2;
     panel.y_label = quantities[quantity];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      io::Curve curve;
+      tables::Curve curve;
       curve.title = axes[axis];
       for (const PredictedError& error : prediction.errors.curve()) {
         curve.x.push_back(error.time_s);
         curve.y.push_back(figures(error)[1 + 3 * quantity + axis]);
       }
       constexpr std::size_t kBins = 1000;
-      panel.curves.push_back(io::thinned_by_logarithm(curve, kBins));
+      panel.curves.push_back(tables::thinned_by_logarithm(curve, kBins));
     }
     panel.bands = prediction.outages;
     for (const scenario::ScheduledSwap& swap : scenario.swaps) panel.marks.push_back(swap.at_s);

@@ -23,7 +23,7 @@ struct PredictionOptions {
 /// What a run lets one expect, and when it has no fixes.
 struct Prediction {
   ExpectedErrors errors;
-  std::vector<io::Band> outages = {};
+  std::vector<tables::Band> outages = {};
 };
 
 /// Runs a scenario for what it lets one expect. Throws io::ReadError for one that follows a live vehicle.
@@ -38,6 +38,6 @@ std::string table_text(const std::vector<PredictedError>& errors);
 /// All of it.
 std::string csv_text(const std::vector<PredictedError>& errors);
 
-io::Picture picture_of(const Prediction& prediction, const scenario::Scenario& scenario);
+tables::Picture picture_of(const Prediction& prediction, const scenario::Scenario& scenario);
 
 }  // namespace inslab::predict

@@ -8,25 +8,25 @@
 #include "inslab/foundation/files/error.hpp"
 #include "inslab/referee/score/score_words.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 namespace {
 
 /// What a run was, with the fixes of its receiver when they are wanted.
 struct WhatRan {
-  LogSummary summary;
+  evidence::LogSummary summary;
   std::vector<GnssFix> fixes;
 };
 
-WhatRan what_ran(const io::McapReader& log, bool with_fixes) {
+WhatRan what_ran(const mcap::McapReader& log, bool with_fixes) {
   WhatRan ran;
-  SummaryOfLog summary(log);
-  io::LogWalk walk(log);
+  evidence::SummaryOfLog summary(log);
+  log::LogWalk walk(log);
   summary.take_part(walk);
   const std::optional<std::uint32_t> receiver = receiver_of_app(summary.scenario());
   if (with_fixes && receiver) {
     const std::string wanted = catalog::stream_topic<GnssFix>(*receiver);
-    walk.each<GnssFix>([&ran, wanted](const GnssFix& fix, const io::LogWalk::Place& place) {
+    walk.each<GnssFix>([&ran, wanted](const GnssFix& fix, const log::LogWalk::Place& place) {
       if (place.topic == wanted) ran.fixes.push_back(fix);
     });
   }
@@ -39,16 +39,16 @@ WhatRan what_ran(const io::McapReader& log, bool with_fixes) {
 /// the walk goes on.
 class ImuErrorsOfLog {
  public:
-  ImuErrorsOfLog(const io::McapReader& log, std::uint32_t number)
+  ImuErrorsOfLog(const mcap::McapReader& log, std::uint32_t number)
       : path_(log.path()), number_(number), options_(options_for(number)), analyser_(options_) {
     unless_refused([&] {
       errors_.emplace(
-          log, options_.recording, [this](const io::ImuRecordingInfo& info) { analyser_.begin(info); },
-          [this](const io::ImuIncrements& increments) { analyser_.add(increments); });
+          log, options_.recording, [this](const recordings::ImuRecordingInfo& info) { analyser_.begin(info); },
+          [this](const recordings::ImuIncrements& increments) { analyser_.add(increments); });
     });
   }
 
-  void take_part(io::LogWalk& walk) {
+  void take_part(log::LogWalk& walk) {
     take_topic<ImuSample>(walk, catalog::stream_topic<ImuSample>(number_));
     take_topic<ImuTruth>(walk, catalog::stream_topic<ImuTruth>(number_));
   }
@@ -59,15 +59,15 @@ class ImuErrorsOfLog {
   }
 
  private:
-  static AnalysisOptions options_for(std::uint32_t number) {
-    AnalysisOptions options;
+  static calibrate::AnalysisOptions options_for(std::uint32_t number) {
+    calibrate::AnalysisOptions options;
     options.recording.sensor_number = number;
     options.recording.minus_truth = options.recording.over_gaps = true;
     return options;
   }
   template <class Sample>
-  void take_topic(io::LogWalk& walk, const std::string& topic) {
-    walk.each<Sample>([this, topic](const Sample& sample, const io::LogWalk::Place& place) {
+  void take_topic(log::LogWalk& walk, const std::string& topic) {
+    walk.each<Sample>([this, topic](const Sample& sample, const log::LogWalk::Place& place) {
       if (place.topic == topic) unless_refused([&] { errors_->add(sample); });
     });
   }
@@ -76,7 +76,7 @@ class ImuErrorsOfLog {
     if (!why_not_.empty()) return;
     try {
       work();
-    } catch (const io::ReadError& error) {
+    } catch (const files::ReadError& error) {
       why_not_ = error.what();
     } catch (const std::invalid_argument& error) {  // errors without noise, to which no model can be fitted
       why_not_ = path_ + ": " + error.what();
@@ -85,36 +85,36 @@ class ImuErrorsOfLog {
 
   std::string path_;
   std::uint32_t number_;
-  AnalysisOptions options_;
-  ImuAnalyser analyser_;
-  std::optional<io::ImuErrors> errors_;
+  calibrate::AnalysisOptions options_;
+  calibrate::ImuAnalyser analyser_;
+  std::optional<recordings::ImuErrors> errors_;
   std::string why_not_;
 };
 
 /// What the checks and the acceptance come to together; both are in the last line when they are as good.
-app::Outcome with_acceptance(const app::Outcome& checks, const std::string& verdict, bool accepted) {
-  if (checks.code == app::kOk && accepted) return {app::kOk, checks.reason + "; " + verdict};
-  return worse(checks, {accepted ? app::kOk : app::kNotAccepted, verdict});
+host::Outcome with_acceptance(const host::Outcome& checks, const std::string& verdict, bool accepted) {
+  if (checks.code == host::kOk && accepted) return {host::kOk, checks.reason + "; " + verdict};
+  return worse(checks, {accepted ? host::kOk : host::kNotAccepted, verdict});
 }
 
 }  // namespace
 
-ReportData report_data(const io::McapReader& log, ReportDepth depth) {
+ReportData report_data(const mcap::McapReader& log, ReportDepth depth) {
   const bool with_figures = depth != ReportDepth::Verdict;
   const WhatRan ran = what_ran(log, with_figures);
-  io::LogWalk walk(log);
-  SwapWeigher swaps(ran.summary);
+  log::LogWalk walk(log);
+  evidence::SwapWeigher swaps(ran.summary);
   swaps.take_part(walk);
   ErrorCurves curves;
   ExpectationOfLog expectation(log, ran.summary, ran.fixes);
-  LogScorer::OnScored on_scored;
+  score::LogScorer::OnScored on_scored;
   if (with_figures) {
     on_scored = [&](const score::ScoredSolution& scored) {
       expectation.add(scored);
       curves.add(scored);
     };
   }
-  LogScorer scorer(ran.summary, on_scored);
+  score::LogScorer scorer(ran.summary, on_scored);
   scorer.take_part(walk);
   if (with_figures) expectation.take_part(walk, [&scorer] { return scorer.judged_until_ns(); });
   std::optional<ImuErrorsOfLog> imu_errors;
@@ -132,14 +132,14 @@ ReportData report_data(const io::McapReader& log, ReportDepth depth) {
 }
 
 Judgement judgement_of(const ReportData& data, const std::optional<std::string>& failure) {
-  const RunSummary summary = run_summary(data.summary, data.swaps, failure);
+  const evidence::RunSummary summary = evidence::run_summary(data.summary, data.swaps, failure);
   Judgement judgement{summary.text, summary.outcome};
-  const LogScore& score = data.score;
-  if (score.scorer.counts().received > 0 || !score.verdicts.empty()) judgement.text += score_words(score);
+  const score::LogScore& score = data.score;
+  if (score.scorer.counts().received > 0 || !score.verdicts.empty()) judgement.text += score::score_words(score);
   if (!score.verdicts.empty()) {
-    judgement.outcome = with_acceptance(summary.outcome, verdict_words(score), score.accepted());
+    judgement.outcome = with_acceptance(summary.outcome, score::verdict_words(score), score.accepted());
   }
   return judgement;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

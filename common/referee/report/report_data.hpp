@@ -8,7 +8,7 @@
 #include "inslab/referee/evidence/run_summary.hpp"
 #include "inslab/referee/report/report_pictures.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 /// How much of a log is wanted; each step holds the ones before.
 enum class ReportDepth {
@@ -19,27 +19,27 @@ enum class ReportDepth {
 
 /// Every figure of a report, each found once; text, JSON, tables and pictures print them.
 struct ReportData {
-  LogSummary summary;
-  std::vector<SwapEvidence> swaps;
-  LogScore score;
+  evidence::LogSummary summary;
+  std::vector<evidence::SwapEvidence> swaps;
+  score::LogScore score;
   ErrorCurves curves;
   Expectation expectation;
   ErrorRatios between_outages;  ///< measured over expected
   ErrorRatios in_outages;
-  std::optional<ImuAnalysis> imu_errors;  ///< of the first IMU, its samples less their truth
+  std::optional<calibrate::ImuAnalysis> imu_errors;  ///< of the first IMU, its samples less their truth
   std::string why_no_imu_errors;          ///< empty: the scenario has no IMU, or they were not wanted
 };
 
 /// Reads a log twice: what ran, then how well. Throws io::ReadError, config::Error.
-ReportData report_data(const io::McapReader& log, ReportDepth depth = ReportDepth::Page);
+ReportData report_data(const mcap::McapReader& log, ReportDepth depth = ReportDepth::Page);
 
 /// What a log comes to as the end of a run: the checks, the score, the acceptance; all of it in the outcome's words.
 struct Judgement {
   std::string text;
-  app::Outcome outcome;
+  host::Outcome outcome;
 };
 
 /// `failure` is what the one who ran it saw go wrong, if anything.
 Judgement judgement_of(const ReportData& data, const std::optional<std::string>& failure);
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

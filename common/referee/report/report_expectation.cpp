@@ -8,7 +8,7 @@
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/scenario/load.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 namespace {
 
@@ -26,8 +26,8 @@ nav::Gravity gravity_of(const scenario::Scenario& scenario) {
   return loaded.gravity();
 }
 
-bool has_topic(const io::McapReader& log, const std::string& topic, std::string_view type) {
-  return !io::channels_of(log, topic, type).empty();
+bool has_topic(const mcap::McapReader& log, const std::string& topic, std::string_view type) {
+  return !log::channels_of(log, topic, type).empty();
 }
 
 bool is_before(double time_s, const predict::PredictedError& error) { return time_s < error.time_s; }
@@ -58,7 +58,7 @@ std::optional<std::uint32_t> receiver_of_app(const scenario::Scenario& scenario)
   return scenario.reference_nav ? scenario.reference_nav->gnss : scenario.gnss.front().number;
 }
 
-ExpectationOfLog::ExpectationOfLog(const io::McapReader& log, const LogSummary& summary, std::vector<GnssFix> fixes)
+ExpectationOfLog::ExpectationOfLog(const mcap::McapReader& log, const evidence::LogSummary& summary, std::vector<GnssFix> fixes)
     : fixes_(std::move(fixes)) {
   const scenario::Scenario& scenario = summary.scenario;
   if (scenario.imu.empty()) {
@@ -71,8 +71,8 @@ ExpectationOfLog::ExpectationOfLog(const io::McapReader& log, const LogSummary& 
   expectation_.of = setup_.gnss_number ? fmt::format("the best filter of the fixes of gnss {}", *setup_.gnss_number)
                                        : std::string("free inertial navigation");
   const std::string topic = catalog::stream_topic<ImuTruth>(setup_.imu_number);
-  if (!has_topic(log, topic, wire::WireType<ImuTruth>::name)) expectation_.missing = "the log has no " + topic;
-  for (const ProfileInUse& entry : summary.profiles) {
+  if (!has_topic(log, topic, catalog::WireType<ImuTruth>::name)) expectation_.missing = "the log has no " + topic;
+  for (const evidence::ProfileInUse& entry : summary.profiles) {
     profiles_.push_back(entry.profile);
     request_of(profiles_.back()).apply_at_ns = entry.apply_at_ns;
   }
@@ -80,11 +80,11 @@ ExpectationOfLog::ExpectationOfLog(const io::McapReader& log, const LogSummary& 
                    [](const GnssFix& a, const GnssFix& b) { return a.header.sim_time_ns < b.header.sim_time_ns; });
 }
 
-void ExpectationOfLog::take_part(io::LogWalk& walk, std::function<std::int64_t()> judged_until_ns) {
+void ExpectationOfLog::take_part(log::LogWalk& walk, std::function<std::int64_t()> judged_until_ns) {
   if (!expectation_.missing.empty()) return;
   judged_until_ns_ = std::move(judged_until_ns);
   walk.each<ImuTruth>([this, topic = catalog::stream_topic<ImuTruth>(setup_.imu_number)](
-                          const ImuTruth& truth, const io::LogWalk::Place& place) {
+                          const ImuTruth& truth, const log::LogWalk::Place& place) {
     if (place.topic == topic) add(truth);
   });
 }
@@ -129,4 +129,4 @@ Expectation ExpectationOfLog::finish() {
   return std::move(expectation_);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

@@ -9,7 +9,7 @@
 #include "inslab/referee/predict/expected_errors.hpp"
 #include "inslab/referee/score/score_log.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 /// What is to be expected of the app of a log: predict::ExpectedErrors along the run as it was, with its profiles, its
 /// journal and its fixes. docs/error_theory.md says what they take for granted.
@@ -29,10 +29,10 @@ struct Expectation {
 class ExpectationOfLog {
  public:
   /// `fixes`: of all the log's receivers, or of the app's alone. `summary` is used until the end.
-  ExpectationOfLog(const io::McapReader& log, const LogSummary& summary, std::vector<GnssFix> fixes);
+  ExpectationOfLog(const mcap::McapReader& log, const evidence::LogSummary& summary, std::vector<GnssFix> fixes);
 
   /// `judged_until_ns` says before which sim time no first solution can lie any more.
-  void take_part(io::LogWalk& walk, std::function<std::int64_t()> judged_until_ns);
+  void take_part(log::LogWalk& walk, std::function<std::int64_t()> judged_until_ns);
 
   /// The first is where it begins: with the sigmas that the app reports there, and where it reports none, the error
   /// that it has. Later ones are passed over.
@@ -68,4 +68,4 @@ struct ErrorRatios {
   std::size_t solutions = 0;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

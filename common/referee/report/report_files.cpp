@@ -17,14 +17,14 @@
 #include "inslab/referee/score/score_json.hpp"
 #include "inslab/referee/score/score_words.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// The same picture for a screen of 390 pixels.
-io::Picture narrowed(io::Picture picture) {
+tables::Picture narrowed(tables::Picture picture) {
   constexpr int kWidth_px = 380;
   picture.panel_height_px = std::min(picture.panel_height_px, 260);
   picture.panel_width_px = kWidth_px;
@@ -33,10 +33,10 @@ io::Picture narrowed(io::Picture picture) {
 }
 
 /// The page says the picture's title.
-void add_figure(ReportPage& page, io::Picture picture, const std::string& caption, const std::string& id = {}) {
+void add_figure(ReportPage& page, tables::Picture picture, const std::string& caption, const std::string& id = {}) {
   const std::string title = std::exchange(picture.title, "");
-  page.figures.push_back({title, caption, io::drawn(picture, io::PictureFormat::Svg),
-                          io::drawn(narrowed(picture), io::PictureFormat::Svg), id});
+  page.figures.push_back({title, caption, tables::drawn(picture, tables::PictureFormat::Svg),
+                          tables::drawn(narrowed(picture), tables::PictureFormat::Svg), id});
 }
 
 void add_allan(ReportPage& page, const ReportData& data) {
@@ -44,11 +44,11 @@ void add_allan(ReportPage& page, const ReportData& data) {
   if (!data.imu_errors) return;
   const SensorAddress imu{SensorKind::Imu, data.summary.scenario.imu.front().number};
   const auto& profiles = data.summary.profiles;
-  const bool was_swapped = std::any_of(profiles.begin(), profiles.end(), [&imu](const ProfileInUse& entry) {
+  const bool was_swapped = std::any_of(profiles.begin(), profiles.end(), [&imu](const evidence::ProfileInUse& entry) {
     return entry.apply_at_ns >= 0 && target_of(entry.profile) == imu;
   });
   add_figure(
-      page, curve_picture(*data.imu_errors),
+      page, calibrate::curve_picture(*data.imu_errors),
       fmt::format("IMU {} less its truth over the whole run{}; points, 99 % bands dotted, fitted model as a line.",
                   imu.number, was_swapped ? ", across its swaps" : ""));
 }
@@ -123,9 +123,9 @@ Json expectation_json(const ReportData& data) {
   return json;
 }
 
-Json worst_json(const LogScore& score) {
+Json worst_json(const score::LogScore& score) {
   if (!score.worst.found()) return nullptr;
-  const Moment& moment = *score.worst.found();
+  const score::Moment& moment = *score.worst.found();
   return {{"time_s", moment.time_s},
           {"horizontal_m", moment.horizontal_m},
           {"vertical_m", moment.vertical_m},
@@ -133,35 +133,35 @@ Json worst_json(const LogScore& score) {
           {"speed_m_per_s", moment.speed_m_per_s},
           {"turn_rate_deg_per_s", moment.turn_rate_deg_per_s},
           {"swap_interval", score.intervals.at(moment.time_s)},
-          {"words", worst_words(score)}};
+          {"words", score::worst_words(score)}};
 }
 
 /// What no figure of a swap's evidence weighs, by its profile's name.
-Json not_weighed_json(const std::vector<SwapEvidence>& swaps) {
+Json not_weighed_json(const std::vector<evidence::SwapEvidence>& swaps) {
   Json all = Json::array();
-  for (const SwapEvidence& swap : swaps) {
+  for (const evidence::SwapEvidence& swap : swaps) {
     all.push_back(
         {{"profile", swap.profile_name}, {"kind", std::string(enum_name(swap.ack.kind))}, {"left_out", swap.left_out}});
   }
   return all;
 }
 
-Json intervals_json(const SwapIntervals& intervals) {
+Json intervals_json(const score::SwapIntervals& intervals) {
   Json names = Json::array();
   for (std::size_t i = 0; i <= intervals.count(); ++i) names.push_back(intervals.name(i));
   return names;
 }
 
-Json run_json(const LogSummary& summary) {
-  const RunIdentity& run = summary.identity;
+Json run_json(const evidence::LogSummary& summary) {
+  const evidence::RunIdentity& run = summary.identity;
   return {{"run_id", run.run_id},      {"began", run.began_utc}, {"scenario", summary.scenario.name},
           {"file", run.scenario_file}, {"unit", run.unit},       {"seed", summary.scenario.seed},
           {"version", run.version}};
 }
 
 /// "run 2026-11-29 04:20:11 UTC, id 0a1b..., scenario demo (demo.json), seed 7, inslab 0.1.0, log demo.mcap"
-std::string identity_words(const LogSummary& summary) {
-  const RunIdentity& run = summary.identity;
+std::string identity_words(const evidence::LogSummary& summary) {
+  const evidence::RunIdentity& run = summary.identity;
   std::string words = run.began_utc.empty() ? "Simulated in one process" : "Run of " + run.began_utc;
   if (!run.run_id.empty()) words += ", id " + run.run_id;
   words += "; scenario " + summary.scenario.name;
@@ -177,10 +177,10 @@ std::string identity_words(const LogSummary& summary) {
 std::string write_report(const ReportData& data, const std::string& folder) {
   std::filesystem::create_directories(folder);
   const std::vector<std::string> paths = report_paths(data.summary.path, folder);
-  for (const std::string& path : paths) io::check_output(path);  // before the first is written
-  io::write_file(paths[0], report_text(data));
-  io::write_file(paths[1], config::json_text(report_json(data)));
-  io::write_file(paths[2], html(report_page(data)));
+  for (const std::string& path : paths) files::check_output(path);  // before the first is written
+  files::write_file(paths[0], report_text(data));
+  files::write_file(paths[1], json::json_text(report_json(data)));
+  files::write_file(paths[2], html(report_page(data)));
   return std::filesystem::path(paths[2]).replace_extension().string();
 }
 
@@ -190,7 +190,7 @@ std::vector<std::string> report_paths(const std::string& log, const std::string&
 }
 
 std::string report_text(const ReportData& data) {
-  const std::string text = score_words(data.score);
+  const std::string text = score::score_words(data.score);
   const std::string expected = expectation_text(data);
   return expected.empty() ? text : text + "\n" + expected + "\n";
 }
@@ -198,7 +198,7 @@ std::string report_text(const ReportData& data) {
 Json report_json(const ReportData& data) {
   Json report = score::score_json(data.score.scorer, data.score.verdicts);
   report["run"] = run_json(data.summary);
-  report["verdict"] = verdict_words(data.score);
+  report["verdict"] = score::verdict_words(data.score);
   report["worst"] = worst_json(data.score);
   report["swap_intervals"] = intervals_json(data.score.intervals);
   report["swaps_not_weighed"] = not_weighed_json(data.swaps);
@@ -207,16 +207,16 @@ Json report_json(const ReportData& data) {
 }
 
 ReportPage report_page(const ReportData& data) {
-  const LogSummary& summary = data.summary;
-  const LogScore& score = data.score;
+  const evidence::LogSummary& summary = data.summary;
+  const score::LogScore& score = data.score;
   const ErrorCurves& curves = data.curves;
   const Expectation& expectation = data.expectation;
   ReportPage page;
   page.title = "Inslab report: " + summary.scenario.name;
   page.description = summary.scenario.description;
-  page.verdict = verdict_words(score);
+  page.verdict = score::verdict_words(score);
   page.accepted = score.accepted();
-  page.worst = worst_words(score);
+  page.worst = score::worst_words(score);
   page.identity = identity_words(summary);
   page.tables = report_tables(data);
   if (curves.empty()) {
@@ -234,7 +234,7 @@ ReportPage report_page(const ReportData& data) {
                page_id::kMotionSizes);
     add_figure(page, curves.velocity(score, summary, expectation), how);
     add_figure(page, curves.attitude(score, summary, expectation), how);
-    const io::Picture honesty = curves.honesty(score, summary);
+    const tables::Picture honesty = curves.honesty(score, summary);
     if (!honesty.panels.empty()) {
       add_figure(page, honesty, "Squared error over the reported variance, summed over the axes, of each solution.",
                  page_id::kHonesty);
@@ -249,4 +249,4 @@ ReportPage report_page(const ReportData& data) {
   return page;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

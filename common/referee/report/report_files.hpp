@@ -6,7 +6,7 @@
 #include "inslab/referee/report/report_data.hpp"
 #include "inslab/referee/report/report_page.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 /// The figures for the terminal; score_words() with what was to be expected.
 std::string report_text(const ReportData& data);
@@ -25,4 +25,4 @@ std::string write_report(const ReportData& data, const std::string& folder);
 /// The files that write_report() makes of a log of this name in the folder.
 std::vector<std::string> report_paths(const std::string& log, const std::string& folder);
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace inslab::cli {
+namespace inslab::report {
 
 namespace {
 
@@ -14,8 +14,8 @@ using scenario::Phase;
 
 constexpr const char* kLimitStyle = "lines linewidth 2 dashtype 4 linecolor rgb '#b86a00'";
 
-std::vector<io::Band> outages_of(const LogScore& score) {
-  std::vector<io::Band> bands;
+std::vector<tables::Band> outages_of(const score::LogScore& score) {
+  std::vector<tables::Band> bands;
   for (const score::OutageDrift& outage : score.scorer.outages()) {
     bands.push_back({static_cast<double>(outage.begin_ns) * 1e-9, static_cast<double>(outage.end_ns) * 1e-9});
   }
@@ -23,10 +23,10 @@ std::vector<io::Band> outages_of(const LogScore& score) {
 }
 
 /// What lies between the bands, which are in order.
-std::vector<io::Band> between(const std::vector<io::Band>& bands, double end_s) {
-  std::vector<io::Band> gaps;
+std::vector<tables::Band> between(const std::vector<tables::Band>& bands, double end_s) {
+  std::vector<tables::Band> gaps;
   double from_s = 0.0;
-  for (const io::Band& band : bands) {
+  for (const tables::Band& band : bands) {
     gaps.push_back({from_s, band.begin});
     from_s = band.end;
   }
@@ -36,26 +36,26 @@ std::vector<io::Band> between(const std::vector<io::Band>& bands, double end_s) 
 
 bool is_drift(Metric metric) { return metric >= Metric::OutageDriftRms && metric <= Metric::OutageVerticalDriftMax; }
 
-std::vector<io::Band> judged_stretches(const scenario::AcceptanceLimit& limit, const LogScore& score, double end_s) {
-  std::vector<io::Band> bands{{0.0, end_s}};
+std::vector<tables::Band> judged_stretches(const scenario::AcceptanceLimit& limit, const score::LogScore& score, double end_s) {
+  std::vector<tables::Band> bands{{0.0, end_s}};
   if (limit.phase == Phase::Outages || is_drift(limit.metric)) bands = outages_of(score);
   if (limit.phase == Phase::BetweenOutages) bands = between(outages_of(score), end_s);
   if (limit.phase == Phase::SwapInterval) {
-    const SwapIntervals& intervals = score.intervals;
+    const score::SwapIntervals& intervals = score.intervals;
     bands = {{intervals.begin_s(limit.swap_interval), std::min(end_s, intervals.begin_s(limit.swap_interval + 1))}};
   }
-  std::vector<io::Band> judged;
-  for (const io::Band& band : bands) {
+  std::vector<tables::Band> judged;
+  for (const tables::Band& band : bands) {
     const double begin = std::max(band.begin, limit.after_s);
     if (begin < band.end) judged.push_back({begin, band.end});
   }
   return judged;
 }
 
-io::Curve level(const std::string& title, double value, const std::vector<io::Band>& stretches) {
+tables::Curve level(const std::string& title, double value, const std::vector<tables::Band>& stretches) {
   constexpr double kPause = std::numeric_limits<double>::quiet_NaN();
-  io::Curve curve{title, {}, {}, kLimitStyle};
-  for (const io::Band& stretch : stretches) {
+  tables::Curve curve{title, {}, {}, kLimitStyle};
+  for (const tables::Band& stretch : stretches) {
     curve.x.insert(curve.x.end(), {stretch.begin, stretch.end, kPause});
     curve.y.insert(curve.y.end(), {value, value, kPause});
   }
@@ -104,12 +104,12 @@ std::string page_id_of(Metric metric) {
   return page_id::kApp;
 }
 
-std::vector<io::Curve> limit_curves(const std::vector<Metric>& metrics, const LogScore& score, double end_s) {
-  std::vector<io::Curve> curves;
+std::vector<tables::Curve> limit_curves(const std::vector<Metric>& metrics, const score::LogScore& score, double end_s) {
+  std::vector<tables::Curve> curves;
   for (const score::Verdict& verdict : score.verdicts) {
     const scenario::AcceptanceLimit& limit = verdict.limit;
     if (std::find(metrics.begin(), metrics.end(), limit.metric) == metrics.end()) continue;
-    const std::vector<io::Band> stretches = judged_stretches(limit, score, end_s);
+    const std::vector<tables::Band> stretches = judged_stretches(limit, score, end_s);
     if (stretches.empty()) continue;
     const auto add = [&](const char* which, const std::optional<double>& value) {
       if (value) {
@@ -122,8 +122,8 @@ std::vector<io::Curve> limit_curves(const std::vector<Metric>& metrics, const Lo
   return curves;
 }
 
-std::vector<io::Curve> latency_limit_curves(const LogScore& score, double height) {
-  std::vector<io::Curve> curves;
+std::vector<tables::Curve> latency_limit_curves(const score::LogScore& score, double height) {
+  std::vector<tables::Curve> curves;
   for (const score::Verdict& verdict : score.verdicts) {
     if (!scenario::is_latency(verdict.limit.metric)) continue;
     for (const auto& value : {verdict.limit.at_most, verdict.limit.at_least}) {
@@ -138,4 +138,4 @@ std::vector<io::Curve> latency_limit_curves(const LogScore& score, double height
   return curves;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

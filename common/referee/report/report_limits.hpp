@@ -6,7 +6,7 @@
 #include "inslab/formats/tables/picture.hpp"
 #include "inslab/referee/score/score_log.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 /// Names of the places of a report that acceptance lines point to.
 namespace page_id {
@@ -22,9 +22,9 @@ std::string page_id_of(scenario::Metric metric);
 
 /// The limits that the scenario sets to any of these metrics, each a level line over the sim times that it judges: of a
 /// phase its stretches, of the whole run [0, end]. A limit whose stretches never came has no line.
-std::vector<io::Curve> limit_curves(const std::vector<scenario::Metric>& metrics, const LogScore& score, double end_s);
+std::vector<tables::Curve> limit_curves(const std::vector<scenario::Metric>& metrics, const score::LogScore& score, double end_s);
 
 /// Limits to latencies as upright lines of this height.
-std::vector<io::Curve> latency_limit_curves(const LogScore& score, double height);
+std::vector<tables::Curve> latency_limit_curves(const score::LogScore& score, double height);
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

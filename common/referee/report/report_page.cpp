@@ -6,7 +6,7 @@
 
 #include "inslab/foundation/files/xml_text.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 namespace {
 
@@ -58,10 +58,10 @@ std::string inlined(const Figure& figure, const std::string& drawing, const std:
   replace_all(svg, " id =", " id=");
   replace_all(svg, "url(#", "url(#" + prefix);
   return svg.replace(0, 4,
-                     "<svg role=\"img\" aria-label=\"" + io::xml_text(figure.title + ": " + figure.caption) + "\"");
+                     "<svg role=\"img\" aria-label=\"" + files::xml_text(figure.title + ": " + figure.caption) + "\"");
 }
 
-std::string id_of(const std::string& id) { return id.empty() ? "" : " id=\"" + io::xml_text(id) + "\""; }
+std::string id_of(const std::string& id) { return id.empty() ? "" : " id=\"" + files::xml_text(id) + "\""; }
 
 std::string drawings_of(const Figure& figure, std::size_t number) {
   const std::string prefix = "figure" + std::to_string(number) + "_";
@@ -86,8 +86,8 @@ const char* class_of(const Cell& cell, bool is_word) {
 }
 
 std::string element_of(const Cell& cell, const char* element, bool is_word) {
-  std::string text = io::xml_text(cell.text);
-  if (!cell.link.empty()) text = fmt::format("<a href=\"#{}\">{}</a>", io::xml_text(cell.link), text);
+  std::string text = files::xml_text(cell.text);
+  if (!cell.link.empty()) text = fmt::format("<a href=\"#{}\">{}</a>", files::xml_text(cell.link), text);
   return fmt::format("<{0}{1}>{2}</{0}>", element, class_of(cell, is_word), text);
 }
 
@@ -102,14 +102,14 @@ std::string table_of(const PageTable& table) {
   std::string out = fmt::format(
       "<h2{1}>{0}</h2>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\">\n"
       "<table>\n",
-      io::xml_text(table.title), id_of(table.id));
+      files::xml_text(table.title), id_of(table.id));
   const bool has_head =
       std::any_of(table.head.begin(), table.head.end(), [](const std::string& t) { return !t.empty(); });
   if (has_head) out += "<thead>" + row_of(table.head, "th", table.words) + "</thead>\n";
   out += "<tbody>\n";
   for (const auto& row : table.rows) out += row_of(row, "td", table.words);
   out += "</tbody>\n</table>\n</div>\n";
-  if (!table.caption.empty()) out += fmt::format("<p class=\"caption\">{}</p>\n", io::xml_text(table.caption));
+  if (!table.caption.empty()) out += fmt::format("<p class=\"caption\">{}</p>\n", files::xml_text(table.caption));
   return out;
 }
 
@@ -120,23 +120,23 @@ std::string html(const ReportPage& page) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>{}</style>\n"
       "</head>\n<body>\n<main>\n<h1>{}</h1>\n<p>{}</p>\n",
-      io::xml_text(page.title), kStyle, io::xml_text(page.title), io::xml_text(page.description));
+      files::xml_text(page.title), kStyle, files::xml_text(page.title), files::xml_text(page.description));
   if (!page.verdict.empty()) {
-    out += fmt::format("<p class=\"verdict{}\">{}</p>\n", page.accepted ? "" : " failed", io::xml_text(page.verdict));
+    out += fmt::format("<p class=\"verdict{}\">{}</p>\n", page.accepted ? "" : " failed", files::xml_text(page.verdict));
   }
   if (!page.worst.empty()) {
-    out += fmt::format("<p><strong>Worst moment:</strong> {}.</p>\n", io::xml_text(page.worst));
+    out += fmt::format("<p><strong>Worst moment:</strong> {}.</p>\n", files::xml_text(page.worst));
   }
-  if (!page.identity.empty()) out += fmt::format("<p class=\"identity\">{}</p>\n", io::xml_text(page.identity));
+  if (!page.identity.empty()) out += fmt::format("<p class=\"identity\">{}</p>\n", files::xml_text(page.identity));
   for (const PageTable& table : page.tables) out += table_of(table);
   if (!page.notes.empty()) out += "<h2>Notes</h2>\n";
-  for (const std::string& note : page.notes) out += fmt::format("<p>{}</p>\n", io::xml_text(note));
+  for (const std::string& note : page.notes) out += fmt::format("<p>{}</p>\n", files::xml_text(note));
   for (std::size_t i = 0; i < page.figures.size(); ++i) {
     const Figure& figure = page.figures[i];
     out += fmt::format("<h2{}>{}</h2>\n<figure>{}<figcaption>{}</figcaption></figure>\n", id_of(figure.id),
-                       io::xml_text(figure.title), drawings_of(figure, i), io::xml_text(figure.caption));
+                       files::xml_text(figure.title), drawings_of(figure, i), files::xml_text(figure.caption));
   }
   return out + "</main>\n</body>\n</html>\n";
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace inslab::cli {
+namespace inslab::report {
 
 /// One picture of a page: a heading, what it shows in words, and the SVG texts that gnuplot wrote.
 struct Figure {
@@ -58,4 +58,4 @@ struct ReportPage {
 /// The page as one HTML file that needs nothing else: no network, no script.
 std::string html(const ReportPage& page);
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

@@ -8,7 +8,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/referee/report/report_limits.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 namespace {
 
@@ -31,17 +31,17 @@ double extent_of(const std::vector<double>& values) {
 }
 
 /// Outages shaded, swaps marked.
-void mark(io::Panel& panel, const LogScore& score, const LogSummary& summary) {
+void mark(tables::Panel& panel, const score::LogScore& score, const evidence::LogSummary& summary) {
   for (const score::OutageDrift& outage : score.scorer.outages()) {
     panel.bands.push_back({static_cast<double>(outage.begin_ns) * 1e-9, static_cast<double>(outage.end_ns) * 1e-9});
   }
-  for (const ProfileInUse& swap : summary.profiles) {
+  for (const evidence::ProfileInUse& swap : summary.profiles) {
     if (swap.apply_at_ns >= 0) panel.marks.push_back(static_cast<double>(swap.apply_at_ns) * 1e-9);
   }
 }
 
 /// A size on a logarithmic axis, without the depths at which an error passes through 0.
-void add_size(io::Curve& curve, double t_s, double size, double smallest) {
+void add_size(tables::Curve& curve, double t_s, double size, double smallest) {
   if (!std::isfinite(size)) return;
   curve.x.push_back(t_s);
   curve.y.push_back(std::max(size, smallest));
@@ -63,14 +63,14 @@ class Bounds {
     above_.y.push_back(3.0 * sigma);
     below_.y.push_back(-3.0 * sigma);
   }
-  void draw(io::Panel& panel) const {
+  void draw(tables::Panel& panel) const {
     if (above_.x.empty()) return;
-    panel.curves.push_back(io::thinned(above_, kBins));
-    panel.curves.push_back(io::thinned(below_, kBins));
+    panel.curves.push_back(tables::thinned(above_, kBins));
+    panel.curves.push_back(tables::thinned(below_, kBins));
   }
 
  private:
-  io::Curve above_, below_;
+  tables::Curve above_, below_;
 };
 
 }  // namespace
@@ -91,15 +91,15 @@ void ErrorCurves::add(const score::ScoredSolution& scored) {
   keep_every_ *= 2;
 }
 
-io::Picture ErrorCurves::errors(std::size_t which, const std::string& title, const std::string& unit,
-                                const LogScore& score, const LogSummary& summary,
+tables::Picture ErrorCurves::errors(std::size_t which, const std::string& title, const std::string& unit,
+                                const score::LogScore& score, const evidence::LogSummary& summary,
                                 const Expectation& expectation) const {
-  io::Picture picture;
+  tables::Picture picture;
   picture.title = title;
   picture.panel_width_px = 900;
   picture.panel_height_px = 220;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    io::Curve error{"error", {}, {}, kErrorStyle};
+    tables::Curve error{"error", {}, {}, kErrorStyle};
     Bounds reported("3 sigma as reported", kReportedStyle), expected("3 sigma to expect", kExpectedStyle);
     for (const Point& point : points_) {
       error.x.push_back(point.t_s);
@@ -109,21 +109,21 @@ io::Picture ErrorCurves::errors(std::size_t which, const std::string& title, con
     for (const predict::PredictedError& sigma : expectation.curve) {
       expected.add(sigma.time_s, expected_of(sigma, which)[axis]);
     }
-    io::Panel panel;
+    tables::Panel panel;
     panel.x_label = axis == 2 ? "sim time (s)" : "";
     panel.y_label = std::string(kAxes[axis]) + " (" + unit + ")";
     panel.tight_x = true;
     panel.has_key = axis == 2;
     reported.draw(panel);
     expected.draw(panel);
-    panel.curves.push_back(io::thinned(error, kBins));
+    panel.curves.push_back(tables::thinned(error, kBins));
     mark(panel, score, summary);
     picture.panels.push_back(panel);
   }
   return picture;
 }
 
-io::Picture ErrorCurves::position(const LogScore& score, const LogSummary& summary,
+tables::Picture ErrorCurves::position(const score::LogScore& score, const evidence::LogSummary& summary,
                                   const Expectation& expectation) const {
   return errors(0, "Position error", "m", score, summary, expectation);
 }
@@ -137,14 +137,14 @@ struct ErrorCurves::Size {
   std::vector<scenario::Metric> metrics;
 };
 
-io::Picture ErrorCurves::size_panels(const std::string& title, const std::vector<Size>& sizes, const LogScore& score,
-                                     const LogSummary& summary, const Expectation& expectation) const {
-  io::Picture picture;
+tables::Picture ErrorCurves::size_panels(const std::string& title, const std::vector<Size>& sizes, const score::LogScore& score,
+                                     const evidence::LogSummary& summary, const Expectation& expectation) const {
+  tables::Picture picture;
   picture.title = title;
   picture.panel_width_px = 900;
   picture.panel_height_px = 280;
   for (const Size& size : sizes) {
-    io::Curve error{"error", {}, {}, kErrorStyle}, reported{"1 sigma as reported", {}, {}, kReportedStyle},
+    tables::Curve error{"error", {}, {}, kErrorStyle}, reported{"1 sigma as reported", {}, {}, kReportedStyle},
         expected{"1 sigma to expect", {}, {}, kExpectedStyle};
     for (const Point& point : points_) {
       add_size(error, point.t_s, size.of(point.error[size.which]), size.smallest);
@@ -154,14 +154,14 @@ io::Picture ErrorCurves::size_panels(const std::string& title, const std::vector
       add_size(expected, sigma.time_s, size.of(expected_of(sigma, size.which)), size.smallest);
     }
     const bool is_last = &size == &sizes.back();
-    io::Panel panel;
+    tables::Panel panel;
     panel.x_label = is_last ? "sim time (s)" : "";
     panel.y_label = size.label;
     panel.tight_x = panel.log_y = true;
-    const std::vector<io::Curve> limits = limit_curves(size.metrics, score, end_s());
+    const std::vector<tables::Curve> limits = limit_curves(size.metrics, score, end_s());
     panel.has_key = is_last || !limits.empty();
-    for (const io::Curve& curve : {error, reported, expected}) {
-      if (!curve.x.empty()) panel.curves.push_back(io::thinned_by_logarithm(curve, kBins));
+    for (const tables::Curve& curve : {error, reported, expected}) {
+      if (!curve.x.empty()) panel.curves.push_back(tables::thinned_by_logarithm(curve, kBins));
     }
     panel.curves.insert(panel.curves.end(), limits.begin(), limits.end());
     mark(panel, score, summary);
@@ -170,7 +170,7 @@ io::Picture ErrorCurves::size_panels(const std::string& title, const std::vector
   return picture;
 }
 
-io::Picture ErrorCurves::sizes(const LogScore& score, const LogSummary& summary, const Expectation& expectation) const {
+tables::Picture ErrorCurves::sizes(const score::LogScore& score, const evidence::LogSummary& summary, const Expectation& expectation) const {
   using scenario::Metric;
   constexpr double kSmallest_m = 1e-3;
   return size_panels("Size of the position error",
@@ -189,7 +189,7 @@ io::Picture ErrorCurves::sizes(const LogScore& score, const LogSummary& summary,
                      score, summary, expectation);
 }
 
-io::Picture ErrorCurves::motion_sizes(const LogScore& score, const LogSummary& summary,
+tables::Picture ErrorCurves::motion_sizes(const score::LogScore& score, const evidence::LogSummary& summary,
                                       const Expectation& expectation) const {
   using scenario::Metric;
   constexpr double kSmallest = 1e-4;  // m/s, deg
@@ -200,42 +200,42 @@ io::Picture ErrorCurves::motion_sizes(const LogScore& score, const LogSummary& s
                      score, summary, expectation);
 }
 
-io::Picture ErrorCurves::honesty(const LogScore& score, const LogSummary& summary) const {
+tables::Picture ErrorCurves::honesty(const score::LogScore& score, const evidence::LogSummary& summary) const {
   using scenario::Metric;
   constexpr double kSmallest = 1e-2;
   constexpr const char* kQuantities[] = {"position", "velocity", "attitude"};
-  io::Picture picture;
+  tables::Picture picture;
   picture.title = "Honesty of the reported sigmas";
   picture.panel_width_px = 900;
   picture.panel_height_px = 280;
   for (std::size_t which = 0; which < 3; ++which) {
-    io::Curve nees{"squared error over variance", {}, {}, kErrorStyle};
-    io::Curve honest{"3, of honest sigmas", {0.0, end_s()}, {3.0, 3.0}, kExpectedStyle};
+    tables::Curve nees{"squared error over variance", {}, {}, kErrorStyle};
+    tables::Curve honest{"3, of honest sigmas", {0.0, end_s()}, {3.0, 3.0}, kExpectedStyle};
     for (const Point& point : points_) {
       const Vector3& sigma = point.sigma[which];
       if (!sigma.allFinite() || !(sigma.minCoeff() > 0.0)) continue;
       add_size(nees, point.t_s, point.error[which].cwiseQuotient(sigma).squaredNorm(), kSmallest);
     }
     if (nees.x.empty()) continue;
-    io::Panel panel;
+    tables::Panel panel;
     panel.x_label = "sim time (s)";
     panel.y_label = std::string("NEES of ") + kQuantities[which];
     panel.tight_x = panel.log_y = true;
-    panel.curves = {io::thinned_by_logarithm(nees, kBins), honest};
+    panel.curves = {tables::thinned_by_logarithm(nees, kBins), honest};
     const auto metric = static_cast<Metric>(static_cast<std::uint32_t>(Metric::PositionNees) + which);
-    for (const io::Curve& limit : limit_curves({metric}, score, end_s())) panel.curves.push_back(limit);
+    for (const tables::Curve& limit : limit_curves({metric}, score, end_s())) panel.curves.push_back(limit);
     mark(panel, score, summary);
     picture.panels.push_back(panel);
   }
   return picture;
 }
 
-io::Picture ErrorCurves::velocity(const LogScore& score, const LogSummary& summary,
+tables::Picture ErrorCurves::velocity(const score::LogScore& score, const evidence::LogSummary& summary,
                                   const Expectation& expectation) const {
   return errors(1, "Velocity error", "m/s", score, summary, expectation);
 }
 
-io::Picture ErrorCurves::attitude(const LogScore& score, const LogSummary& summary,
+tables::Picture ErrorCurves::attitude(const score::LogScore& score, const evidence::LogSummary& summary,
                                   const Expectation& expectation) const {
   return errors(2, "Attitude error: rotation vector about north, east, down", "deg", score, summary, expectation);
 }
@@ -263,9 +263,9 @@ ErrorRatios ErrorCurves::ratios(const Expectation& expectation, bool in_outages)
   return {rms(0), rms(1), rms(2), solutions};
 }
 
-io::Picture ErrorCurves::track() const {
-  io::Curve truth{"truth", {}, {}, "lines linewidth 3 linecolor rgb '#9aa7b8'"};
-  io::Curve app{"app", {}, {}, "lines linecolor rgb '#c03020'"};
+tables::Picture ErrorCurves::track() const {
+  tables::Curve truth{"truth", {}, {}, "lines linewidth 3 linecolor rgb '#9aa7b8'"};
+  tables::Curve app{"app", {}, {}, "lines linecolor rgb '#c03020'"};
   for (const Point& point : points_) {
     const Vector3 place = nav::ned_from(points_.front().truth, point.truth);
     truth.x.push_back(place.y());
@@ -273,14 +273,14 @@ io::Picture ErrorCurves::track() const {
     app.x.push_back(place.y() + point.error[0].y());
     app.y.push_back(place.x() + point.error[0].x());
   }
-  io::Panel panel;
+  tables::Panel panel;
   panel.x_label = "east of the first solution (m)";
   panel.y_label = "north (m)";
   panel.equal_scales = true;
   const double extent_m = std::max(extent_of(truth.x), extent_of(truth.y));
-  if (extent_m > 0.0) panel.tic_step = io::tic_step_over(extent_m);
-  panel.curves = {io::thinned_by_distance(truth, 0.05, 4000), io::thinned_by_distance(app, 0.05, 4000)};
-  io::Picture picture;
+  if (extent_m > 0.0) panel.tic_step = tables::tic_step_over(extent_m);
+  panel.curves = {tables::thinned_by_distance(truth, 0.05, 4000), tables::thinned_by_distance(app, 0.05, 4000)};
+  tables::Picture picture;
   picture.title = "Track: truth and app";
   picture.panel_width_px = 900;
   picture.panel_height_px = 520;
@@ -288,25 +288,25 @@ io::Picture ErrorCurves::track() const {
   return picture;
 }
 
-io::Picture latency_picture(const LogScore& score) {
+tables::Picture latency_picture(const score::LogScore& score) {
   constexpr double kBinsPerDecade = 20.0;
   std::map<int, double> wide;
   score.scorer.latency().seconds().for_each_bin([&](double latency, std::uint64_t count) {
     wide[static_cast<int>(std::floor(std::log10(latency * 1e3) * kBinsPerDecade))] += static_cast<double>(count);
   });
-  io::Curve histogram{"", {}, {}, "impulses linewidth 8 linecolor rgb '#1f5fa8'"};
+  tables::Curve histogram{"", {}, {}, "impulses linewidth 8 linecolor rgb '#1f5fa8'"};
   for (const auto& [bin, count] : wide) {
     histogram.x.push_back(std::pow(10.0, (bin + 0.5) / kBinsPerDecade));
     histogram.y.push_back(count);
   }
-  io::Panel panel;
+  tables::Panel panel;
   panel.x_label = "latency (ms)";
   panel.y_label = "solutions";
   panel.log_x = true;
   panel.curves = {histogram};
   const double height = histogram.y.empty() ? 1.0 : *std::max_element(histogram.y.begin(), histogram.y.end());
-  for (const io::Curve& limit : latency_limit_curves(score, height)) panel.curves.push_back(limit);
-  io::Picture picture;
+  for (const tables::Curve& limit : latency_limit_curves(score, height)) panel.curves.push_back(limit);
+  tables::Picture picture;
   picture.title = "Latency: IMU sample sent to solution received";
   picture.panel_width_px = 900;
   picture.panel_height_px = 300;
@@ -314,4 +314,4 @@ io::Picture latency_picture(const LogScore& score) {
   return picture;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

@@ -11,7 +11,7 @@
 #include "inslab/referee/report/report_limits.hpp"
 #include "inslab/referee/score/score_text.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 namespace {
 
@@ -25,7 +25,7 @@ std::string shown(double value) {
 std::string shown(const std::optional<double>& value) { return value ? shown(*value) : "-"; }
 
 /// "between outages, after 60 s"; "from swap 2 on (imu_error 'adis16488' for imu0 at 20.000 s), after 25 s"
-std::string phase_name(const score::PhaseKey& key, const SwapIntervals& intervals) {
+std::string phase_name(const score::PhaseKey& key, const score::SwapIntervals& intervals) {
   std::string name = score::words_of(key);
   std::replace(name.begin(), name.end(), '_', ' ');
   if (key.phase != scenario::Phase::SwapInterval) return name;
@@ -37,7 +37,7 @@ std::string phase_name(const score::PhaseKey& key, const SwapIntervals& interval
 }
 
 /// "horizontal_rms_m, before the first swap, after 5 s, at most 0.1"
-std::string limit_words(const scenario::AcceptanceLimit& limit, const SwapIntervals& intervals) {
+std::string limit_words(const scenario::AcceptanceLimit& limit, const score::SwapIntervals& intervals) {
   if (limit.phase != scenario::Phase::SwapInterval) return score::words_of(limit);
   scenario::AcceptanceLimit of_the_run = limit;
   of_the_run.phase = scenario::Phase::All;
@@ -48,7 +48,7 @@ std::string limit_words(const scenario::AcceptanceLimit& limit, const SwapInterv
 }
 
 /// As the line judges that asks for it; a figure that none asks for is odd where it is far from what it should be.
-Tone tone_of(const LogScore& score, Metric metric, const score::PhaseKey& key, double least, double most) {
+Tone tone_of(const score::LogScore& score, Metric metric, const score::PhaseKey& key, double least, double most) {
   const auto value = score::figure(score.scorer, metric, key);
   for (const score::Verdict& verdict : score.verdicts) {
     const scenario::AcceptanceLimit& limit = verdict.limit;
@@ -59,7 +59,7 @@ Tone tone_of(const LogScore& score, Metric metric, const score::PhaseKey& key, d
   return value && (*value < least || *value > most) ? Tone::Odd : Tone::Plain;
 }
 
-PageTable acceptance_table(const LogScore& score, const SwapIntervals& intervals) {
+PageTable acceptance_table(const score::LogScore& score, const score::SwapIntervals& intervals) {
   PageTable table{"Acceptance", {"result", "limit", "value", "why not"}, {}, {}, 2, "acceptance"};
   bool all_passed = true;
   for (const score::Verdict& verdict : score.verdicts) {
@@ -74,7 +74,7 @@ PageTable acceptance_table(const LogScore& score, const SwapIntervals& intervals
   return table;
 }
 
-PageTable phases_table(const LogScore& score, const SwapIntervals& intervals) {
+PageTable phases_table(const score::LogScore& score, const score::SwapIntervals& intervals) {
   constexpr double kTooCautious = 1.0, kTooSure = 9.0;
   PageTable table{
       "Errors",
@@ -103,7 +103,7 @@ PageTable phases_table(const LogScore& score, const SwapIntervals& intervals) {
   return table;
 }
 
-PageTable outages_table(const LogScore& score, const Expectation& expectation) {
+PageTable outages_table(const score::LogScore& score, const Expectation& expectation) {
   PageTable table{"Outages",
                   {"from, s", "length, s", "largest horizontal, m", "largest vertical, m"},
                   {},
@@ -149,7 +149,7 @@ PageTable ratios_table(const ReportData& data, bool has_outages) {
   return table;
 }
 
-PageTable app_table(const LogScore& score) {
+PageTable app_table(const score::LogScore& score) {
   const score::Scorer& scorer = score.scorer;
   const score::SolutionCounts& counts = scorer.counts();
   const auto of = [&](Metric metric) { return shown(score::figure(scorer, metric, {})); };
@@ -177,9 +177,9 @@ PageTable app_table(const LogScore& score) {
   return table;
 }
 
-PageTable profiles_table(const LogSummary& summary) {
+PageTable profiles_table(const evidence::LogSummary& summary) {
   PageTable table{"Profiles", {"profile", "sensor", "kind", "from, s"}, {}, {}, 3};
-  for (const ProfileInUse& entry : summary.profiles) {
+  for (const evidence::ProfileInUse& entry : summary.profiles) {
     const std::string& name = name_of(entry.profile);
     if (entry.apply_at_ns < 0 && name.empty()) continue;  // the scenario names none
     table.rows.push_back(
@@ -191,11 +191,11 @@ PageTable profiles_table(const LogSummary& summary) {
 }
 
 /// The measured value in the colour of its check.
-Cell measured_cell(const Measured& measured) {
+Cell measured_cell(const evidence::Measured& measured) {
   return {fmt::format("{:.5g}", measured.value), measured.holds ? Tone::Good : Tone::Bad};
 }
 
-PageTable swaps_table(const std::vector<SwapEvidence>& swaps) {
+PageTable swaps_table(const std::vector<evidence::SwapEvidence>& swaps) {
   PageTable table{"Swaps",
                   {"swap", "quantity", "unit", "before: measured", "promised", "after: measured", "promised"},
                   {},
@@ -203,7 +203,7 @@ PageTable swaps_table(const std::vector<SwapEvidence>& swaps) {
                   "lies within four standard errors of the promise.",
                   3};
   std::size_t number = 0;
-  for (const SwapEvidence& swap : swaps) {
+  for (const evidence::SwapEvidence& swap : swaps) {
     const std::string name =
         fmt::format("{}: {} '{}' for {} from {:.3f} s on{}{}", ++number, enum_name(swap.ack.kind), swap.profile_name,
                     sensor_name(swap.ack.target), time::to_seconds(swap.ack.apply_time_ns),
@@ -211,7 +211,7 @@ PageTable swaps_table(const std::vector<SwapEvidence>& swaps) {
                     swap.left_out.empty() ? "" : fmt::format("; not weighed: {}", fmt::join(swap.left_out, ", ")));
     const Cell first{name, swap.first_sample_holds ? Tone::Plain : Tone::Bad};
     if (swap.lines.empty()) table.rows.push_back({first, "nothing measured: " + swap.why_nothing, "", "", "", "", ""});
-    for (const EvidenceLine& line : swap.lines) {
+    for (const evidence::EvidenceLine& line : swap.lines) {
       table.rows.push_back({&line == &swap.lines.front() ? first : Cell(""), line.quantity, line.unit,
                             measured_cell(line.before), fmt::format("{:.5g}", line.before.promised),
                             measured_cell(line.after), fmt::format("{:.5g}", line.after.promised)});
@@ -223,7 +223,7 @@ PageTable swaps_table(const std::vector<SwapEvidence>& swaps) {
 }  // namespace
 
 std::vector<PageTable> report_tables(const ReportData& data) {
-  const SwapIntervals& intervals = data.score.intervals;
+  const score::SwapIntervals& intervals = data.score.intervals;
   const bool has_outages = !data.score.scorer.outages().empty();
   std::vector<PageTable> tables;
   for (PageTable& table :
@@ -235,4 +235,4 @@ std::vector<PageTable> report_tables(const ReportData& data) {
   return tables;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

@@ -12,7 +12,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/sim/truth_source.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 namespace {
 
@@ -23,16 +23,16 @@ constexpr std::size_t kMostTrackPoints = 800;
 constexpr double kStandsWithin_m = 1e-3;
 
 /// An angle over time, thinned; interrupted where it turns over.
-io::Curve thinned_angle(const io::Curve& curve) {
-  io::Curve joined{curve.title, {}, {}, curve.style};
+tables::Curve thinned_angle(const tables::Curve& curve) {
+  tables::Curve joined{curve.title, {}, {}, curve.style};
   const auto place = [](std::vector<double>::size_type i) { return static_cast<std::ptrdiff_t>(i); };
   std::size_t begin = 0;
   for (std::size_t end = 1; end <= curve.x.size(); ++end) {
     if (end < curve.x.size() && std::abs(curve.y[end] - curve.y[end - 1]) <= 180.0) continue;
-    io::Curve stretch;
+    tables::Curve stretch;
     stretch.x.assign(curve.x.begin() + place(begin), curve.x.begin() + place(end));
     stretch.y.assign(curve.y.begin() + place(begin), curve.y.begin() + place(end));
-    stretch = io::thinned(stretch, 2 + kTrackBins * (end - begin) / curve.x.size());
+    stretch = tables::thinned(stretch, 2 + kTrackBins * (end - begin) / curve.x.size());
     if (begin > 0) {
       joined.x.push_back(stretch.x.front());
       joined.y.push_back(std::numeric_limits<double>::quiet_NaN());
@@ -58,8 +58,8 @@ void Track::add(const TruthState& truth) {
   keep_every_ *= 2;
 }
 
-io::Curve Track::over_time(const std::string& title, double (*value)(const Point&)) const {
-  io::Curve curve;
+tables::Curve Track::over_time(const std::string& title, double (*value)(const Point&)) const {
+  tables::Curve curve;
   curve.title = title;
   for (const Point& point : points_) {
     curve.x.push_back(point.t_s);
@@ -68,7 +68,7 @@ io::Curve Track::over_time(const std::string& title, double (*value)(const Point
   return curve;
 }
 
-io::Panel Track::ground_panel() const {
+tables::Panel Track::ground_panel() const {
   std::vector<Vector3> ned_m;
   Vector3 low_m = Vector3::Zero(), high_m = Vector3::Zero();
   for (const Point& point : points_) {
@@ -79,26 +79,26 @@ io::Panel Track::ground_panel() const {
   const double extent_m = (high_m - low_m).head<2>().maxCoeff();
   const bool in_km = extent_m >= 2000.0;
   const double per_m = in_km ? 1e-3 : 1.0;
-  io::Curve track;
+  tables::Curve track;
   for (const Vector3& place : ned_m) {
     track.x.push_back(place.y() * per_m);
     track.y.push_back(place.x() * per_m);
   }
-  io::Panel panel;
+  tables::Panel panel;
   panel.title = "track from its start (circle)";
   panel.x_label = in_km ? "east (km)" : "east (m)";
   panel.y_label = in_km ? "north (km)" : "north (m)";
   panel.equal_scales = true;
   if (extent_m > kStandsWithin_m) {
-    panel.tic_step = io::tic_step_over(extent_m * per_m);
-    panel.curves.push_back(io::thinned_by_distance(track, kFinestTrack * extent_m * per_m, kMostTrackPoints));
+    panel.tic_step = tables::tic_step_over(extent_m * per_m);
+    panel.curves.push_back(tables::thinned_by_distance(track, kFinestTrack * extent_m * per_m, kMostTrackPoints));
   }
   panel.curves.push_back({"", {0.0}, {0.0}, "points pointtype 6 linecolor rgb '#c03020'"});
   return panel;
 }
 
-io::Panel Track::attitude_panel() const {
-  io::Panel panel;
+tables::Panel Track::attitude_panel() const {
+  tables::Panel panel;
   panel.title = "attitude";
   panel.x_label = "time (s)";
   panel.y_label = "deg";
@@ -106,22 +106,22 @@ io::Panel Track::attitude_panel() const {
   panel.curves.push_back(
       over_time("pitch", [](const Point& point) { return point.rpy.pitch_rad * units::kDegPerRad; }));
   panel.curves.push_back(over_time("yaw", [](const Point& point) { return point.rpy.yaw_rad * units::kDegPerRad; }));
-  for (io::Curve& curve : panel.curves) curve = thinned_angle(curve);
+  for (tables::Curve& curve : panel.curves) curve = thinned_angle(curve);
   return panel;
 }
 
-io::Picture Track::picture(const std::string& title) const {
-  io::Picture picture;
+tables::Picture Track::picture(const std::string& title) const {
+  tables::Picture picture;
   picture.title = title;
   picture.columns = 2;
   const auto height = over_time("", [](const Point& point) { return point.position.height_m; });
   const auto speed = over_time("", [](const Point& point) { return point.speed_m_per_s; });
-  const auto over_time_panel = [](const char* quantity, const char* unit, const io::Curve& curve) {
-    io::Panel panel;
+  const auto over_time_panel = [](const char* quantity, const char* unit, const tables::Curve& curve) {
+    tables::Panel panel;
     panel.title = quantity;
     panel.x_label = "time (s)";
     panel.y_label = unit;
-    panel.curves = {io::thinned(curve, kTrackBins)};
+    panel.curves = {tables::thinned(curve, kTrackBins)};
     return panel;
   };
   picture.panels = {ground_panel(), over_time_panel("height above the ellipsoid", "m", height),
@@ -131,25 +131,25 @@ io::Picture Track::picture(const std::string& title) const {
 
 Track track_of_scenario(const scenario::LoadedScenario& scenario) {
   if (scenario.scenario.trajectory.source == scenario::TrajectorySource::VehicleState) {
-    throw io::ReadError(scenario.file.string() + ": follows a live vehicle: its track is in the log of a run");
+    throw files::ReadError(scenario.file.string() + ": follows a live vehicle: its track is in the log of a run");
   }
-  trajectory::TruthSource source(scenario, {0, 0}, RunId{});
+  sim::TruthSource source(scenario, {0, 0}, RunId{});
   Track track;
   while (source.has_next()) track.add(source.take());
   return track;
 }
 
 Track track_of_log(const std::string& log_path) {
-  const io::McapReader log(log_path);
+  const mcap::McapReader log(log_path);
   Track track;
-  log.for_each([&](const io::mcap::Message& message) {
+  log.for_each([&](const mcap::Message& message) {
     if (log.channels().at(message.channel_id).topic != catalog::kTruth.name) return true;
     TruthState truth;
     if (wire::decode(message.data, message.size, truth)) track.add(truth);
     return true;
   });
-  if (track.empty()) throw io::ReadError(log_path + ": has no " + std::string(catalog::kTruth.name));
+  if (track.empty()) throw files::ReadError(log_path + ": has no " + std::string(catalog::kTruth.name));
   return track;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

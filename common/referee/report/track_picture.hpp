@@ -9,7 +9,7 @@
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/scenario/load.hpp"
 
-namespace inslab::cli {
+namespace inslab::report {
 
 /// Where the vehicle was, over time; thinned to what a picture can show.
 class Track {
@@ -20,7 +20,7 @@ class Track {
   bool empty() const { return points_.empty(); }
 
   /// Track over the ground, height, speed, and attitude, with this title. The track is in NED at its first point.
-  io::Picture picture(const std::string& title) const;
+  tables::Picture picture(const std::string& title) const;
 
  private:
   struct Point {
@@ -30,9 +30,9 @@ class Track {
     nav::RollPitchYaw rpy;
   };
 
-  io::Curve over_time(const std::string& title, double (*value)(const Point&)) const;
-  io::Panel ground_panel() const;
-  io::Panel attitude_panel() const;
+  tables::Curve over_time(const std::string& title, double (*value)(const Point&)) const;
+  tables::Panel ground_panel() const;
+  tables::Panel attitude_panel() const;
 
   std::vector<Point> points_;
   std::uint64_t added_ = 0;
@@ -45,4 +45,4 @@ Track track_of_scenario(const scenario::LoadedScenario& scenario);
 /// The track in a log. Throws io::ReadError, also when the log holds no truth.
 Track track_of_log(const std::string& log_path);
 
-}  // namespace inslab::cli
+}  // namespace inslab::report

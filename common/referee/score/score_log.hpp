@@ -7,12 +7,12 @@
 #include "inslab/referee/score/swap_intervals.hpp"
 #include "inslab/referee/score/worst_moment.hpp"
 
-namespace inslab::cli {
+namespace inslab::score {
 
 /// A log scored as the logger scored the run: the same figures from the same samples in the same order.
 struct LogScore {
-  score::Scorer scorer;
-  std::vector<score::Verdict> verdicts;
+  Scorer scorer;
+  std::vector<Verdict> verdicts;
   WorstMoment worst;
   SwapIntervals intervals;
 
@@ -22,14 +22,14 @@ struct LogScore {
 /// Scores a log along a walk.
 class LogScorer {
  public:
-  using OnScored = std::function<void(const score::ScoredSolution&)>;
+  using OnScored = std::function<void(const ScoredSolution&)>;
 
   /// `on_scored` is told of each scored solution, in order of validity. `summary` is used until the end.
-  explicit LogScorer(const LogSummary& summary, OnScored on_scored = {});
+  explicit LogScorer(const evidence::LogSummary& summary, OnScored on_scored = {});
   LogScorer(const LogScorer&) = delete;
   LogScorer& operator=(const LogScorer&) = delete;
 
-  void take_part(io::LogWalk& walk);
+  void take_part(log::LogWalk& walk);
 
   /// No solution that is valid before this sim time will be scored any more; the lowest number before the first truth.
   std::int64_t judged_until_ns() const { return scorer_.judged_until_ns(); }
@@ -38,14 +38,14 @@ class LogScorer {
   LogScore finish();
 
  private:
-  const LogSummary& summary_;
+  const evidence::LogSummary& summary_;
   OnScored on_scored_;
   WorstMoment worst_;
-  score::Scorer scorer_;
+  Scorer scorer_;
 };
 
 /// Reads the log once, for its score alone. Throws io::ReadError.
-LogScore score_log(const io::McapReader& log, const LogSummary& summary);
+LogScore score_log(const mcap::McapReader& log, const evidence::LogSummary& summary);
 
 /// An app that works on a log's samples, in place of the one that took part in the run.
 struct OfflineApp {
@@ -57,6 +57,6 @@ struct OfflineApp {
 
 /// Reads the log once and scores the app's answers. There is no latency and there are no verdicts. Throws
 /// io::ReadError, also when the log has no such IMU.
-LogScore score_app(const io::McapReader& log, const LogSummary& summary, const OfflineApp& app);
+LogScore score_app(const mcap::McapReader& log, const evidence::LogSummary& summary, const OfflineApp& app);
 
-}  // namespace inslab::cli
+}  // namespace inslab::score

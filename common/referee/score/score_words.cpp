@@ -8,7 +8,7 @@
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/referee/score/score_text.hpp"
 
-namespace inslab::cli {
+namespace inslab::score {
 
 namespace {
 
@@ -19,7 +19,7 @@ constexpr double kStands_m_per_s = 0.05;
 constexpr double kTurns_deg_per_s = 1.0;
 
 std::string outage_words(const Moment& moment, const LogScore& score) {
-  for (const score::OutageDrift& outage : score.scorer.outages()) {
+  for (const OutageDrift& outage : score.scorer.outages()) {
     const double begin_s = time::to_seconds(outage.begin_ns), end_s = time::to_seconds(outage.end_ns);
     if (moment.time_s < begin_s || moment.time_s > end_s) continue;
     return fmt::format(", {:.2f} s after the last fix (outage from {:.2f} s to {:.2f} s)", moment.time_s - begin_s,
@@ -38,9 +38,9 @@ std::string motion_words(const Moment& moment) {
   return words;
 }
 
-bool limits_an_error(const score::Verdict& verdict) { return !scenario::is_of_the_run(verdict.limit.metric); }
+bool limits_an_error(const nav::Verdict& verdict) { return !scenario::is_of_the_run(verdict.limit.metric); }
 
-bool limits_a_drift(const score::Verdict& verdict) {
+bool limits_a_drift(const nav::Verdict& verdict) {
   const Metric metric = verdict.limit.metric;
   return metric >= Metric::OutageDriftRms && metric <= Metric::OutageVerticalDriftMax;
 }
@@ -77,7 +77,7 @@ std::string unjudged_words(const LogScore& score) {
   const auto& verdicts = score.verdicts;
   if (verdicts.empty()) return "";
   const auto all_of_errors = [&](const auto& holds) {
-    return std::all_of(verdicts.begin(), verdicts.end(), [&](const score::Verdict& verdict) {
+    return std::all_of(verdicts.begin(), verdicts.end(), [&](const nav::Verdict& verdict) {
       return !limits_an_error(verdict) || holds(verdict.limit);
     });
   };
@@ -99,18 +99,18 @@ std::string unjudged_words(const LogScore& score) {
 std::string verdict_words(const LogScore& score) {
   if (score.verdicts.empty()) return "";
   const auto passed = std::count_if(score.verdicts.begin(), score.verdicts.end(),
-                                    [](const score::Verdict& verdict) { return verdict.passed; });
+                                    [](const nav::Verdict& verdict) { return verdict.passed; });
   const std::string unjudged = unjudged_words(score);
   return fmt::format("{}: {} of {} acceptance lines passed{}{}", score.accepted() ? "PASS" : "FAIL", passed,
                      score.verdicts.size(), unjudged.empty() ? "" : "; ", unjudged);
 }
 
 std::string score_words(const LogScore& score) {
-  std::string text = score::score_text(score.scorer, score.verdicts);
+  std::string text = score_text(score.scorer, score.verdicts);
   const std::string worst = worst_words(score), verdict = verdict_words(score);
   if (!verdict.empty()) text += verdict + "\n";
   if (!worst.empty()) text += "\nworst moment: " + worst + "\n";
   return text + intervals_text(score);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::score

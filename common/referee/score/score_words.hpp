@@ -4,7 +4,7 @@
 
 #include "inslab/referee/score/score_log.hpp"
 
-namespace inslab::cli {
+namespace inslab::score {
 
 /// "22.8 m horizontally and 0.65 m vertically at 41.900 s, 9.95 s after the last fix (outage from ... to ...), at 15.0
 /// m/s, ...": the worst moment of the score with what was going on. Empty when nothing was scored.
@@ -20,4 +20,4 @@ std::string verdict_words(const LogScore& score);
 /// The score for the terminal: score::score_text, the worst moment, the names of the swap intervals, the verdict.
 std::string score_words(const LogScore& score);
 
-}  // namespace inslab::cli
+}  // namespace inslab::score

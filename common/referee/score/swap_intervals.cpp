@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <limits>
 
-namespace inslab::cli {
+namespace inslab::score {
 
-SwapIntervals::SwapIntervals(const LogSummary& summary) {
-  for (const ProfileInUse& entry : summary.profiles) {
+SwapIntervals::SwapIntervals(const evidence::LogSummary& summary) {
+  for (const evidence::ProfileInUse& entry : summary.profiles) {
     if (entry.apply_at_ns < 0) continue;
     const double time_s = static_cast<double>(entry.apply_at_ns) * 1e-9;
     swaps_.push_back({time_s, fmt::format("{} '{}' for {} at {:.3f} s", enum_name(kind_of(entry.profile)),
@@ -33,4 +33,4 @@ double SwapIntervals::begin_s(std::size_t interval) const {
   return interval > swaps_.size() ? std::numeric_limits<double>::infinity() : swaps_[interval - 1].time_s;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::score

@@ -6,13 +6,13 @@
 
 #include "inslab/referee/evidence/log_summary.hpp"
 
-namespace inslab::cli {
+namespace inslab::score {
 
 /// The stretches of a run between its swaps, numbered as the phase swap_interval is: how many entries of the journal
 /// have taken effect.
 class SwapIntervals {
  public:
-  explicit SwapIntervals(const LogSummary& summary);
+  explicit SwapIntervals(const evidence::LogSummary& summary);
 
   /// How many swaps there were; the interval of this number is the last.
   std::size_t count() const { return swaps_.size(); }
@@ -32,4 +32,4 @@ class SwapIntervals {
   std::vector<Swap> swaps_;  ///< in the order in which they took effect
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::score

@@ -5,9 +5,9 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/attitude.hpp"
 
-namespace inslab::cli {
+namespace inslab::score {
 
-void WorstMoment::add(const score::ScoredSolution& scored) {
+void WorstMoment::add(const ScoredSolution& scored) {
   const double time_s = static_cast<double>(scored.sim_time_ns) * 1e-9;
   const double yaw_rad = nav::rpy_from_quaternion(scored.truth.q_n_body).yaw_rad;
   const double elapsed_s = time_s - last_time_s_;
@@ -28,4 +28,4 @@ void WorstMoment::add(const score::ScoredSolution& scored) {
                   turn_rate_deg_per_s};
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::score

@@ -4,7 +4,7 @@
 
 #include "inslab/referee/score/scorer.hpp"
 
-namespace inslab::cli {
+namespace inslab::score {
 
 /// The solution with the largest horizontal error, and how the vehicle moved then.
 struct Moment {
@@ -19,7 +19,7 @@ struct Moment {
 /// Finds the worst moment among scored solutions, told in order of validity.
 class WorstMoment {
  public:
-  void add(const score::ScoredSolution& scored);
+  void add(const ScoredSolution& scored);
   /// Nothing when no solution was scored.
   const std::optional<Moment>& found() const { return worst_; }
 
@@ -29,4 +29,4 @@ class WorstMoment {
   std::optional<double> last_yaw_rad_;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::score

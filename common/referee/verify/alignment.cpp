@@ -42,8 +42,8 @@ scenario::Trajectory at_rest() {
 }
 
 struct Run {
-  align::AlignmentResult direct;
-  align::AlignedRecording read_back;
+  calibrate::AlignmentResult direct;
+  calibrate::AlignedRecording read_back;
 };
 
 /// A file name that is gone with this object.
@@ -71,10 +71,10 @@ Run align_run(std::uint64_t seed) {
                      InstallationProfile{}});
   imu.measure(truth.current());
   const nav::Geodetic site{kLatitudeDeg / units::kDegPerRad, 0.0, 0.0};
-  align::StaticAlignment direct(rate.period_s(), site.latitude_rad, gravity.g_n(site).norm(), {});
+  calibrate::StaticAlignment direct(rate.period_s(), site.latitude_rad, gravity.g_n(site).norm(), {});
   const PassingPath path;
-  io::NovatelImuFormatter format(kIsa100c, io::NovatelAxes::RightForwardUp);
-  io::TextWriter file(path.text(), "");
+  novatel::NovatelImuFormatter format(kIsa100c, novatel::NovatelAxes::RightForwardUp);
+  files::TextWriter file(path.text(), "");
   for (int k = 0; k < static_cast<int>(kDuration_s * kRateHz); ++k) {
     const ImuSample sample = imu.measure(truth.advance())->sample;
     direct.add(sample.dtheta_b, sample.dv_b);
@@ -82,9 +82,9 @@ Run align_run(std::uint64_t seed) {
     file.end_line();
   }
   file.close();
-  align::RecordingOptions options;
+  calibrate::RecordingOptions options;
   options.latitude_deg = kLatitudeDeg;
-  return {direct.result(), align::align_recording(path.text(), options)};
+  return {direct.result(), calibrate::align_recording(path.text(), options)};
 }
 
 Row ratio_row(const std::string& name, double found_deg, double expected_deg, double limit) {
@@ -94,7 +94,7 @@ Row ratio_row(const std::string& name, double found_deg, double expected_deg, do
           std::abs(off) <= limit};
 }
 
-Table spread_table(const align::AlignmentResult& result) {
+Table spread_table(const calibrate::AlignmentResult& result) {
   Table table{"Standard deviations of static coarse alignment, deg", {"", "found", "expected", "off", "limit"}, {}, {}};
   const std::array<double, 3> lab_deg{0.0854, 0.0866, 13.0122};
   // The mean of 200 samples is quieter by sqrt(200) in what is linear in the noise. Yaw is not at 13 deg.
@@ -117,7 +117,7 @@ Table spread_table(const align::AlignmentResult& result) {
 double yaw_of_a_count_rad() {
   const double horizontal_rad =
       nav::wgs84::omega_e_rad_per_s * std::cos(kLatitudeDeg / units::kDegPerRad) * kDuration_s;
-  return io::find_novatel_imu_type(kIsa100c)->rad_per_count / horizontal_rad;
+  return novatel::find_novatel_imu_type(kIsa100c)->rad_per_count / horizontal_rad;
 }
 
 Table whole_table(const Run& run) {

@@ -44,7 +44,7 @@ std::string figure(double value) { return fmt::format("{:.2e}", value); }
 
 /// What the feedback leaves of a file's own contradiction, by the file alone: the largest solution of
 /// e' = v - p' - feedback * e, without any mechanization.
-double bound_of(const std::shared_ptr<const io::TrajectoryFile>& file, double feedback_per_s) {
+double bound_of(const std::shared_ptr<const TrajectoryFile>& file, double feedback_per_s) {
   trajectory::FileStates rows(file);
   nav::NavState before = rows.at(time::Nanoseconds(0));
   nav::Vector3 error_m = nav::Vector3::Zero();
@@ -113,13 +113,13 @@ std::vector<LoopCase> for_an_hour(std::vector<LoopCase> cases) {
   return repeated;
 }
 
-std::shared_ptr<const io::TrajectoryFile> contradictory_rows(const LoopCase& one, time::Nanoseconds duration) {
+std::shared_ptr<const TrajectoryFile> contradictory_rows(const LoopCase& one, time::Nanoseconds duration) {
   auto file =
-      std::make_shared<io::TrajectoryFile>(*rows_as_written(one.trajectory, one.name, kContradictoryRate, duration));
+      std::make_shared<TrajectoryFile>(*rows_as_written(one.trajectory, one.name, kContradictoryRate, duration));
   file->name += ", made to contradict itself";
   const std::size_t half_way = file->rows.size() / 2;
   for (std::size_t i = 0; i < file->rows.size(); ++i) {
-    io::TrajectoryRow& row = file->rows[i];
+    TrajectoryRow& row = file->rows[i];
     *row.v_n += nav::Vector3(0.03, -0.02, 0.01);
     const double jitter_m = i % 2 == 0 ? 0.02 : -0.02, step_m = i < half_way ? 0.0 : 0.5;
     row.position = nav::displaced(row.position, {jitter_m, step_m, -jitter_m});
@@ -127,7 +127,7 @@ std::shared_ptr<const io::TrajectoryFile> contradictory_rows(const LoopCase& one
   return file;
 }
 
-Table contradiction_table(const std::vector<std::shared_ptr<const io::TrajectoryFile>>& files) {
+Table contradiction_table(const std::vector<std::shared_ptr<const TrajectoryFile>>& files) {
   const double feedback_per_s = trajectory::InverseMechanizationModel::Options().position_feedback_per_s;
   Table table{"Files whose position and velocity contradict each other, inverse_mechanization",
               {"", "rows", "minutes", "RMS m", "largest m", "bound m", "middle third", "last third", "velocity m/s",
@@ -149,22 +149,22 @@ Table contradiction_table(const std::vector<std::shared_ptr<const io::Trajectory
   return table;
 }
 
-std::shared_ptr<const io::TrajectoryFile> real_rows(const std::string& path) {
-  io::TrajectoryReading reading = io::read_trajectory(path);
-  if (!reading.problems.empty()) throw config::Error(path, reading.problems.kept().front());
-  const io::TrajectoryRow& first = reading.file.rows.front();
+std::shared_ptr<const TrajectoryFile> real_rows(const std::string& path) {
+  trajectory::TrajectoryReading reading = trajectory::read_trajectory(path);
+  if (!reading.problems.empty()) throw json::Error(path, reading.problems.kept().front());
+  const TrajectoryRow& first = reading.file.rows.front();
   if (!first.v_n || !first.rpy) {
-    throw config::Error(path, {Rule::MethodNeeds, "", "has rows without velocity or attitude; expected both"});
+    throw json::Error(path, {Rule::MethodNeeds, "", "has rows without velocity or attitude; expected both"});
   }
   reading.file.name = std::filesystem::path(path).filename().string();
-  return std::make_shared<const io::TrajectoryFile>(std::move(reading.file));
+  return std::make_shared<const TrajectoryFile>(std::move(reading.file));
 }
 
 std::vector<Table> closed_loop(const std::vector<std::string>& paths) {
   const std::vector<LoopCase> cases = loop_cases();
   const auto vehicle =
       std::find_if(cases.begin(), cases.end(), [](const LoopCase& one) { return one.name == "vehicle"; });
-  std::vector<std::shared_ptr<const io::TrajectoryFile>> contradictory{contradictory_rows(*vehicle, vehicle->duration)};
+  std::vector<std::shared_ptr<const TrajectoryFile>> contradictory{contradictory_rows(*vehicle, vehicle->duration)};
   std::transform(paths.begin(), paths.end(), std::back_inserter(contradictory), real_rows);
   Table contradiction = contradiction_table(contradictory);
   if (paths.empty()) contradiction.notes.push_back("No real files: name them after --files.");

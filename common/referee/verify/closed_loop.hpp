@@ -31,15 +31,15 @@ Table inverse_mechanization_table(const std::string& title, const std::vector<Lo
 
 /// The first `duration` of the case's rows, at 10 Hz, with what real files have: velocities biased by some cm/s, a
 /// position that jitters by 2 cm from row to row and steps by 0.5 m half-way.
-std::shared_ptr<const io::TrajectoryFile> contradictory_rows(const LoopCase& one, time::Nanoseconds duration);
+std::shared_ptr<const TrajectoryFile> contradictory_rows(const LoopCase& one, time::Nanoseconds duration);
 
 /// Files whose position and velocity contradict each other, by `inverse_mechanization`: how far the result goes from
 /// the file's positions, beside the bound that file and feedback set.
-Table contradiction_table(const std::vector<std::shared_ptr<const io::TrajectoryFile>>& files);
+Table contradiction_table(const std::vector<std::shared_ptr<const TrajectoryFile>>& files);
 
 /// The file at `path`, named without its folder, for contradiction_table(). Throws io::ReadError when it cannot be read
 /// and config::Error, naming the place, when its rows are not a trajectory with velocity and attitude.
-std::shared_ptr<const io::TrajectoryFile> real_rows(const std::string& path);
+std::shared_ptr<const TrajectoryFile> real_rows(const std::string& path);
 
 /// Block 2 of the verification: the catalogue as it is and for an hour by `inverse_mechanization`, sparse by `spline`,
 /// then in both modes files that contradict themselves: a made one and those at `paths`.

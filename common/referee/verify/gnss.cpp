@@ -83,7 +83,7 @@ Vector3 point_v_e_m_per_s(const TruthState& truth, const Vector3& arm_v_m) {
 }
 
 /// Errors of each receiver in NED at its antenna: [receiver][quantity: position m, velocity m/s][axis] a series.
-class ErrorSink : public cli::RunSink {
+class ErrorSink : public sim::RunSink {
  public:
   using Series = std::array<std::array<std::vector<double>, 3>, 2>;
 
@@ -119,7 +119,7 @@ std::vector<ErrorSink::Series> errors_of_run(const std::vector<GnssErrorProfile>
     loaded.gnss.push_back(receiver(static_cast<std::uint32_t>(loaded.gnss.size()), kRate_hz, errors));
   }
   ErrorSink sink(receivers.size());
-  cli::OfflineRun run(loaded, {2446, 0}, RunId{}, sink);
+  sim::OfflineRun run(loaded, {2446, 0}, RunId{}, sink);
   while (run.step()) {
   }
   return sink.errors;
@@ -246,7 +246,7 @@ Table gnss_gauss_markov(std::uint64_t seeds) {
 namespace {
 
 /// Fixes of a perfect receiver beside both truths.
-class ArmSink : public cli::RunSink {
+class ArmSink : public sim::RunSink {
  public:
   struct Epoch {
     TruthState vehicle;
@@ -279,7 +279,7 @@ std::vector<ArmSink::Epoch> tumbling(double rate_hz) {
   imu.installation.lever_arm_v_m = kImuArm_v_m;
   loaded.imus.push_back(imu);
   ArmSink sink;
-  cli::OfflineRun run(loaded, {2446, 0}, RunId{}, sink);
+  sim::OfflineRun run(loaded, {2446, 0}, RunId{}, sink);
   while (run.step()) {
   }
   return sink.epochs;

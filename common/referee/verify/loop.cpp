@@ -14,7 +14,7 @@ namespace inslab::verify {
 namespace {
 
 void write(WrittenRows& rows, const TruthState& truth) {
-  io::TrajectoryRow row;
+  TrajectoryRow row;
   row.position = {truth.latitude_rad, truth.longitude_rad, truth.height_m};
   row.v_n = truth.v_n;
   row.rpy = nav::rpy_from_quaternion(truth.q_nv);
@@ -27,7 +27,7 @@ imu::ImuModel perfect_imu(const nav::Gravity& gravity, const time::Rate& rate) {
 
 }  // namespace
 
-std::shared_ptr<const io::TrajectoryFile> rows_as_written(const scenario::Trajectory& trajectory,
+std::shared_ptr<const TrajectoryFile> rows_as_written(const scenario::Trajectory& trajectory,
                                                           const std::string& name, const time::Rate& rate,
                                                           time::Nanoseconds duration) {
   WrittenRows written(name);
@@ -56,7 +56,7 @@ DeviationFigures close_loop(trajectory::TruthModel& truth, const nav::Gravity& g
   return deviation.figures();
 }
 
-DeviationFigures close_file_loop(const std::shared_ptr<const io::TrajectoryFile>& file, const nav::Gravity& gravity,
+DeviationFigures close_file_loop(const std::shared_ptr<const TrajectoryFile>& file, const nav::Gravity& gravity,
                                  const time::Rate& rate) {
   trajectory::InverseMechanizationModel truth(file, gravity, {}, rate, kStart);
   trajectory::FileStates rows(file);

@@ -15,7 +15,7 @@ namespace inslab::verify {
 /// The rows of a motion table's first `duration` at `rate`, fewer when the motion ends itself before: written to a file
 /// (io::NavTextWriter) in the system's folder for temporary files, and read from it. `name` is part of the file's name.
 /// Throws io::WriteError.
-std::shared_ptr<const io::TrajectoryFile> rows_as_written(const scenario::Trajectory& trajectory,
+std::shared_ptr<const TrajectoryFile> rows_as_written(const scenario::Trajectory& trajectory,
                                                           const std::string& name, const time::Rate& rate,
                                                           time::Nanoseconds duration);
 
@@ -26,7 +26,7 @@ DeviationFigures close_loop(trajectory::TruthModel& truth, const nav::Gravity& g
                             const std::function<nav::NavState(const TruthState&)>& expected);
 
 /// The same with `inverse_mechanization` of `file` as truth, held against the file, as far as the file reaches.
-DeviationFigures close_file_loop(const std::shared_ptr<const io::TrajectoryFile>& file, const nav::Gravity& gravity,
+DeviationFigures close_file_loop(const std::shared_ptr<const TrajectoryFile>& file, const nav::Gravity& gravity,
                                  const time::Rate& rate);
 
 }  // namespace inslab::verify

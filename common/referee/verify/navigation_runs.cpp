@@ -19,7 +19,7 @@ namespace inslab::verify {
 
 namespace {
 
-namespace ref = reference_nav;
+namespace ref = navigation;
 
 constexpr const char* kImuPlace = "installation/imu_trunk";
 constexpr const char* kAntennaPlace = "installation/antenna_roof";
@@ -85,7 +85,7 @@ class Scored {
   /// Truth plus errors drawn from the filter's own initial covariance.
   void begin(const ImuTruth& truth) {
     const Vector9 sigmas = ref::initial_sigmas(parameters_).head<ref::kNavStates>();
-    filter_.start(cli::drawn_start(truth, sigmas, draws_), truth.header.sim_time_ns);
+    filter_.start(sim::drawn_start(truth, sigmas, draws_), truth.header.sim_time_ns);
     begun_ = true;
   }
 
@@ -108,7 +108,7 @@ class Scored {
   NavigationRun run_;
 };
 
-class ScoringSink : public cli::RunSink {
+class ScoringSink : public sim::RunSink {
  public:
   std::vector<Scored> filters;
 
@@ -186,7 +186,7 @@ std::vector<NavigationRun> navigate(const NavigationSetup& setup) {
       sink.filters.emplace_back(setup, i, shift, filter_parameters(setup, i), loaded.gravity());
     }
   }
-  cli::OfflineRun run(loaded, kNavigationStart, RunId{}, sink);
+  sim::OfflineRun run(loaded, kNavigationStart, RunId{}, sink);
   while (run.step()) {
   }
   std::vector<NavigationRun> runs;

@@ -31,7 +31,7 @@ struct NavigationSetup {
   std::uint64_t seed = 1;
   std::vector<TestedImu> imus;
   scenario::Trajectory motion;
-  std::shared_ptr<const io::TrajectoryFile> file;  ///< the rows of a motion from a file
+  std::shared_ptr<const TrajectoryFile> file;  ///< the rows of a motion from a file
   GnssErrorProfile gnss;
   double gnss_rate_hz = 1.0;
   bool gnss_velocity = false;  ///< false: positions alone, as 7-column texts have them
@@ -50,7 +50,7 @@ inline constexpr time::GpsTime kNavigationStart{2446, 36000000000000};
 scenario::LoadedScenario navigation_scenario(const NavigationSetup& setup);
 
 /// What the filter beside an IMU of the setup is told.
-reference_nav::NavigationParameters filter_parameters(const NavigationSetup& setup, std::size_t imu);
+navigation::NavigationParameters filter_parameters(const NavigationSetup& setup, std::size_t imu);
 
 /// A run for each IMU of the setup and each shift: those of the first IMU first.
 std::vector<NavigationRun> navigate(const NavigationSetup& setup);

@@ -187,26 +187,26 @@ Row cep_row(const std::string& name, const Drift& drift, bool held) {
           held};
 }
 
-io::Curve curve(const std::string& title, const std::string& style) { return {title, {}, {}, style}; }
+tables::Curve curve(const std::string& title, const std::string& style) { return {title, {}, {}, style}; }
 
-io::Panel panel_of(const Source& source) {
+tables::Panel panel_of(const Source& source) {
   const std::vector<ErrorState> run = navigate_at_rest(source.run(), kEvery_s), linear = source.linear();
   // The chain and the model lie on each other: the one wide and light, the other thin upon it.
-  io::Curve whole = curve("whole chain", "lines linewidth 6 linecolor rgb '#a9c4e6'"),
+  tables::Curve whole = curve("whole chain", "lines linewidth 6 linecolor rgb '#a9c4e6'"),
             model = curve("linear model", "lines linewidth 1.5 linecolor rgb '#1f3f75'"),
             closed = curve("closed form", "lines dashtype 2 linewidth 1.5 linecolor rgb '#c03020'");
   for (std::size_t k = 0; k < run.size(); k += 6) {
-    for (io::Curve* one : {&whole, &model, &closed}) one->x.push_back(time_of(k) / 3600.0);
+    for (tables::Curve* one : {&whole, &model, &closed}) one->x.push_back(time_of(k) / 3600.0);
     whole.y.push_back(run[k][0]);
     model.y.push_back(linear[k][0]);
     closed.y.push_back(source.closed_form_m(time_of(k)));
   }
-  io::Panel panel;
+  tables::Panel panel;
   panel.title = source.name;
   panel.x_label = "time (h)";
   panel.y_label = "north (m)";
   constexpr std::size_t kBins = 200;
-  for (const io::Curve& one : {whole, model, closed}) panel.curves.push_back(io::thinned(one, kBins));
+  for (const tables::Curve& one : {whole, model, closed}) panel.curves.push_back(tables::thinned(one, kBins));
   return panel;
 }
 
@@ -290,8 +290,8 @@ Table drift_table(int runs) {
   return table;
 }
 
-io::Picture propagation_picture() {
-  io::Picture picture;
+tables::Picture propagation_picture() {
+  tables::Picture picture;
   picture.title = "Errors of pure inertial navigation at rest, latitude 30 deg, height held";
   picture.columns = 2;
   picture.panel_width_px = 460;

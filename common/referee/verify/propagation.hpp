@@ -21,7 +21,7 @@ Table height_table();
 Table drift_table(int runs);
 
 /// Runs, linear model and (68) of the four sources.
-io::Picture propagation_picture();
+tables::Picture propagation_picture();
 
 /// The whole block: 200 runs of drift, or with `full` 1000.
 std::vector<Table> propagation(bool full);

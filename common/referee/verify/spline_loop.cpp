@@ -24,7 +24,7 @@ const time::Rate kRate(200.0);
 /// Holds the rows that the truth's grid meets against the truth.
 class RowsPassed {
  public:
-  explicit RowsPassed(const io::TrajectoryFile& file) : file_(file) {}
+  explicit RowsPassed(const TrajectoryFile& file) : file_(file) {}
 
   void see(const TruthState& truth) {
     const time::Nanoseconds now(truth.header.sim_time_ns);
@@ -39,7 +39,7 @@ class RowsPassed {
   std::size_t met() const { return met_; }
 
  private:
-  const io::TrajectoryFile& file_;
+  const TrajectoryFile& file_;
   std::size_t row_ = 0;
   std::size_t met_ = 1;  ///< the start is the first row
   double largest_m_ = 0.0;
@@ -51,7 +51,7 @@ struct SplineLoop {
   std::size_t rows_met = 0;
 };
 
-SplineLoop close_spline_loop(const io::TrajectoryFile& file, const nav::Gravity& gravity, bool full_rotation_term) {
+SplineLoop close_spline_loop(const TrajectoryFile& file, const nav::Gravity& gravity, bool full_rotation_term) {
   trajectory::SmoothModel truth(trajectory::motion_through(file, {}), "row", gravity, kRate, file.start);
   nav::Strapdown::Options options;
   options.full_rotation_term = full_rotation_term;
@@ -73,7 +73,7 @@ nav::Gravity gravity_of(const scenario::Trajectory& trajectory) {
                       {options.disturbance_mgal, options.deflection_north_arcsec, options.deflection_east_arcsec});
 }
 
-std::string minutes(const io::TrajectoryFile& file) {
+std::string minutes(const TrajectoryFile& file) {
   return fmt::format("{:.1f}", time::to_seconds(file.rows.back().time) / 60.0);
 }
 std::string figure(double value) { return fmt::format("{:.2e}", value); }
@@ -125,7 +125,7 @@ Table spline_table(const std::string& title, const std::vector<LoopCase>& cases,
   return table;
 }
 
-Table spline_file_table(const std::vector<std::shared_ptr<const io::TrajectoryFile>>& files) {
+Table spline_file_table(const std::vector<std::shared_ptr<const TrajectoryFile>>& files) {
   Table table{"Files as they are, spline",
               {"", "rows", "minutes", "off the lines m", "bound m", "full term m", "as printed m", "attitude deg"},
               {},

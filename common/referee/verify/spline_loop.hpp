@@ -11,6 +11,6 @@ Table spline_table(const std::string& title, const std::vector<LoopCase>& cases,
 
 /// Files as they are, by `spline`: how far the curve swings out from the straight lines between the rows, beside the
 /// bound that the rows set, and how far mechanized increments leave the curve.
-Table spline_file_table(const std::vector<std::shared_ptr<const io::TrajectoryFile>>& files);
+Table spline_file_table(const std::vector<std::shared_ptr<const TrajectoryFile>>& files);
 
 }  // namespace inslab::verify

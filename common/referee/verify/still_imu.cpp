@@ -32,7 +32,7 @@ scenario::LoadedScenario still(const ImuErrorProfile& errors, double rate_hz, do
 }
 
 /// Takes the IMU's output apart by axis.
-class AxesSink : public cli::RunSink {
+class AxesSink : public sim::RunSink {
  public:
   AxesSink(double dt_s, std::int64_t largest_cluster)
       : records_(6, allan::Record(dt_s, kClusters)),
@@ -72,7 +72,7 @@ std::vector<AxisRecord> record_still_imu(const ImuErrorProfile& errors, double r
   const scenario::LoadedScenario loaded = still(errors, rate_hz, duration_s, seed);
   // Beyond an eighth of the record a point has hardly a degree of freedom.
   AxesSink sink(1.0 / rate_hz, static_cast<std::int64_t>(duration_s * rate_hz / 8.0));
-  cli::OfflineRun run(loaded, {2400, 0}, RunId{}, sink);
+  sim::OfflineRun run(loaded, {2400, 0}, RunId{}, sink);
   while (run.step()) {
   }
   return sink.axes();

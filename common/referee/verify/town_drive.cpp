@@ -80,9 +80,9 @@ void drive_a_leg(Drive& drive) {
 }
 
 /// Writes what a filter finds.
-class Recorder : public cli::RunSink {
+class Recorder : public sim::RunSink {
  public:
-  Recorder(const reference_nav::NavigationParameters& parameters, const nav::Gravity& gravity, const std::string& name)
+  Recorder(const navigation::NavigationParameters& parameters, const nav::Gravity& gravity, const std::string& name)
       : filter_(parameters, gravity), rows_(name) {}
 
   void journal(const AnyProfile&) override {}
@@ -95,7 +95,7 @@ class Recorder : public cli::RunSink {
       filter_.add(sample);
     }
     const nav::NavState& state = filter_.filter()->state();
-    io::TrajectoryRow row;
+    TrajectoryRow row;
     row.position = state.position;
     row.v_n = state.v_n;
     row.rpy = nav::rpy_from_quaternion(state.q_nb);
@@ -104,10 +104,10 @@ class Recorder : public cli::RunSink {
   void gnss(std::size_t, const GnssFix& fix) override { filter_.add(fix); }
   void ack(const ProfileAck&) override {}
 
-  std::shared_ptr<const io::TrajectoryFile> read() { return rows_.read(); }
+  std::shared_ptr<const TrajectoryFile> read() { return rows_.read(); }
 
  private:
-  reference_nav::NavigationFilter filter_;
+  navigation::NavigationFilter filter_;
   WrittenRows rows_;
 };
 
@@ -123,7 +123,7 @@ scenario::Trajectory town_drive(std::uint64_t seed, double standing_s, double du
   return trajectory;
 }
 
-std::shared_ptr<const io::TrajectoryFile> recorded_drive(std::uint64_t seed, double standing_s, double duration_s) {
+std::shared_ptr<const TrajectoryFile> recorded_drive(std::uint64_t seed, double standing_s, double duration_s) {
   NavigationSetup setup;
   setup.seed = random::seed_of(seed, "verify/recorded_drive");
   const auto imu = catalogue_profile<ImuErrorProfile>("imu/pos830_thesis");
@@ -135,7 +135,7 @@ std::shared_ptr<const io::TrajectoryFile> recorded_drive(std::uint64_t seed, dou
   setup.shifts_s = {0.0};
   const scenario::LoadedScenario loaded = navigation_scenario(setup);
   Recorder recorder(filter_parameters(setup, 0), loaded.gravity(), "drive_" + std::to_string(seed));
-  cli::OfflineRun run(loaded, kNavigationStart, RunId{}, recorder);
+  sim::OfflineRun run(loaded, kNavigationStart, RunId{}, recorder);
   while (run.step()) {
   }
   return recorder.read();

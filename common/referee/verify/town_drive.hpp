@@ -17,6 +17,6 @@ scenario::Trajectory town_drive(std::uint64_t seed, double standing_s, double du
 /// The drive as a navigation system recorded it, rows of 11 columns at 200 Hz: the solution of the reference filter
 /// with the navigation-grade IMU and RTK fixes of thesis table 4-10 and 4-8, so with the jumps and contradictions of a
 /// real solution.
-std::shared_ptr<const io::TrajectoryFile> recorded_drive(std::uint64_t seed, double standing_s, double duration_s);
+std::shared_ptr<const TrajectoryFile> recorded_drive(std::uint64_t seed, double standing_s, double duration_s);
 
 }  // namespace inslab::verify

@@ -17,12 +17,12 @@ WrittenRows::~WrittenRows() {
   std::filesystem::remove(path_, ignored);
 }
 
-std::shared_ptr<const io::TrajectoryFile> WrittenRows::read() {
+std::shared_ptr<const TrajectoryFile> WrittenRows::read() {
   text_.close();
-  io::TrajectoryReading reading = io::read_trajectory(path_.string());
-  if (!reading.problems.empty()) throw config::Error(path_.string(), reading.problems.kept().front());
+  trajectory::TrajectoryReading reading = trajectory::read_trajectory(path_.string());
+  if (!reading.problems.empty()) throw json::Error(path_.string(), reading.problems.kept().front());
   reading.file.name = name_;
-  return std::make_shared<const io::TrajectoryFile>(std::move(reading.file));
+  return std::make_shared<const TrajectoryFile>(std::move(reading.file));
 }
 
 }  // namespace inslab::verify

@@ -20,15 +20,15 @@ class WrittenRows {
   ~WrittenRows();
 
   /// Throws io::WriteError.
-  void add(const time::GpsTime& time, const io::TrajectoryRow& row) { text_.write(time, row); }
+  void add(const time::GpsTime& time, const TrajectoryRow& row) { text_.write(time, row); }
 
   /// After the last row. Throws config::Error when a row breaks a rule of trajectory files.
-  std::shared_ptr<const io::TrajectoryFile> read();
+  std::shared_ptr<const TrajectoryFile> read();
 
  private:
   std::string name_;
   std::filesystem::path path_;
-  io::NavTextWriter text_;
+  recordings::NavTextWriter text_;
 };
 
 }  // namespace inslab::verify

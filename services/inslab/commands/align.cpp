@@ -10,7 +10,7 @@
 #include "inslab/referee/calibrate/alignment_report.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 namespace {
 
 struct AlignOptions {
@@ -18,25 +18,25 @@ struct AlignOptions {
   std::string axes = "rfu";
   std::string picture;
   std::uint32_t imu_type = 0;
-  align::RecordingOptions recording;
+  calibrate::RecordingOptions recording;
 };
 
 int run_align(AlignOptions& options) {
-  if (options.axes == "frd") options.recording.novatel.axes = io::NovatelAxes::ForwardRightDown;
+  if (options.axes == "frd") options.recording.novatel.axes = novatel::NovatelAxes::ForwardRightDown;
   if (options.imu_type != 0) options.recording.novatel.imu_type = options.imu_type;
-  const align::AlignedRecording aligned = align::align_recording(options.file, options.recording);
-  tell(stderr, "{}", align::bad_lines_text(aligned));
-  tell("{}", align::report_text(aligned));
+  const calibrate::AlignedRecording aligned = calibrate::align_recording(options.file, options.recording);
+  terminal::tell(stderr, "{}", calibrate::bad_lines_text(aligned));
+  terminal::tell("{}", calibrate::report_text(aligned));
   if (!options.picture.empty() && aligned.alignment.seconds.count >= 2) {
     const std::string bytes =
-        io::drawn(align::seconds_picture(aligned.alignment, std::filesystem::path(options.file).filename().string()),
-                  io::PictureFormat::Svg);
-    io::write_file(options.picture, bytes);
-    tell("{} written\n", options.picture);
+        tables::drawn(calibrate::seconds_picture(aligned.alignment, std::filesystem::path(options.file).filename().string()),
+                  tables::PictureFormat::Svg);
+    files::write_file(options.picture, bytes);
+    terminal::tell("{} written\n", options.picture);
   }
-  if (aligned.alignment.whole) return app::kOk;
-  tell(stderr, "inslab: {}: no alignment: {}\n", options.file, aligned.alignment.refusal);
-  return app::kBadInput;
+  if (aligned.alignment.whole) return host::kOk;
+  terminal::tell(stderr, "inslab: {}: no alignment: {}\n", options.file, aligned.alignment.refusal);
+  return host::kBadInput;
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ void add_align(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::Range(nav::kMinHeightM, nav::kMaxHeightM));
   command->add_option("--imu-type", options->imu_type, "of a NovAtel log that does not say it (RAWIMUA, RAWIMUSA)");
   command->add_option("--axes", options->axes, "of a NovAtel log: right-forward-up or forward-right-down")
-      ->check(app::one_of({"rfu", "frd"}))
+      ->check(host::one_of({"rfu", "frd"}))
       ->capture_default_str();
   command->add_option("--sensor", options->recording.sensor_number, "of a log of ours: the IMU's number")
       ->capture_default_str();
@@ -75,4 +75,4 @@ void add_align(CLI::App& app, std::function<int()>& action) {
   command->callback([options, &action] { action = [options] { return run_align(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

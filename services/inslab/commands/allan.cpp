@@ -15,7 +15,7 @@
 #include "inslab/referee/calibrate/report.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 namespace {
 
 const std::map<std::string, allan::Term>& term_names() {
@@ -29,7 +29,7 @@ const std::map<std::string, allan::Term>& term_names() {
 
 struct AllanOptions {
   std::string file;
-  AnalysisOptions analysis;
+  calibrate::AnalysisOptions analysis;
   std::vector<std::string> terms;
   std::string directory;
   std::string profile;
@@ -46,18 +46,18 @@ std::string curves_stem(const AllanOptions& options) {
 
 int run_allan(AllanOptions& options) {
   for (const std::string& term : options.terms) options.analysis.terms.push_back(term_names().at(term));
-  const ImuAnalysis analysis = analyse_imu(options.file, options.analysis);
-  tell("{}\n", report_text(analysis));
+  const calibrate::ImuAnalysis analysis = calibrate::analyse_imu(options.file, options.analysis);
+  terminal::tell("{}\n", calibrate::report_text(analysis));
   const std::string stem = curves_stem(options);
-  io::write_file(stem + ".csv", curve_csv(analysis));
-  tell("{}.csv written\n", stem);
+  files::write_file(stem + ".csv", calibrate::curve_csv(analysis));
+  terminal::tell("{}.csv written\n", stem);
   if (!options.profile.empty()) {
-    write_profile(options.profile, fitted_profile(analysis));
-    tell("profile {} written\n", options.profile);
+    calibrate::write_profile(options.profile, calibrate::fitted_profile(analysis));
+    terminal::tell("profile {} written\n", options.profile);
   }
-  io::write_file(stem + ".png", io::drawn(curve_picture(analysis), io::PictureFormat::Png));
-  tell("{}.png written\n", stem);
-  return app::kOk;
+  files::write_file(stem + ".png", tables::drawn(calibrate::curve_picture(analysis), tables::PictureFormat::Png));
+  terminal::tell("{}.png written\n", stem);
+  return host::kOk;
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void add_allan(CLI::App& app, std::function<int()>& action) {
   command
       ->add_option("--term", options->terms, "fit just this term; may be repeated. None: those that the record needs")
       ->allow_extra_args(false)
-      ->check(app::one_of(names));
+      ->check(host::one_of(names));
   command
       ->add_option("--fit-from", options->analysis.finest_tau_s,
                    "smallest tau fitted, s: above what filters and vibration shape")
@@ -90,4 +90,4 @@ void add_allan(CLI::App& app, std::function<int()>& action) {
   command->callback([options, &action] { action = [options] { return run_allan(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -11,29 +11,29 @@
 #include "inslab/services/inslab/commands/commands.hpp"
 #include "inslab/services/inslab/live/progress.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
-int check(CheckOptions options) {
-  std::optional<Progress> progress;  // of a look that takes long
-  const time::Nanoseconds begun = app::monotonic_now();
+int check(check::CheckOptions options) {
+  std::optional<live::Progress> progress;  // of a look that takes long
+  const time::Nanoseconds begun = host::monotonic_now();
   options.progress = [&](const std::string& name, double span_s, time::Nanoseconds sim_time) {
-    if (!progress && app::monotonic_now() - begun > std::chrono::seconds(2)) {
+    if (!progress && host::monotonic_now() - begun > std::chrono::seconds(2)) {
       progress.emplace(name + ": looking ahead", time::from_seconds(span_s));
     }
     if (progress) progress->show(sim_time);
   };
-  const FileCheck checked = check_file(options);
+  const check::FileCheck checked = check::check_file(options);
   progress.reset();
-  tell("{}", checked.text);
-  return checked.is_good ? app::kOk : app::kFailed;
+  terminal::tell("{}", checked.text);
+  return checked.is_good ? host::kOk : host::kFailed;
 }
 
 }  // namespace
 
 void add_check(CLI::App& app, std::function<int()>& action) {
-  auto options = std::make_shared<CheckOptions>();
+  auto options = std::make_shared<check::CheckOptions>();
   CLI::App* command = app.add_subcommand(
       "check", "Recognise a file by its content, read it and all it names; say what is wrong, or what is in it");
   command
@@ -43,11 +43,11 @@ void add_check(CLI::App& app, std::function<int()>& action) {
       ->required();
   std::vector<std::string> kinds{"scenario", "navigation"};
   for (const std::string& word : scenario::profile_kind_words()) kinds.push_back(word);
-  command->add_option("--kind", options->kind, "what the file must be; absent: what it is")->check(app::one_of(kinds));
+  command->add_option("--kind", options->kind, "what the file must be; absent: what it is")->check(host::one_of(kinds));
   command->add_option("--sensor", options->sensor_kind, "for a profile: the kind of sensor it goes to")
-      ->check(app::one_of(enum_words<SensorKind>()));
+      ->check(host::one_of(enum_words<SensorKind>()));
   command->add_flag("--files", options->lists_files, "for a scenario: print only the files that it takes, one a line");
   command->callback([options, &action] { action = [options] { return check(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

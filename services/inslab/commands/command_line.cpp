@@ -8,7 +8,7 @@
 #include "inslab/foundation/text/nearest.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
@@ -65,7 +65,7 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
   const std::string unknown = unknown_word(app);
   std::cerr << "inslab: " << text::shown(unknown.empty() ? error.what() : unknown) << "\n"
             << "inslab " << chosen << (chosen.empty() ? "" : " ") << "--help says what there is\n";
-  return app::kBadInput;
+  return host::kBadInput;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -7,7 +7,7 @@ class App;
 class ParseError;
 }  // namespace CLI
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 /// "profile import": what the command line chose.
 std::string command_words(const CLI::App& app);
@@ -16,4 +16,4 @@ std::string command_words(const CLI::App& app);
 /// was asked for; returns the exit code.
 int answer(const CLI::App& app, const CLI::ParseError& error);
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -9,7 +9,7 @@ class App;
 
 /// The subcommands of `inslab`. Each function declares its options on `app`; when the command line chose it, `action`
 /// does the work and returns the exit code (app/exit_code.hpp).
-namespace inslab::cli {
+namespace inslab::commands {
 
 void add_run(CLI::App& app, std::function<int()>& action);
 void add_summary(CLI::App& app, std::function<int()>& action);
@@ -73,4 +73,4 @@ inline constexpr std::array kStudyCommands{kSimulate, kPlot,    kNavigate, kMont
 /// The option --overwrite of a command that writes files: without it no file that is there already is replaced.
 void add_overwrite(CLI::App& command);
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -12,42 +12,42 @@
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
 struct ControlOptions {
   double value = 0.0;
   double timeout_s = 10.0;
-  app::NetworkOptions network;
+  service::NetworkOptions network;
 };
 
 /// Sends a command and waits for what becomes of it: 0 obeyed, 3 refused or not answered.
 int control(CommandKind kind, const ControlOptions& options) {
-  const app::OwnEnding leaves_the_domain(app::OwnEnding::Then::EndsBySignal);
-  const SimCommand command{app::random_id(), kind, options.value};
-  const auto own = client_of(options.network, "inslab-control");
-  RunClient& client = *own;
-  const time::Nanoseconds deadline = app::monotonic_now() + time::from_seconds(options.timeout_s);
+  const host::OwnEnding leaves_the_domain(host::OwnEnding::Then::EndsBySignal);
+  const SimCommand command{host::random_id(), kind, options.value};
+  const auto own = client::client_of(options.network, "inslab-control");
+  client::RunClient& client = *own;
+  const time::Nanoseconds deadline = host::monotonic_now() + time::from_seconds(options.timeout_s);
   const std::string server = "a trajectory server on " + options.network.words();
-  if (!wait_for(
+  if (!client::wait_for(
           deadline, [&] { return client.connected() && client.status(); }, server)) {
-    tell(stderr, "inslab {}: {} was not found within {:g} s\n", enum_name(kind), server, options.timeout_s);
-    return app::kNotApplied;
+    terminal::tell(stderr, "inslab {}: {} was not found within {:g} s\n", enum_name(kind), server, options.timeout_s);
+    return host::kNotApplied;
   }
   const auto judged = [&] { return client.status()->last_command_id == command.request_id; };
-  if (!client.send(command) || !wait_for(deadline, judged, "the answer of the trajectory server")) {
-    tell(stderr, "inslab {}: no answer within {:g} s\n", enum_name(kind), options.timeout_s);
-    return app::kNotApplied;
+  if (!client.send(command) || !client::wait_for(deadline, judged, "the answer of the trajectory server")) {
+    terminal::tell(stderr, "inslab {}: no answer within {:g} s\n", enum_name(kind), options.timeout_s);
+    return host::kNotApplied;
   }
   const SimStatus status = *client.status();
   if (!status.last_command_refusal.empty()) {
-    tell(stderr, "refused: {}\n", text::shown(status.last_command_refusal));
-    return app::kNotApplied;
+    terminal::tell(stderr, "refused: {}\n", text::shown(status.last_command_refusal));
+    return host::kNotApplied;
   }
-  tell("{} at {:.9f} s of sim time, {} truth samples sent, rate {:g}\n", enum_name(status.state),
+  terminal::tell("{} at {:.9f} s of sim time, {} truth samples sent, rate {:g}\n", enum_name(status.state),
        static_cast<double>(status.sim_time_ns) * 1e-9, status.truth_samples, status.rate);
-  return app::kOk;
+  return host::kOk;
 }
 
 }  // namespace
@@ -71,4 +71,4 @@ void add_control(CLI::App& app, std::function<int()>& action) {
   add(CommandKind::Stop, "End the run of a set, its log closed", nullptr, nullptr);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -8,14 +8,14 @@
 #include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
 struct DoctorOptions {
   bool clean = false;
   double seconds = 2.5;
-  app::NetworkOptions network;
+  service::NetworkOptions network;
 };
 
 std::string variable_of_this_process(const char* name) {
@@ -25,17 +25,17 @@ std::string variable_of_this_process(const char* name) {
 
 int doctor(const DoctorOptions& options) {
   std::size_t to_cure = 0;
-  const auto show = [&to_cure](const Findings& findings) {
-    tell("{}", words_of(findings));
+  const auto show = [&to_cure](const client::Findings& findings) {
+    terminal::tell("{}", client::words_of(findings));
     to_cure += findings.to_cure();
   };
-  show(examine_environment(variable_of_this_process, "."));
-  show(examine_socket_buffers("/proc/sys/net/core"));
-  show(examine_shared_memory("/dev/shm", options.clean));
-  show(examine_clock());
-  show(examine_network(options.network, options.seconds));
-  tell("{} {} to cure\n", to_cure, to_cure == 1 ? "finding" : "findings");
-  return to_cure == 0 ? app::kOk : app::kFailed;
+  show(client::examine_environment(variable_of_this_process, "."));
+  show(client::examine_socket_buffers("/proc/sys/net/core"));
+  show(client::examine_shared_memory("/dev/shm", options.clean));
+  show(client::examine_clock());
+  show(client::examine_network(options.network, options.seconds));
+  terminal::tell("{} {} to cure\n", to_cure, to_cure == 1 ? "finding" : "findings");
+  return to_cure == 0 ? host::kOk : host::kFailed;
 }
 
 }  // namespace
@@ -51,4 +51,4 @@ void add_doctor(CLI::App& app, std::function<int()>& action) {
   command->callback([options, &action] { action = [options] { return doctor(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -14,7 +14,7 @@
 #include "inslab/services/inslab/live/follower.hpp"
 #include "inslab/services/inslab/live/progress.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
@@ -22,32 +22,32 @@ struct FollowOptions {
   std::string scenario;
   double timeout_s = 60.0;
   bool release = false;
-  app::NetworkOptions network;
+  service::NetworkOptions network;
 };
 
 /// For whoever waits for it: at once, though it may go into a pipe.
 void say_at_once(const std::string& line) {
-  tell("{}\n", line);
+  terminal::tell("{}\n", line);
   std::fflush(stdout);
 }
 
 int follow(const FollowOptions& options, const scenario::LoadedScenario& loaded) {
-  const app::OwnEnding leaves_the_domain(app::OwnEnding::Then::CodeStands);
-  const auto client = client_of(options.network, "inslab-follow");
-  Progress progress(loaded.scenario.name, time::from_seconds(loaded.scenario.duration_s));
+  const host::OwnEnding leaves_the_domain(host::OwnEnding::Then::CodeStands);
+  const auto client = client::client_of(options.network, "inslab-follow");
+  live::Progress progress(loaded.scenario.name, time::from_seconds(loaded.scenario.duration_s));
   const auto word = [&progress](const std::string& words) { progress.say("inslab follow: " + words); };
-  Follower follower(
+  live::Follower follower(
       *client, {options.timeout_s, options.release, "domain " + std::to_string(options.network.domain), loaded.swaps},
-      {say_at_once, word, [&progress](time::Nanoseconds sim_time) { progress.show(sim_time); }}, app::monotonic_now());
-  while (!app::shutdown_requested()) {
-    if (const auto ending = follower.step(app::monotonic_now())) {
+      {say_at_once, word, [&progress](time::Nanoseconds sim_time) { progress.show(sim_time); }}, host::monotonic_now());
+  while (!host::shutdown_requested()) {
+    if (const auto ending = follower.step(host::monotonic_now())) {
       if (!ending->good) word(ending->why);
-      return ending->good ? app::kOk : app::kFailed;
+      return ending->good ? host::kOk : host::kFailed;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   word("stopped by a signal; the set goes on");
-  return app::kFailed;
+  return host::kFailed;
 }
 
 }  // namespace
@@ -74,4 +74,4 @@ void add_follow(CLI::App& app, std::function<int()>& action) {
   });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

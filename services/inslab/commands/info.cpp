@@ -7,16 +7,16 @@
 #include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 namespace {
 
 int run_info(const std::string& path) {
   try {
-    tell("{}", io::text_of(io::inspect_log(path)));
-    return app::kOk;
-  } catch (const io::ReadError& error) {
-    tell(stderr, "inslab info: {}\n", error.what());
-    return app::kBadInput;
+    terminal::tell("{}", log::text_of(log::inspect_log(path)));
+    return host::kOk;
+  } catch (const files::ReadError& error) {
+    terminal::tell(stderr, "inslab info: {}\n", error.what());
+    return host::kBadInput;
   }
 }
 
@@ -29,4 +29,4 @@ void add_info(CLI::App& app, std::function<int()>& action) {
   command->callback([&action, path] { action = [path] { return run_info(*path); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -10,7 +10,7 @@
 #include "inslab/referee/score/score_text.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
@@ -35,28 +35,28 @@ void JudgeOutputs::add_to(CLI::App& command) {
 }
 
 void JudgeOutputs::check(const std::string& log_file) const {
-  if (!junit.empty()) io::check_output(junit);
+  if (!junit.empty()) files::check_output(junit);
   if (report_folder.empty()) return;
-  for (const std::string& path : report_paths(log_file, report_folder)) io::check_output(path);
+  for (const std::string& path : report::report_paths(log_file, report_folder)) files::check_output(path);
 }
 
 int judge_log(const std::string& log_file, const std::optional<std::string>& failure, const JudgeOutputs& outputs,
               const std::string& run_id) {
-  const ReportData data =
-      report_data(io::McapReader(log_file), outputs.report_folder.empty() ? ReportDepth::Verdict : ReportDepth::Page);
+  const report::ReportData data =
+      report::report_data(mcap::McapReader(log_file), outputs.report_folder.empty() ? report::ReportDepth::Verdict : report::ReportDepth::Page);
   const std::string& logged = data.summary.identity.run_id;
   if (!run_id.empty() && logged != run_id) {
-    tell(stderr, "inslab judge: {} is the log of {}, not of run {}\n", log_file,
+    terminal::tell(stderr, "inslab judge: {} is the log of {}, not of run {}\n", log_file,
          logged.empty() ? "no run" : "run " + logged, run_id);
-    return app::kFailed;
+    return host::kFailed;
   }
-  const Judgement judgement = judgement_of(data, failure);
-  tell("{}", judgement.text);
-  if (!outputs.report_folder.empty()) tell("\nreport {}.html\n", write_report(data, outputs.report_folder));
+  const report::Judgement judgement = report::judgement_of(data, failure);
+  terminal::tell("{}", judgement.text);
+  if (!outputs.report_folder.empty()) terminal::tell("\nreport {}.html\n", report::write_report(data, outputs.report_folder));
   if (!outputs.junit.empty()) {
-    io::write_file(outputs.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
+    files::write_file(outputs.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
   }
-  tell("{}\n", judgement.outcome.words());
+  terminal::tell("{}\n", judgement.outcome.words());
   return judgement.outcome.code;
 }
 
@@ -73,4 +73,4 @@ void add_judge(CLI::App& app, std::function<int()>& action) {
   command->callback([options, &action] { action = [options] { return judge(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

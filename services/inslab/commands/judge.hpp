@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 /// What is written of a verdict besides the log; empty: not that.
 struct JudgeOutputs {
@@ -25,4 +25,4 @@ struct JudgeOutputs {
 int judge_log(const std::string& log_file, const std::optional<std::string>& failure, const JudgeOutputs& outputs,
               const std::string& run_id = "");
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -10,7 +10,7 @@
 
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
@@ -55,4 +55,4 @@ void add_commands(CLI::App& app, std::function<int()>& action) {
   }
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -6,28 +6,28 @@
 #include "inslab/referee/navigate/navigation_run.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 namespace {
 
-int navigate(const NavigateOptions& options) {
+int navigate(const navigate::NavigateOptions& options) {
   if (options.log.empty() && options.imu_file.empty()) {
-    tell(stderr, "inslab navigate: give a log, or --imu and --gnss\n");
-    return app::kBadInput;
+    terminal::tell(stderr, "inslab navigate: give a log, or --imu and --gnss\n");
+    return host::kBadInput;
   }
   if (options.parameters.empty() && options.scenario.empty()) {
-    tell(stderr, "inslab navigate: give the filter's --parameters, or the --scenario whose sensors it is to match\n");
-    return app::kBadInput;
+    terminal::tell(stderr, "inslab navigate: give the filter's --parameters, or the --scenario whose sensors it is to match\n");
+    return host::kBadInput;
   }
-  const Navigated done = options.log.empty() ? navigate_files(options) : navigate_log(options);
-  if (done.solutions == 0) tell(stderr, "inslab navigate: no solution: {}\n", done.why_none);
-  tell("{}{}", done.text, done.score);
-  return done.solutions > 0 ? app::kOk : app::kFailed;
+  const navigate::Navigated done = options.log.empty() ? navigate::navigate_files(options) : navigate::navigate_log(options);
+  if (done.solutions == 0) terminal::tell(stderr, "inslab navigate: no solution: {}\n", done.why_none);
+  terminal::tell("{}{}", done.text, done.score);
+  return done.solutions > 0 ? host::kOk : host::kFailed;
 }
 
 }  // namespace
 
 void add_navigate(CLI::App& app, std::function<int()>& action) {
-  auto options = std::make_shared<NavigateOptions>();
+  auto options = std::make_shared<navigate::NavigateOptions>();
   CLI::App* command = app.add_subcommand(kNavigate.name, kNavigate.purpose);
   CLI::Option* log = command->add_option("log", options->log, "an MCAP log of Inslab");
   CLI::Option* imu = command->add_option("--imu", options->imu_file,
@@ -49,4 +49,4 @@ void add_navigate(CLI::App& app, std::function<int()>& action) {
   command->callback([&action, options] { action = [options] { return navigate(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

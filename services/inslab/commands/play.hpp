@@ -6,12 +6,12 @@
 #include "inslab/bus/service/service_options.hpp"
 #include "inslab/data/catalog/any_profile.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 /// Where swaps are played, and how long their answers are waited for.
 struct PlayOptions {
   std::optional<double> timeout_s;  ///< absent: as long as the run goes on
-  app::NetworkOptions network;
+  service::NetworkOptions network;
 
   void add_to(CLI::App& command);
 };
@@ -19,4 +19,4 @@ struct PlayOptions {
 /// Plays swaps on a running set, says what becomes of each, and returns the exit code.
 int play_and_tell(const std::vector<AnyProfile>& swaps, const PlayOptions& options);
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -10,7 +10,7 @@
 #include "inslab/referee/predict/prediction.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 namespace {
 
 struct PredictOptions {
@@ -20,23 +20,23 @@ struct PredictOptions {
 };
 
 void write(const std::string& path, const std::string& text) {
-  io::write_file(path, text);
-  tell("{} written\n", path);
+  files::write_file(path, text);
+  terminal::tell("{} written\n", path);
 }
 
 int run_predict(const PredictOptions& options) {
   const scenario::LoadedScenario loaded = scenario::load(options.scenario);
   const predict::Prediction prediction = predict::predicted(loaded, options.prediction);
   const std::vector<predict::PredictedError>& errors = prediction.errors.curve();
-  if (errors.empty()) return app::kFailed;
+  if (errors.empty()) return host::kFailed;
   const std::vector<std::string> left_out = prediction.errors.left_out();
-  tell("{}\n\n{}\n", predict::heading(loaded, options.prediction), predict::table_text(errors));
-  if (!left_out.empty()) tell("left out: {}\n", fmt::join(left_out, ", "));
+  terminal::tell("{}\n\n{}\n", predict::heading(loaded, options.prediction), predict::table_text(errors));
+  if (!left_out.empty()) terminal::tell("left out: {}\n", fmt::join(left_out, ", "));
   std::filesystem::create_directories(options.directory);
   const std::string stem = (std::filesystem::path(options.directory) / (loaded.scenario.name + "_predicted")).string();
   write(stem + ".csv", predict::csv_text(errors));
-  write(stem + ".svg", io::drawn(predict::picture_of(prediction, loaded.scenario), io::PictureFormat::Svg));
-  return app::kOk;
+  write(stem + ".svg", tables::drawn(predict::picture_of(prediction, loaded.scenario), tables::PictureFormat::Svg));
+  return host::kOk;
 }
 
 }  // namespace
@@ -62,4 +62,4 @@ void add_predict(CLI::App& app, std::function<int()>& action) {
   command->callback([options, &action] { action = [options] { return run_predict(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

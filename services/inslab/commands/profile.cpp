@@ -14,14 +14,14 @@
 #include "inslab/referee/calibrate/profile_file.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 namespace {
 
-using Importer = ImportedProfile (*)(const std::string&, const ImportOptions&);
+using Importer = profile_import::ImportedProfile (*)(const std::string&, const profile_import::ImportOptions&);
 
 const std::map<std::string, Importer>& importers() {
   static const std::map<std::string, Importer> list{
-      {"kf-gins", import_kf_gins}, {"gnss-ins-sim", import_gnss_ins_sim}, {"gazebo", import_gazebo}};
+      {"kf-gins", profile_import::import_kf_gins}, {"gnss-ins-sim", profile_import::import_gnss_ins_sim}, {"gazebo", profile_import::import_gazebo}};
   return list;
 }
 
@@ -30,23 +30,23 @@ struct ProfileOptions {
   std::string file;
   std::string output;
   std::string name;
-  ImportOptions import;
+  profile_import::ImportOptions import;
 };
 
 int run_import(const ProfileOptions& options) {
-  ImportedProfile imported = importers().at(options.from)(options.file, options.import);
+  profile_import::ImportedProfile imported = importers().at(options.from)(options.file, options.import);
   const std::string stem = std::filesystem::path(options.file).stem().string();
   imported.profile.name = text::cut(text::shown(options.name.empty() ? stem : options.name), 64);
   // Without a file the profile itself goes to standard output, and what is for people beside it.
   std::FILE* const people = options.output.empty() ? stderr : stdout;
-  for (const std::string& line : imported.lines) tell(people, "{}\n", line);
+  for (const std::string& line : imported.lines) terminal::tell(people, "{}\n", line);
   if (options.output.empty()) {
-    tell("{}", profile_text(imported.profile));
+    terminal::tell("{}", calibrate::profile_text(imported.profile));
   } else {
-    write_profile(options.output, imported.profile);
-    tell("profile {} written\n", options.output);
+    calibrate::write_profile(options.output, imported.profile);
+    terminal::tell("profile {} written\n", options.output);
   }
-  return app::kOk;
+  return host::kOk;
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ void add_profile(CLI::App& app, std::function<int()>& action) {
   std::vector<std::string> names;
   for (const auto& [name, importer] : importers()) names.push_back(name);
   command->add_option("file", options->file, "the file")->required();
-  command->add_option("--from", options->from, "whose file it is")->required()->check(app::one_of(names));
+  command->add_option("--from", options->from, "whose file it is")->required()->check(host::one_of(names));
   command->add_option("-o,--output", options->output, "profile (JSON); standard output when not given");
   command->add_option("--name", options->name, "the profile's name; that of the file when not given");
   command->add_option("--rate", options->import.rate_hz, "Hz, at which the other program runs its IMU")
@@ -69,4 +69,4 @@ void add_profile(CLI::App& app, std::function<int()>& action) {
   command->callback([options, &action] { action = [options] { return run_import(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

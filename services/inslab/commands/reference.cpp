@@ -7,22 +7,22 @@
 #include "inslab/services/inslab/commands/commands.hpp"
 #include "inslab/services/inslab/derived/derived_files.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 void add_reference(CLI::App& app, std::function<int()>& action) {
   auto wanted = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(kReference.name, kReference.purpose);
   std::vector<std::string> names;
-  for (const DerivedFile& file : derived_files()) names.push_back(file.path);
-  command->add_option("file", *wanted, "which")->required()->check(app::one_of(names));
+  for (const derived::DerivedFile& file : derived::derived_files()) names.push_back(file.path);
+  command->add_option("file", *wanted, "which")->required()->check(host::one_of(names));
   command->callback([wanted, &action] {
     action = [wanted] {
-      for (const DerivedFile& file : derived_files()) {
+      for (const derived::DerivedFile& file : derived::derived_files()) {
         if (file.path == *wanted) std::cout << file.text();
       }
-      return app::kOk;
+      return host::kOk;
     };
   });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -12,7 +12,7 @@
 #include "inslab/referee/score/score_text.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
@@ -24,18 +24,18 @@ struct ReportOptions {
 };
 
 int report(const ReportOptions& options) {
-  if (!options.junit.empty()) io::check_output(options.junit);
-  const io::McapReader log(options.log);
-  const ReportData data = report_data(log, options.directory.empty() ? ReportDepth::Figures : ReportDepth::Page);
-  tell("{}", options.json ? config::json_text(report_json(data)) : report_text(data));
+  if (!options.junit.empty()) files::check_output(options.junit);
+  const mcap::McapReader log(options.log);
+  const report::ReportData data = report::report_data(log, options.directory.empty() ? report::ReportDepth::Figures : report::ReportDepth::Page);
+  terminal::tell("{}", options.json ? json::json_text(report::report_json(data)) : report::report_text(data));
   if (!options.junit.empty()) {
-    io::write_file(options.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
+    files::write_file(options.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
   }
   if (!options.directory.empty()) {
-    const std::string stem = write_report(data, options.directory);
-    if (!options.json) tell("\n{0}.txt, {0}.json and {0}.html written\n", stem);
+    const std::string stem = report::write_report(data, options.directory);
+    if (!options.json) terminal::tell("\n{0}.txt, {0}.json and {0}.html written\n", stem);
   }
-  return data.score.accepted() ? app::kOk : app::kNotAccepted;
+  return data.score.accepted() ? host::kOk : host::kNotAccepted;
 }
 
 }  // namespace
@@ -53,4 +53,4 @@ void add_report(CLI::App& app, std::function<int()>& action) {
   command->callback([options, &action] { action = [options] { return report(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

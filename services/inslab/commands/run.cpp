@@ -13,43 +13,43 @@
 #include "inslab/services/inslab/commands/judge.hpp"
 #include "inslab/services/inslab/live/live_run.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
-int run(RunOptions options, const JudgeOutputs& outputs) {
+int run(live::RunOptions options, const JudgeOutputs& outputs) {
   scenario::LoadedScenario loaded = scenario::load(options.scenario);
-  app::override_clock(options.clock, loaded);
-  if (const std::string obstacle = obstacle_to(options, loaded); !obstacle.empty()) {
-    tell(stderr, "inslab run: {}\n", obstacle);
-    return app::kBadInput;
+  service::override_clock(options.clock, loaded);
+  if (const std::string obstacle = live::obstacle_to(options, loaded); !obstacle.empty()) {
+    terminal::tell(stderr, "inslab run: {}\n", obstacle);
+    return host::kBadInput;
   }
   // Before anything is written: it throws when the unit has a set.
-  auto live = std::make_unique<LiveRun>(options, loaded);
+  auto live = std::make_unique<live::LiveRun>(options, loaded);
   if (options.log_file.empty()) {
     const std::string unit = options.network.unit.empty() ? "" : "-" + options.network.unit;
     options.log_file =
-        io::fresh_file("runs/" + loaded.scenario.name + unit + "-" + app::utc_text(app::realtime_now()), ".mcap");
+        files::fresh_file("runs/" + loaded.scenario.name + unit + "-" + host::utc_text(host::realtime_now()), ".mcap");
   }
-  io::check_output(options.log_file);  // nothing may stand in the way at the end
+  files::check_output(options.log_file);  // nothing may stand in the way at the end
   outputs.check(options.log_file);
   live->start_services();
   live->follow();
   const std::optional<std::string> failure = live->failure();
-  for (const std::string& line : live->restarts()) tell("{}\n", line);
+  for (const std::string& line : live->restarts()) terminal::tell("{}\n", line);
   live.reset();
   if (!std::filesystem::exists(options.log_file) || std::filesystem::is_empty(options.log_file)) {
-    tell(stderr, "inslab run: {}; there is no log\n", failure.value_or("the logger wrote nothing"));
-    return app::kFailed;
+    terminal::tell(stderr, "inslab run: {}; there is no log\n", failure.value_or("the logger wrote nothing"));
+    return host::kFailed;
   }
-  app::note_for_ending("the log " + options.log_file + " is there: inslab summary and report judge it");
+  host::note_for_ending("the log " + options.log_file + " is there: inslab summary and report judge it");
   return judge_log(options.log_file, failure, outputs);
 }
 
 }  // namespace
 
 void add_run(CLI::App& app, std::function<int()>& action) {
-  auto options = std::make_shared<RunOptions>();
+  auto options = std::make_shared<live::RunOptions>();
   auto outputs = std::make_shared<JudgeOutputs>();
   CLI::App* command =
       app.add_subcommand("run", "Run a scenario live: one process for each service, real DDS, real time");
@@ -70,13 +70,13 @@ void add_summary(CLI::App& app, std::function<int()>& action) {
   command->add_option("log", *log, "log (MCAP)")->required();
   command->callback([log, &action] {
     action = [log] {
-      const io::McapReader reader(*log);
-      const LogSummary summary = summarize(reader);
-      const RunSummary said = run_summary(summary, weigh_swaps(reader, summary), {});
-      tell("{}{}\n", said.text, said.outcome.words());
+      const mcap::McapReader reader(*log);
+      const evidence::LogSummary summary = evidence::summarize(reader);
+      const evidence::RunSummary said = evidence::run_summary(summary, evidence::weigh_swaps(reader, summary), {});
+      terminal::tell("{}{}\n", said.text, said.outcome.words());
       return said.outcome.code;
     };
   });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

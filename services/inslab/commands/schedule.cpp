@@ -11,7 +11,7 @@
 #include "inslab/services/inslab/commands/commands.hpp"
 #include "inslab/services/inslab/commands/play.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 void PlayOptions::add_to(CLI::App& command) {
   command
@@ -22,14 +22,14 @@ void PlayOptions::add_to(CLI::App& command) {
 }
 
 int play_and_tell(const std::vector<AnyProfile>& swaps, const PlayOptions& options) {
-  const app::OwnEnding leaves_the_domain(app::OwnEnding::Then::EndsBySignal);
-  const auto client = client_of(options.network, "inslab-swap");
-  const SwapsPlayed played =
-      play_swaps(*client, swaps, options.timeout_s, options.network.words(), [](const ProfileAck& ack) {
-        tell(ack.outcome == AckOutcome::Rejected ? stderr : stdout, "{}\n", words_of(ack));
+  const host::OwnEnding leaves_the_domain(host::OwnEnding::Then::EndsBySignal);
+  const auto client = client::client_of(options.network, "inslab-swap");
+  const client::SwapsPlayed played =
+      client::play_swaps(*client, swaps, options.timeout_s, options.network.words(), [](const ProfileAck& ack) {
+        terminal::tell(ack.outcome == AckOutcome::Rejected ? stderr : stdout, "{}\n", client::words_of(ack));
       });
-  if (!played.failure.empty()) tell(stderr, "inslab swap: {}\n", played.failure);
-  return played.in_effect ? app::kOk : app::kNotApplied;
+  if (!played.failure.empty()) terminal::tell(stderr, "inslab swap: {}\n", played.failure);
+  return played.in_effect ? host::kOk : host::kNotApplied;
 }
 
 void add_schedule(CLI::App& app, std::function<int()>& action) {
@@ -48,10 +48,10 @@ void add_schedule(CLI::App& app, std::function<int()>& action) {
     action = [options] {
       const std::vector<AnyProfile> swaps = options->is_scenario
                                                 ? scenario::load(options->file).swaps
-                                                : scenario::load_schedule(options->file, app::random_id());
+                                                : scenario::load_schedule(options->file, host::random_id());
       return play_and_tell(swaps, options->play);
     };
   });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -11,7 +11,7 @@
 #include "inslab/sim/log_sink.hpp"
 #include "inslab/sim/logged_vehicle.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
@@ -24,7 +24,7 @@ struct SimulateOptions {
 };
 
 /// Counts and forgets: what an offline run costs without its log.
-class CountingSink : public RunSink {
+class CountingSink : public sim::RunSink {
  public:
   void journal(const AnyProfile&) override {}
   void truth(const TruthState&) override {}
@@ -34,9 +34,9 @@ class CountingSink : public RunSink {
 };
 
 /// Runs to the end; returns the sim time reached.
-time::Nanoseconds run_to_end(OfflineRun& run, const scenario::LoadedScenario& loaded) {
+time::Nanoseconds run_to_end(sim::OfflineRun& run, const scenario::LoadedScenario& loaded) {
   const time::Nanoseconds duration = time::from_seconds(loaded.scenario.duration_s);
-  Progress progress(loaded.scenario.name, duration);
+  live::Progress progress(loaded.scenario.name, duration);
   constexpr int kStepsBetweenLooks = 4096;
   bool more = true;
   try {
@@ -52,28 +52,28 @@ time::Nanoseconds run_to_end(OfflineRun& run, const scenario::LoadedScenario& lo
 
 int simulate(const SimulateOptions& options) {
   const scenario::LoadedScenario loaded = scenario::load(options.scenario, options.unit);
-  std::vector<UsedVehicleState> states = vehicle_states_for(loaded, options.vehicle_log);
-  const time::GpsTime start = loaded.start(app::realtime_now());
-  const RunId run_id = app::random_run_id();
-  const time::Nanoseconds begun = app::monotonic_now();
+  std::vector<UsedVehicleState> states = sim::vehicle_states_for(loaded, options.vehicle_log);
+  const time::GpsTime start = loaded.start(host::realtime_now());
+  const RunId run_id = host::random_run_id();
+  const time::Nanoseconds begun = host::monotonic_now();
 
-  std::unique_ptr<LogSink> log;
+  std::unique_ptr<sim::LogSink> log;
   CountingSink nothing;
   std::string path;
   if (!options.without_log) {
     std::filesystem::create_directories(options.directory);
     path = (std::filesystem::path(options.directory) / (loaded.scenario.name + ".mcap")).string();
-    log = std::make_unique<LogSink>(path, loaded, start);
+    log = std::make_unique<sim::LogSink>(path, loaded, start);
   }
-  OfflineRun run(loaded, start, run_id, log ? static_cast<RunSink&>(*log) : nothing, std::move(states));
+  sim::OfflineRun run(loaded, start, run_id, log ? static_cast<sim::RunSink&>(*log) : nothing, std::move(states));
   const time::Nanoseconds reached = run_to_end(run, loaded);
   if (log) log->close();
 
-  const double took_s = time::to_seconds(app::monotonic_now() - begun);
-  tell("{}: {:.3f} s of sim time in {:.2f} s: {:.0f} x real time\n", loaded.scenario.name, time::to_seconds(reached),
+  const double took_s = time::to_seconds(host::monotonic_now() - begun);
+  terminal::tell("{}: {:.3f} s of sim time in {:.2f} s: {:.0f} x real time\n", loaded.scenario.name, time::to_seconds(reached),
        took_s, time::to_seconds(reached) / took_s);
-  if (log) tell("log {} ({:.1f} MB)\n", path, static_cast<double>(log->file_size()) * 1e-6);
-  return app::kOk;
+  if (log) terminal::tell("log {} ({:.1f} MB)\n", path, static_cast<double>(log->file_size()) * 1e-6);
+  return host::kOk;
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ void add_simulate(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = app.add_subcommand(kSimulate.name, kSimulate.purpose);
   command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
-  app::add_unit_option(*command, options->unit, "the vehicle's name: it chooses the random streams, as in a live run");
+  service::add_unit_option(*command, options->unit, "the vehicle's name: it chooses the random streams, as in a live run");
   command->add_option("-o,--output", options->directory, "directory for the log NAME.mcap")->capture_default_str();
   command->add_option("--vehicle", options->vehicle_log, "log of a live run whose vehicle states are used again");
   command->add_flag("--no-log", options->without_log, "write no log");
@@ -90,4 +90,4 @@ void add_simulate(CLI::App& app, std::function<int()>& action) {
   command->callback([options, &action] { action = [options] { return simulate(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -11,38 +11,38 @@
 #include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
-void say_text(const std::string& text) { tell("{}", text); }
+void say_text(const std::string& text) { terminal::tell("{}", text); }
 
-int soak(SoakOptions options, bool keep_log) {
+int soak(study::SoakOptions options, bool keep_log) {
   const scenario::LoadedScenario loaded = scenario::load(options.run.scenario);
   if (options.hours * 3600.0 > loaded.scenario.duration_s) {
-    tell(stderr, "inslab soak: {} lasts {:g} h; {:g} h were asked for\n", options.run.scenario,
+    terminal::tell(stderr, "inslab soak: {} lasts {:g} h; {:g} h were asked for\n", options.run.scenario,
          loaded.scenario.duration_s / 3600.0, options.hours);
-    return app::kBadInput;
+    return host::kBadInput;
   }
-  const std::string name = loaded.scenario.name + "-" + app::utc_text(app::realtime_now());
+  const std::string name = loaded.scenario.name + "-" + host::utc_text(host::realtime_now());
   options.run.clock.mode = "lockstep";
-  Soak run(options, loaded, say_text);  // before anything is written: it throws when the unit has a set
-  if (options.run.log_file.empty()) options.run.log_file = io::fresh_file("runs/soak-" + name, ".mcap");
-  io::check_output(options.run.log_file);
+  study::Soak run(options, loaded, say_text);  // before anything is written: it throws when the unit has a set
+  if (options.run.log_file.empty()) options.run.log_file = files::fresh_file("runs/soak-" + name, ".mcap");
+  files::check_output(options.run.log_file);
   const bool good = run.go();
   if (good && !keep_log) {
     std::filesystem::remove(options.run.log_file);
-    tell("the log is removed; --keep-log keeps it\n");
+    terminal::tell("the log is removed; --keep-log keeps it\n");
   } else {
-    tell("log {}\n", options.run.log_file);
+    terminal::tell("log {}\n", options.run.log_file);
   }
-  return good ? app::kOk : app::kFailed;
+  return good ? host::kOk : host::kFailed;
 }
 
 }  // namespace
 
 void add_soak(CLI::App& app, std::function<int()>& action) {
-  auto options = std::make_shared<SoakOptions>();
+  auto options = std::make_shared<study::SoakOptions>();
   auto keep_log = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand(kSoak.name, kSoak.purpose);
   command->add_option("scenario", options->run.scenario, "scenario file (JSON)")
@@ -66,4 +66,4 @@ void add_soak(CLI::App& app, std::function<int()>& action) {
       [options, keep_log, &action] { action = [options, keep_log] { return soak(*options, *keep_log); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

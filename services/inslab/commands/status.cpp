@@ -14,7 +14,7 @@
 #include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
@@ -22,45 +22,45 @@ struct StatusOptions {
   std::string scenario;
   double wait_s = 2.2;
   bool once = false;
-  app::NetworkOptions network;
+  service::NetworkOptions network;
 };
 
-int show_once(const StatusOptions& options, const std::vector<app::ServiceKey>& expected) {
-  if (options.wait_s > 2.0) tell(stderr, "listens for {:g} s on {}\n", options.wait_s, options.network.words());
-  const SetListener listener(options.network);
-  const time::Nanoseconds begun = app::monotonic_now();
-  listen_for(options.wait_s);
+int show_once(const StatusOptions& options, const std::vector<scenario::ServiceKey>& expected) {
+  if (options.wait_s > 2.0) terminal::tell(stderr, "listens for {:g} s on {}\n", options.wait_s, options.network.words());
+  const client::SetListener listener(options.network);
+  const time::Nanoseconds begun = host::monotonic_now();
+  client::listen_for(options.wait_s);
   // What came in the first moments may be the latched word of a service that has died since.
   const time::Nanoseconds since = begun + time::from_seconds(options.wait_s - 1.5);
-  const std::vector<Heartbeats> services = listener.living(since);
-  const std::vector<app::ServiceKey> missing = missing_of(expected, services);
-  tell("{}{}", run_table(listener.run(), listener.vehicle(), options.network.words()),
-       service_table(services, missing));
-  return missing.empty() ? app::kOk : app::kFailed;
+  const std::vector<client::Heartbeats> services = listener.living(since);
+  const std::vector<scenario::ServiceKey> missing = client::missing_of(expected, services);
+  terminal::tell("{}{}", client::run_table(listener.run(), listener.vehicle(), options.network.words()),
+       client::service_table(services, missing));
+  return missing.empty() ? host::kOk : host::kFailed;
 }
 
 /// The table in place, twice a second, until the run has ended or Ctrl-C.
-int show_live(const StatusOptions& options, const std::vector<app::ServiceKey>& expected) {
-  const app::OwnEnding leaves_the_domain(app::OwnEnding::Then::CodeStands);
-  const SetListener listener(options.network);
+int show_live(const StatusOptions& options, const std::vector<scenario::ServiceKey>& expected) {
+  const host::OwnEnding leaves_the_domain(host::OwnEnding::Then::CodeStands);
+  const client::SetListener listener(options.network);
   bool complete = false;
-  while (!app::shutdown_requested()) {
+  while (!host::shutdown_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
-    const time::Nanoseconds since = app::monotonic_now() - time::from_seconds(options.wait_s);
-    const std::vector<Heartbeats> services = listener.living(since);
-    const std::vector<app::ServiceKey> missing = missing_of(expected, services);
+    const time::Nanoseconds since = host::monotonic_now() - time::from_seconds(options.wait_s);
+    const std::vector<client::Heartbeats> services = listener.living(since);
+    const std::vector<scenario::ServiceKey> missing = client::missing_of(expected, services);
     complete = missing.empty();
-    fmt::print("\033[H\033[J{}{}{}", run_table(listener.run(), listener.vehicle(), options.network.words()),
-               service_table(services, missing), stream_table(services));
+    fmt::print("\033[H\033[J{}{}{}", client::run_table(listener.run(), listener.vehicle(), options.network.words()),
+               client::service_table(services, missing), client::stream_table(services));
     std::fflush(stdout);
     const auto run = listener.run();
     if (run && has_ended(run->state)) break;
   }
-  return complete ? app::kOk : app::kFailed;
+  return complete ? host::kOk : host::kFailed;
 }
 
 int status(const StatusOptions& options) {
-  const std::vector<app::ServiceKey> expected = expected_services(options.scenario);
+  const std::vector<scenario::ServiceKey> expected = client::expected_services(options.scenario);
   const bool live = !options.once && isatty(STDOUT_FILENO) == 1;
   return live ? show_live(options, expected) : show_once(options, expected);
 }
@@ -80,4 +80,4 @@ void add_status(CLI::App& app, std::function<int()>& action) {
   command->callback([options, &action] { action = [options] { return status(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

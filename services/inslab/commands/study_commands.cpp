@@ -1,6 +1,6 @@
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 void add_commands(CLI::App& app, std::function<int()>& action) {
   add_simulate(app, action);
@@ -16,4 +16,4 @@ void add_commands(CLI::App& app, std::function<int()>& action) {
   add_reference(app, action);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -9,7 +9,7 @@
 #include "inslab/services/inslab/commands/commands.hpp"
 #include "inslab/services/inslab/commands/play.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
@@ -30,7 +30,7 @@ AnyProfile request_for(const SwapOptions& options) {
       options.sensor_kind.empty() ? catalog::usual_sensor(kind) : enum_named<SensorKind>(options.sensor_kind).value();
   AnyProfile request = scenario::load_profile(options.profile, kind, {sensor, options.sensor_number});
   ProfileRequest& head = request_of(request);
-  head.request_id = app::random_id();
+  head.request_id = host::random_id();
   head.apply_at_ns = options.at_s < 0.0 ? -1 : time::from_seconds(options.at_s).count();
   head.continuity = enum_named<Continuity>(options.continuity).value();
   head.fade_s = options.fade_s;
@@ -45,14 +45,14 @@ void add_swap(CLI::App& app, std::function<int()>& action) {
   command
       ->add_option("kind", options->kind, "imu_error (or imu), vibration, installation, gnss_error (or gnss) or fault")
       ->required()
-      ->check(app::one_of(scenario::profile_kind_words()));
+      ->check(host::one_of(scenario::profile_kind_words()));
   command->add_option("profile", options->profile, "profile file (JSON)")->required();
   command->add_option("--sensor-kind", options->sensor_kind, "imu or gnss; installation and fault want it")
-      ->check(app::one_of(enum_words<SensorKind>()));
+      ->check(host::one_of(enum_words<SensorKind>()));
   command->add_option("--sensor", options->sensor_number, "number of the sensor")->capture_default_str();
   command->add_option("--at", options->at_s, "sim time in seconds; absent: as soon as possible");
   command->add_option("--continuity", options->continuity, "keep, reset or redraw")
-      ->check(app::one_of(enum_words<Continuity>()))
+      ->check(host::one_of(enum_words<Continuity>()))
       ->capture_default_str();
   command->add_option("--fade", options->fade_s, "vibration: seconds of smooth fade")->capture_default_str();
   options->play.add_to(*command);
@@ -66,4 +66,4 @@ void add_swap(CLI::App& app, std::function<int()>& action) {
   });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -6,14 +6,14 @@
 #include "inslab/referee/check/trajectory_check.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
-int check(const TrajectoryCheckOptions& options) {
-  const TrajectoryChecked checked = check_trajectory(options);
-  tell("{}", checked.text);
-  return checked.is_good ? app::kOk : app::kFailed;
+int check(const check::TrajectoryCheckOptions& options) {
+  const check::TrajectoryChecked checked = check::check_trajectory(options);
+  terminal::tell("{}", checked.text);
+  return checked.is_good ? host::kOk : host::kFailed;
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ void add_trajectory(CLI::App& app, std::function<int()>& action) {
   trajectory->require_subcommand(1);
   CLI::App* command = trajectory->add_subcommand(
       "check", "Say what such a file is like, what is wrong with it and what repairing it would take");
-  auto options = std::make_shared<TrajectoryCheckOptions>();
+  auto options = std::make_shared<check::TrajectoryCheckOptions>();
   command
       ->add_option("file", options->file,
                    "text with 11, 7 or 13 columns or with named ones, or a log (docs/formats.md)")
@@ -38,4 +38,4 @@ void add_trajectory(CLI::App& app, std::function<int()>& action) {
   command->callback([options, &action] { action = [options] { return check(*options); }; });
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -7,22 +7,22 @@
 #include "inslab/services/inslab/commands/commands.hpp"
 #include "inslab/services/inslab/study/verifications.hpp"
 
-namespace inslab::cli {
+namespace inslab::commands {
 
 namespace {
 
-int verify_one(const Verification& verification, const VerifyRequest& request) {
+int verify_one(const study::Verification& verification, const study::VerifyRequest& request) {
   bool held = true;
-  for (const verify::Table& table : tables_of(verification, request)) {
-    tell("{}\n", verify::to_text(table));
+  for (const verify::Table& table : study::tables_of(verification, request)) {
+    terminal::tell("{}\n", verify::to_text(table));
     held = held && table.held();
   }
   if (!request.picture.empty()) {
-    const std::string bytes = io::drawn(verification.picture(), io::PictureFormat::Svg);
-    io::write_file(request.picture, bytes);
+    const std::string bytes = tables::drawn(verification.picture(), tables::PictureFormat::Svg);
+    files::write_file(request.picture, bytes);
   }
-  tell("{}: {}\n", verification.name, held ? "every row held" : "NOT every row held");
-  return held ? app::kOk : app::kFailed;
+  terminal::tell("{}: {}\n", verification.name, held ? "every row held" : "NOT every row held");
+  return held ? host::kOk : host::kFailed;
 }
 
 void add_outages(CLI::App& command, verify::OutageTimes& outages) {
@@ -43,9 +43,9 @@ void add_outages(CLI::App& command, verify::OutageTimes& outages) {
 void add_verify(CLI::App& app, std::function<int()>& action) {
   CLI::App* verify = app.add_subcommand(kVerify.name, kVerify.purpose);
   verify->require_subcommand(1);
-  for (const Verification& verification : verifications()) {
+  for (const study::Verification& verification : study::verifications()) {
     CLI::App* command = verify->add_subcommand(verification.name, verification.purpose);
-    auto request = std::make_shared<VerifyRequest>();
+    auto request = std::make_shared<study::VerifyRequest>();
     command->add_flag("--full", request->full, "all seeds instead of the preset one");
     if (verification.takes_files) {
       command->add_option("--files", request->files, "trajectory files with velocity and attitude to show too");
@@ -65,4 +65,4 @@ void add_verify(CLI::App& app, std::function<int()>& action) {
   }
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::commands

@@ -5,7 +5,7 @@
 
 #include "inslab/data/catalog/topics.hpp"
 
-namespace inslab::cli {
+namespace inslab::derived {
 
 namespace {
 
@@ -154,4 +154,4 @@ std::vector<DerivedFile> deploy_files() {
   return files;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::derived

@@ -4,10 +4,10 @@
 
 #include "inslab/services/inslab/derived/derived_files.hpp"
 
-namespace inslab::cli {
+namespace inslab::derived {
 
 /// What deploy takes from the catalogue, which is C++: the roles for make-keys, the services for inventories of labs,
 /// the units of the sensors' services.
 std::vector<DerivedFile> deploy_files();
 
-}  // namespace inslab::cli
+}  // namespace inslab::derived

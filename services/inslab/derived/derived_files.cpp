@@ -8,13 +8,13 @@
 #include "inslab/scenario/scenario.hpp"
 #include "inslab/services/inslab/derived/deploy_files.hpp"
 
-namespace inslab::cli {
+namespace inslab::derived {
 
 namespace {
 
 template <class T>
 DerivedFile schema_file(const std::string& name, const std::string& title) {
-  return {"config/schema/" + name + ".schema.json", [title] { return config::schema<T>(title).dump(2) + "\n"; }};
+  return {"config/schema/" + name + ".schema.json", [title] { return json::schema<T>(title).dump(2) + "\n"; }};
 }
 
 std::string parameters_page() {
@@ -26,14 +26,14 @@ std::string parameters_page() {
   const auto add = [&page](const std::string& title, const std::string& table) {
     page += "\n## " + title + "\n\n" + table;
   };
-  add("Scenario (`config/scenarios`)", config::reference_table<scenario::Scenario>());
+  add("Scenario (`config/scenarios`)", json::reference_table<scenario::Scenario>());
   for_each(catalog::ProfileKinds{}, [&add](auto tag) {
     using Profile = typename decltype(tag)::type;
     const catalog::ProfileWords& words = catalog::kWords<Profile>;
     add(std::string(words.title) + " (`config/profiles/" + std::string(words.folder) + "`)",
-        config::reference_table<Profile>());
+        json::reference_table<Profile>());
   });
-  add("Navigation filter (`config/nav`)", config::reference_table<reference_nav::NavigationParameters>());
+  add("Navigation filter (`config/nav`)", json::reference_table<navigation::NavigationParameters>());
   return page;
 }
 
@@ -47,13 +47,13 @@ const std::vector<DerivedFile>& derived_files() {
       all.push_back(schema_file<Profile>(std::string(enum_name(Profile::kind)),
                                          "Inslab " + std::string(catalog::kWords<Profile>.document)));
     });
-    all.push_back(schema_file<reference_nav::NavigationParameters>("navigation", "Inslab navigation filter"));
+    all.push_back(schema_file<navigation::NavigationParameters>("navigation", "Inslab navigation filter"));
     all.push_back({"idl/profile.idl", wire::profile_idl});
     all.push_back({"docs/parameters.md", parameters_page});
-    for (DerivedFile& file : deploy_files()) all.push_back(std::move(file));
+    for (DerivedFile& file : evidence::deploy_files()) all.push_back(std::move(file));
     return all;
   }();
   return files;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::derived

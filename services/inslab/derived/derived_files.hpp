@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace inslab::cli {
+namespace inslab::derived {
 
 /// A file of the product that follows from the declarations in C++; a test compares it with the one committed.
 struct DerivedFile {
@@ -15,4 +15,4 @@ struct DerivedFile {
 /// The schemas of config/schema, idl/profile.idl, docs/parameters.md, and what deploy takes from the catalogue.
 const std::vector<DerivedFile>& derived_files();
 
-}  // namespace inslab::cli
+}  // namespace inslab::derived

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace inslab::cli {
+namespace inslab::live {
 
 namespace {
 
@@ -172,4 +172,4 @@ void ChildProcesses::wait_for_end(std::chrono::nanoseconds timeout) {
   }
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::live

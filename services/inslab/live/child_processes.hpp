@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace inslab::cli {
+namespace inslab::live {
 
 /// The processes that `inslab run` has started. Each has its own process group, so that Ctrl-C at the terminal reaches
 /// only the one who started them, who ends them in order. When that one ends without having done so, however it ends,
@@ -72,4 +72,4 @@ class ChildProcesses {
   std::vector<Child> children_;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::live

@@ -6,11 +6,11 @@
 
 #include "inslab/foundation/host/host.hpp"
 
-namespace inslab::cli {
+namespace inslab::live {
 
 using std::chrono::seconds;
 
-Follower::Follower(RunLink& link, Options options, Audience audience, time::Nanoseconds now)
+Follower::Follower(client::RunLink& link, Options options, Audience audience, time::Nanoseconds now)
     : link_(link), options_(std::move(options)), audience_(std::move(audience)), begun_at_(now), heard_at_(now) {}
 
 std::optional<Follower::Ending> Follower::step(time::Nanoseconds now) {
@@ -54,7 +54,7 @@ std::optional<std::string> Follower::silence(const std::optional<SimStatus>& sta
 
 /// When the run is heard first.
 void Follower::say_whose_it_is(const SimStatus& status) {
-  if (!said_run_) audience_.event("run " + app::run_id_text(status.run_id));
+  if (!said_run_) audience_.event("run " + host::run_id_text(status.run_id));
   said_run_ = true;
 }
 
@@ -82,8 +82,8 @@ void Follower::release(const SimStatus& status, time::Nanoseconds now) {
     return !link_.acks(request_of(swap).request_id).empty();
   });
   if (status.journal_entries + static_cast<std::size_t>(refused) < swaps.size()) return;
-  link_.send(SimCommand{app::random_id(), CommandKind::Resume, 0.0});
+  link_.send(SimCommand{host::random_id(), CommandKind::Resume, 0.0});
   resume_again_at_ = now + seconds(1);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::live

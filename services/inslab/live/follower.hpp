@@ -8,7 +8,7 @@
 #include "inslab/bus/client/run_link.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::cli {
+namespace inslab::live {
 
 /// Goes along with a run that others started, from before its first sample to its end: sends its swaps, lets it begin.
 /// Times are those of CLOCK_MONOTONIC.
@@ -32,7 +32,7 @@ class Follower {
   };
 
   /// `link` is used until the end.
-  Follower(RunLink& link, Options options, Audience audience, time::Nanoseconds now);
+  Follower(client::RunLink& link, Options options, Audience audience, time::Nanoseconds now);
 
   /// Does what is due; the ending when there is nothing more to wait for. Call every few milliseconds.
   std::optional<Ending> step(time::Nanoseconds now);
@@ -45,7 +45,7 @@ class Follower {
   void send_swaps();
   void release(const SimStatus& status, time::Nanoseconds now);
 
-  RunLink& link_;
+  client::RunLink& link_;
   Options options_;
   Audience audience_;
   std::size_t next_swap_ = 0;
@@ -59,4 +59,4 @@ class Follower {
   time::Nanoseconds resume_again_at_{0};  ///< a command may be lost with its server's barrier still open
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::live

@@ -14,7 +14,7 @@
 #include "inslab/models/navigation/app_setup.hpp"
 #include "inslab/scenario/service_names.hpp"
 
-namespace inslab::cli {
+namespace inslab::live {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -23,11 +23,11 @@ namespace {
 
 /// This process, as the one that has the set, with a run of its own. What proves to others that they have the same
 /// scenario is what its files say, as each service reads them: the clock of the loaded one may be the command line's.
-app::Identity identity_for(const RunOptions& options) {
-  app::ServiceOptions own;
+streams::Identity identity_for(const RunOptions& options) {
+  service::ServiceOptions own;
   own.network = options.network;
-  own.run_id = app::random_run_id();
-  return app::identity_of("inslab-run", own,
+  own.run_id = host::random_run_id();
+  return service::identity_of("inslab-run", own,
                           scenario::load(options.scenario, options.network.unit, scenario::TrajectoryRows::LeaveOut));
 }
 
@@ -38,10 +38,10 @@ bool in_progress(const SimStatus& status) {
 }  // namespace
 
 std::string obstacle_to(const RunOptions& options, const scenario::LoadedScenario& loaded) {
-  if (const auto& app = loaded.scenario.reference_nav) (void)reference_nav::setup_for(loaded, *app);
+  if (const auto& app = loaded.scenario.reference_nav) (void)navigation::setup_for(loaded, *app);
   if (options.network.transport != "shm") return "";
   constexpr int kThisOneAndTheTrajectoryServer = 2;
-  const auto services = static_cast<int>(app::required_services(loaded).size());
+  const auto services = static_cast<int>(scenario::required_services(loaded).size());
   const std::string shortage = dds::shared_memory_shortage(services + kThisOneAndTheTrajectoryServer);
   return shortage.empty() ? "" : "--transport shm: " + shortage;
 }
@@ -50,7 +50,7 @@ LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& load
     : options_(options),
       loaded_(loaded),
       identity_(identity_for(options)),
-      participant_(app::participant_options(options.network, identity_)),
+      participant_(service::participant_options(options.network, identity_)),
       client_(participant_, identity_),
       service_status_(
           participant_, dds::topics::service_status(),
@@ -59,10 +59,10 @@ LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& load
       lockstep_(options.clock.mode.empty() ? loaded.scenario.clock.mode == ClockMode::Lockstep
                                            : options.clock.mode == "lockstep"),
       holds_the_start_(lockstep_ && !loaded.swaps.empty()) {
-  std::vector<app::ServiceKey> places = app::required_services(loaded_);
+  std::vector<scenario::ServiceKey> places = scenario::required_services(loaded_);
   places.emplace_back(app::kTrajectoryServer, 0u);
   places.push_back(identity_.role());
-  app::look_around(participant_, identity_, [&places](const app::Identity& other) {
+  service::look_around(participant_, identity_, [&places](const streams::Identity& other) {
     return std::find(places.begin(), places.end(), other.role()) != places.end();
   });
 }
@@ -71,7 +71,7 @@ void LiveRun::start_services() {
   if (!options_.network.security.empty()) std::fprintf(stderr, "starts the services of a secured set one by one\n");
   std::vector<std::string> common{"--scenario",  options_.scenario,
                                   "--log-level", options_.verbose ? "info" : "warn",
-                                  "--run",       app::run_id_text(identity_.run_id)};
+                                  "--run",       host::run_id_text(identity_.run_id)};
   const std::vector<std::string> network = options_.network.as_arguments();
   common.insert(common.end(), network.begin(), network.end());
   const auto with = [&](std::initializer_list<std::string> more) {
@@ -91,7 +91,7 @@ void LiveRun::start_services() {
     start(decltype(kind)::type::service, with({"--sensor", std::to_string(sensor.number)}));
   });
   if (loaded_.scenario.reference_nav) start(app::kReferenceNav, with({}));
-  app::ClockOptions clock = options_.clock;
+  service::ClockOptions clock = options_.clock;
   clock.paused = clock.paused || holds_the_start_;
   const std::vector<std::string> arguments = clock.as_arguments();
   common.insert(common.end(), arguments.begin(), arguments.end());
@@ -109,41 +109,41 @@ void LiveRun::follow(const std::function<void()>& meanwhile) {
     if (status) {
       progress.show(time::Nanoseconds(status->sim_time_ns));
       if (has_ended(status->state)) {
-        if (!run_ended_) run_ended_ = app::monotonic_now();
+        if (!run_ended_) run_ended_ = host::monotonic_now();
       } else {
         tell_wait(progress, status->message);
       }
       send_due_swaps(*status);
     }
-    if (app::shutdown_requested() && !told_to_stop_) stop(seconds(10));
+    if (host::shutdown_requested() && !told_to_stop_) stop(seconds(10));
     // In lockstep nobody gives credit for one who left; the trajectory server ends the run where that one said why.
-    const bool stands = lockstep_ && left_at_ && app::monotonic_now() - *left_at_ > seconds(5);
+    const bool stands = lockstep_ && left_at_ && host::monotonic_now() - *left_at_ > seconds(5);
     if (stands && !told_to_stop_ && status && in_progress(*status)) stop(seconds(15));
     if (!told_to_stop_ && children_.failure() && (!status || status->state == RunState::Waiting)) {
       told_to_stop_ = true;  // the barrier will not open without it
-      stop_deadline_ = app::monotonic_now() + seconds(10);
+      stop_deadline_ = host::monotonic_now() + seconds(10);
       children_.terminate();
     }
     if (children_.has_ended(app::kTrajectoryServer) && !stop_deadline_) {
-      stop_deadline_ = app::monotonic_now() + seconds(15);
+      stop_deadline_ = host::monotonic_now() + seconds(15);
       // Without the clock nobody ends by itself.
       if (children_.failure() && !told_to_stop_) children_.terminate();
     }
-    if (run_ended_ && app::monotonic_now() - *run_ended_ > seconds(2)) tell_wait(progress, words_of_rest());
-    if (stop_deadline_ && app::monotonic_now() > *stop_deadline_) return;
+    if (run_ended_ && host::monotonic_now() - *run_ended_ > seconds(2)) tell_wait(progress, words_of_rest());
+    if (stop_deadline_ && host::monotonic_now() > *stop_deadline_) return;
     std::this_thread::sleep_for(milliseconds(20));
   }
-  if (const auto status = client_.status()) app::remove_checkpoints(options_.state_folder, status->run_id);
+  if (const auto status = client_.status()) service::remove_checkpoints(options_.state_folder, status->run_id);
 }
 
 void LiveRun::stop(seconds patience) {
   told_to_stop_ = true;
-  stop_deadline_ = app::monotonic_now() + patience;
+  stop_deadline_ = host::monotonic_now() + patience;
   if (!client_.connected() || !client_.send({1, CommandKind::Stop, 0.0})) children_.terminate();
 }
 
 std::optional<std::string> LiveRun::failure() const {
-  if (app::shutdown_requested()) return "stopped by a signal";
+  if (host::shutdown_requested()) return "stopped by a signal";
   if (given_up_) return given_up_;
   if (!children_.all_ended()) return "a service did not end";
   const auto status = client_.status();
@@ -190,7 +190,7 @@ void LiveRun::note_early_ends(const Progress& progress) {
   if (children_.has_ended(app::kTrajectoryServer)) return;  // the run is at its end: everybody goes
   for (const std::string& words : children_.newly_ended()) {
     early_ends_.push_back(words + " in mid-run" + when() + ": what it would have sent is missing");
-    if (!left_at_) left_at_ = app::monotonic_now();
+    if (!left_at_) left_at_ = host::monotonic_now();
     progress.say(early_ends_.back());
   }
 }
@@ -206,11 +206,11 @@ std::string LiveRun::when() const {
 bool LiveRun::has_done(const ChildProcesses::Ended& ended) const {
   if (ended.program == app::kTruthLogger) return false;  // it says so before its log is closed
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto said = [this](const app::ServiceKey& service, ServiceState state) {
+  const auto said = [this](const scenario::ServiceKey& service, ServiceState state) {
     const auto found = said_.find(service);
     return found != said_.end() && found->second == state;
   };
-  const app::ServiceKey logger{app::kTruthLogger, 0u};
+  const scenario::ServiceKey logger{app::kTruthLogger, 0u};
   const bool is_heard = children_.has_ended(app::kTruthLogger) || said(logger, ServiceState::Finished) ||
                         said(logger, ServiceState::Fault) || ended.program == app::kTrajectoryServer;
   return said({ended.program, ended.sensor}, ServiceState::Finished) && is_heard;
@@ -234,7 +234,7 @@ bool LiveRun::starts_again(ChildProcesses::Ended& ended) {
   if (ended.program == app::kTruthLogger) {
     auto& words = ended.arguments;
     if (std::find(words.begin(), words.end(), "--go-on") == words.end()) {
-      words.insert(words.end(), {"--go-on", app::run_id_text(status->run_id)});
+      words.insert(words.end(), {"--go-on", host::run_id_text(status->run_id)});
     }
     return true;
   }
@@ -265,4 +265,4 @@ void LiveRun::send_due_swaps(const SimStatus& status) {
   }
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::live

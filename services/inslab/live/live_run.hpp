@@ -16,14 +16,14 @@
 #include "inslab/services/inslab/live/child_processes.hpp"
 #include "inslab/services/inslab/live/progress.hpp"
 
-namespace inslab::cli {
+namespace inslab::live {
 
 struct RunOptions {
   std::string scenario;
   std::string log_file;
   std::string state_folder;  ///< empty: the services' own default
-  app::NetworkOptions network;
-  app::ClockOptions clock;
+  service::NetworkOptions network;
+  service::ClockOptions clock;
   bool verbose = false;
 };
 
@@ -52,7 +52,7 @@ class LiveRun {
   /// What went wrong; nothing when nothing did.
   std::optional<std::string> failure() const;
 
-  RunClient& client() { return client_; }
+  client::RunClient& client() { return client_; }
   const ChildProcesses& services() const { return children_; }
 
  private:
@@ -68,15 +68,15 @@ class LiveRun {
   void stop(std::chrono::seconds patience);
   void send_due_swaps(const SimStatus& status);
 
-  app::OwnEnding ends_the_services_{app::OwnEnding::Then::CodeStands};  ///< of a signal
+  host::OwnEnding ends_the_services_{host::OwnEnding::Then::CodeStands};  ///< of a signal
   const RunOptions& options_;
   const scenario::LoadedScenario& loaded_;
-  app::Identity identity_;
+  streams::Identity identity_;
   dds::Participant participant_;
-  RunClient client_;
+  client::RunClient client_;
   mutable std::mutex mutex_;
   std::string first_fault_;                       ///< of a service; guarded by mutex_
-  std::map<app::ServiceKey, ServiceState> said_;  ///< what each service said last; guarded by mutex_
+  std::map<scenario::ServiceKey, ServiceState> said_;  ///< what each service said last; guarded by mutex_
   dds::Reader<ServiceStatus> service_status_;
   std::vector<std::string> restarts_;
   std::optional<std::string> given_up_;       ///< which service is not started again, and why
@@ -93,4 +93,4 @@ class LiveRun {
   std::optional<time::Nanoseconds> run_ended_;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::live

@@ -7,7 +7,7 @@
 
 #include "inslab/foundation/text/shown.hpp"
 
-namespace inslab::cli {
+namespace inslab::live {
 
 Progress::Progress(const std::string& name, time::Nanoseconds duration)
     : name_(text::shown(name)), duration_s_(time::to_seconds(duration)), terminal_(isatty(STDERR_FILENO) == 1) {}
@@ -36,4 +36,4 @@ void Progress::say(const std::string& line) const {
   std::fprintf(stderr, "%s%s\n", terminal_ ? "\r\033[K" : "", line.c_str());
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::live

@@ -4,7 +4,7 @@
 
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::cli {
+namespace inslab::live {
 
 /// A bar on a terminal; on anything else a line every tenth of the way.
 class Progress {
@@ -25,4 +25,4 @@ class Progress {
   int shown_ = -1;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::live

@@ -17,7 +17,7 @@
 #include "inslab/sim/offline_run.hpp"
 #include "inslab/sim/scenario_folder.hpp"
 
-namespace inslab::cli {
+namespace inslab::study {
 
 namespace {
 
@@ -50,16 +50,16 @@ std::string write_scenario(const verify::NavigationSetup& setup, std::size_t imu
   loaded.gnss.resize(1);
   loaded.gnss.front().errors.velocity_sigma_ned_m_per_s.setZero();  // positions alone
   loaded.scenario.reference_nav = scenario::ReferenceNav{loaded.imus.front().number, loaded.gnss.front().number, ""};
-  reference_nav::NavigationParameters parameters = verify::filter_parameters(setup, imu);
+  navigation::NavigationParameters parameters = verify::filter_parameters(setup, imu);
   parameters.name = "outages";
-  parameters.initial.attitude = reference_nav::InitialAttitude::Given;
+  parameters.initial.attitude = navigation::InitialAttitude::Given;
   const scenario::InitialState& initial = setup.motion.initial;
   parameters.initial.rpy_deg = {initial.roll_deg, initial.pitch_deg, initial.yaw_deg};
   if (setup.file) {
     const nav::RollPitchYaw& rpy = *setup.file->rows.front().rpy;
     parameters.initial.rpy_deg = Vector3(rpy.roll_rad, rpy.pitch_rad, rpy.yaw_rad) / units::kDeg;
   }
-  return write_scenario_folder(loaded, parameters, folder);
+  return sim::write_scenario_folder(loaded, parameters, folder);
 }
 
 /// The solutions and what they are measured by.
@@ -68,7 +68,7 @@ struct Solutions {
   std::vector<ImuTruth> truths;  ///< by the sequence number of their IMU sample
 };
 
-class SolutionSink : public RunSink {
+class SolutionSink : public sim::RunSink {
  public:
   Solutions found;
 
@@ -83,26 +83,26 @@ class SolutionSink : public RunSink {
 Solutions in_one_process(const std::string& scenario_file) {
   const scenario::LoadedScenario loaded = scenario::load(scenario_file);
   SolutionSink sink;
-  OfflineRun run(loaded, loaded.start({}), RunId{}, sink);
+  sim::OfflineRun run(loaded, loaded.start({}), RunId{}, sink);
   while (run.step()) continue;
   return std::move(sink.found);
 }
 
-std::vector<NavSolution> over_dds(const std::string& scenario_file, const app::NetworkOptions& network,
+std::vector<NavSolution> over_dds(const std::string& scenario_file, const service::NetworkOptions& network,
                                   const std::string& folder) {
-  RunOptions options;
+  live::RunOptions options;
   options.scenario = scenario_file;
   options.network = network;
   options.clock.mode = "lockstep";
   options.log_file = folder + "/log.mcap";
   options.state_folder = folder;
   const scenario::LoadedScenario loaded = scenario::load(scenario_file);
-  LiveRun run(options, loaded);
+  live::LiveRun run(options, loaded);
   run.start_services();
   run.follow();
   if (const auto failure = run.failure()) throw std::runtime_error("the run over DDS failed: " + *failure);
   std::vector<NavSolution> solutions;
-  io::for_each_sample<NavSolution>(io::McapReader(options.log_file), catalog::kNav.name,
+  log::for_each_sample<NavSolution>(mcap::McapReader(options.log_file), catalog::kNav.name,
                                    [&](const NavSolution& solution, std::uint64_t) {
                                      solutions.push_back(solution);
                                      return true;
@@ -136,7 +136,7 @@ verify::DriftFigures drift_of(const std::vector<NavSolution>& solutions, const s
 
 }  // namespace
 
-verify::Table outages_over_dds(const app::NetworkOptions& network, const verify::OutageTimes& outages) {
+verify::Table outages_over_dds(const service::NetworkOptions& network, const verify::OutageTimes& outages) {
   verify::Table table;
   table.judged = outages == verify::OutageTimes{};
   table.title = "The same over DDS in lockstep: horizontal / vertical m; roll pitch yaw deg";
@@ -166,4 +166,4 @@ verify::Table outages_over_dds(const app::NetworkOptions& network, const verify:
   return table;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

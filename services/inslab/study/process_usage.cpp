@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-namespace inslab::cli {
+namespace inslab::study {
 
 std::optional<ProcessUsage> usage_of(pid_t pid) {
   const std::filesystem::path place = "/proc/" + std::to_string(pid);
@@ -25,4 +25,4 @@ std::optional<ProcessUsage> usage_of(pid_t pid) {
   return usage;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace inslab::cli {
+namespace inslab::study {
 
 /// What a process holds of the machine.
 struct ProcessUsage {
@@ -16,4 +16,4 @@ struct ProcessUsage {
 /// From /proc; nothing when the process is gone.
 std::optional<ProcessUsage> usage_of(pid_t pid);
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

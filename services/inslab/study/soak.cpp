@@ -13,7 +13,7 @@
 #include "inslab/services/inslab/study/soak_events.hpp"
 #include "inslab/services/inslab/study/usage_watch.hpp"
 
-namespace inslab::cli {
+namespace inslab::study {
 
 namespace {
 
@@ -52,12 +52,12 @@ class Soak::Work {
 
   /// True when everything held.
   bool go() {
-    const auto segments_before = find_shm_segments("/dev/shm").size();
-    const auto began = app::monotonic_now();
+    const auto segments_before = client::find_shm_segments("/dev/shm").size();
+    const auto began = host::monotonic_now();
     const Load load(options_.load);
     run_.start_services();
     run_.follow([this] { tick(); });
-    const double took_s = time::to_seconds(app::monotonic_now() - began);
+    const double took_s = time::to_seconds(host::monotonic_now() - began);
     require(!run_.failure(), run_.failure().value_or(""));
     say("\n{:.2f} h of sim time in {:.1f} min: {:.0f} x real time; seed {}: {} swaps, {} kills, {} pauses\n",
         sim_time_s_ / 3600.0, took_s / 60.0, sim_time_s_ / took_s, options_.seed, swaps_.size(), kills_, pauses_);
@@ -66,7 +66,7 @@ class Soak::Work {
     judge_usage();
     // Killed services leave their segments behind: inslab doctor --clean takes them away.
     std::size_t stale = 0;
-    for (const ShmSegment& segment : find_shm_segments("/dev/shm")) stale += segment.in_use ? 0 : 1;
+    for (const client::ShmSegment& segment : client::find_shm_segments("/dev/shm")) stale += segment.in_use ? 0 : 1;
     say("shared-memory segments: {} before, {} stale ones after\n", segments_before, stale);
     judge_log();
     for (const std::string& line : broken_) say("FAILED: {}\n", line);
@@ -89,7 +89,7 @@ class Soak::Work {
     sim_time_s_ = static_cast<double>(status->sim_time_ns) * 1e-9;
     if (!began_) kill(1);
     began_ = true;
-    if (resume_at_ && app::monotonic_now() > *resume_at_) {
+    if (resume_at_ && host::monotonic_now() > *resume_at_) {
       run_.client().send({next_command_++, CommandKind::Resume, 0.0});
       resume_at_.reset();
     }
@@ -121,7 +121,7 @@ class Soak::Work {
       case SoakEvents::Kind::Pause:
         if (resume_at_) return;
         run_.client().send({next_command_++, CommandKind::Pause, 0.0});
-        resume_at_ = app::monotonic_now() + std::chrono::milliseconds(300);
+        resume_at_ = host::monotonic_now() + std::chrono::milliseconds(300);
         ++pauses_;
         break;
     }
@@ -148,8 +148,8 @@ class Soak::Work {
 
   void watch_usage() {
     const double part = sim_time_s_ / end_s_;
-    if (app::monotonic_now() < next_look_ || !UsageWatch::wants(part)) return;
-    next_look_ = app::monotonic_now() + std::chrono::seconds(1);
+    if (host::monotonic_now() < next_look_ || !UsageWatch::wants(part)) return;
+    next_look_ = host::monotonic_now() + std::chrono::seconds(1);
     for (const auto& [program, pid] : run_.services().running()) {
       const auto usage = usage_of(pid);
       if (usage) usage_.add(program, part, *usage);
@@ -169,12 +169,12 @@ class Soak::Work {
   }
 
   void judge_log() {
-    const io::LogInfo info = io::inspect_log(options_.run.log_file);
+    const log::LogInfo info = log::inspect_log(options_.run.log_file);
     require(info.closed_properly, "the log was not closed: " + info.ending);
     std::size_t recoveries = 0;
     for (const auto& record : info.metadata) recoveries += record.name.rfind("recovery/", 0) == 0 ? 1 : 0;
     say("\n{:<24}{:>14}{:>10}{:>10}\n", "stream", "samples", "missing", "twice");
-    for (const io::TopicInfo& topic : info.topics) {
+    for (const log::TopicInfo& topic : info.topics) {
       if (!topic.is_numbered || topic.count == 0) continue;
       say("{:<24}{:>14}{:>10}{:>10}\n", topic.topic, topic.count, topic.missing, topic.duplicates);
       require(topic.missing == 0, topic.topic + ": samples are missing from the log");
@@ -187,7 +187,7 @@ class Soak::Work {
   Say say_;
   double end_s_;
   SoakEvents events_;
-  LiveRun run_;
+  live::LiveRun run_;
   double sim_time_s_ = 0.0;
   std::vector<std::uint64_t> swaps_;
   int kills_ = 0;
@@ -207,4 +207,4 @@ Soak::~Soak() = default;
 
 bool Soak::go() { return work_->go(); }
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

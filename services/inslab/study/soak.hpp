@@ -5,11 +5,11 @@
 
 #include "inslab/services/inslab/live/live_run.hpp"
 
-namespace inslab::cli {
+namespace inslab::study {
 
 /// A run in lockstep that swaps, kills and pauses for hours of sim time.
 struct SoakOptions {
-  RunOptions run;
+  live::RunOptions run;
   double hours = 24.0;
   std::uint64_t seed = 1;
   double often = 1.0;  ///< so many times as many kills and pauses
@@ -36,4 +36,4 @@ class Soak {
   std::unique_ptr<Work> work_;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace inslab::cli {
+namespace inslab::study {
 
 SoakEvents::SoakEvents(const scenario::LoadedScenario& scenario, const std::filesystem::path& profiles,
                        std::uint64_t seed, double often)
@@ -66,4 +66,4 @@ AnyProfile SoakEvents::next_swap() {
   return swap;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

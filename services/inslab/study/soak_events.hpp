@@ -8,7 +8,7 @@
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/scenario/load.hpp"
 
-namespace inslab::cli {
+namespace inslab::study {
 
 /// What a soak does to a running set, drawn from a seed: swaps of every kind of profile, kills of one service, of two
 /// at once and of one that is just told of a swap, pauses, each at random sim times with a mean distance of its own.
@@ -53,4 +53,4 @@ class SoakEvents {
   std::uint64_t next_request_ = 1;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

@@ -2,7 +2,7 @@
 
 #include "inslab/services/inslab/live/child_processes.hpp"
 
-namespace inslab::cli {
+namespace inslab::study {
 
 void StudyPool::run(std::deque<std::uint32_t> todo) {
   const std::size_t all = todo.size();
@@ -54,9 +54,9 @@ std::unique_ptr<StudyPool::Process> study_process(const std::vector<std::string>
     std::optional<std::string> failure() override { return children_.failure(); }
 
    private:
-    ChildProcesses children_;
+    live::ChildProcesses children_;
   };
   return std::make_unique<Child>(arguments);
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace inslab::cli {
+namespace inslab::study {
 
 /// Runs of a study, each a process of its own, so many at a time: one that dies takes none along.
 class StudyPool {
@@ -73,4 +73,4 @@ struct StudyOptions {
 /// A process of `inslab-study` with these arguments.
 std::unique_ptr<StudyPool::Process> study_process(const std::vector<std::string>& arguments);
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace inslab::cli {
+namespace inslab::study {
 
 void UsageWatch::add(const std::string& program, double part, const ProcessUsage& usage) {
   Peaks& peaks = peaks_[program];
@@ -35,4 +35,4 @@ std::vector<std::string> UsageWatch::growth() const {
   return words;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

@@ -7,7 +7,7 @@
 
 #include "inslab/services/inslab/study/process_usage.hpp"
 
-namespace inslab::cli {
+namespace inslab::study {
 
 /// What the services of a set held in the first and in the last third of a run, and whether that grew.
 class UsageWatch {
@@ -29,4 +29,4 @@ class UsageWatch {
   std::map<std::string, Peaks> peaks_;
 };
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

@@ -13,7 +13,7 @@
 #include "inslab/referee/verify/vibration.hpp"
 #include "inslab/services/inslab/study/outages_over_dds.hpp"
 
-namespace inslab::cli {
+namespace inslab::study {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::vector<verify::Table> tables_of(const Verification& verification, const Ver
   return tables;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

@@ -8,7 +8,7 @@
 #include "inslab/referee/verify/outage_score.hpp"
 #include "inslab/referee/verify/table.hpp"
 
-namespace inslab::cli {
+namespace inslab::study {
 
 /// What is wanted of a block.
 struct VerifyRequest {
@@ -16,7 +16,7 @@ struct VerifyRequest {
   std::vector<std::string> files;  ///< the user's own, to be shown too
   verify::OutageTimes outages;     ///< of `navigation`
   bool over_dds = false;           ///< through the real processes, too
-  app::NetworkOptions network;     ///< of these
+  service::NetworkOptions network;     ///< of these
   std::string picture;             ///< where the block's picture goes; empty: nowhere
 };
 
@@ -26,8 +26,8 @@ struct Verification {
   const char* purpose;
   std::vector<verify::Table> (*run)(const VerifyRequest& request);
   bool takes_files = false;
-  io::Picture (*picture)() = nullptr;
-  verify::Table (*over_dds)(const app::NetworkOptions& network, const verify::OutageTimes& outages) = nullptr;
+  tables::Picture (*picture)() = nullptr;
+  verify::Table (*over_dds)(const service::NetworkOptions& network, const verify::OutageTimes& outages) = nullptr;
 };
 
 /// The blocks of `inslab verify`.
@@ -36,4 +36,4 @@ const std::vector<Verification>& verifications();
 /// The tables of a block.
 std::vector<verify::Table> tables_of(const Verification& verification, const VerifyRequest& request);
 
-}  // namespace inslab::cli
+}  // namespace inslab::study

@@ -24,13 +24,13 @@ constexpr std::uint32_t kStreamSamples = 3000;
 constexpr std::uint32_t kOtherSamples = 100;
 
 template <class T>
-void write_samples(io::McapWriter& log, const std::string& topic, std::uint32_t count, test::RandomFields& random) {
-  io::LogChannel<T> channel(log, topic);
+void write_samples(mcap::McapWriter& log, const std::string& topic, std::uint32_t count, recordings::test::RandomFields& random) {
+  log::LogChannel<T> channel(log, topic);
   for (std::uint32_t k = 0; k < count; ++k) channel.write(random.make<T>(), k, k * 5'000'000ULL, k * 5'000'000ULL + 1);
 }
 
-void write_all(io::McapWriter& log) {
-  test::RandomFields random(20260101);
+void write_all(mcap::McapWriter& log) {
+  recordings::test::RandomFields random(20260101);
   log.metadata("run", {{"scenario", "random values"}, {"seed", "20260101"}});
   write_samples<TruthState>(log, "inslab/truth", kStreamSamples, random);
   write_samples<ImuSample>(log, "inslab/imu/0", kStreamSamples, random);
@@ -54,18 +54,18 @@ void write_all(io::McapWriter& log) {
 void write_and_be_killed(const std::string& path) {
   const pid_t child = fork();
   if (child == 0) {
-    io::McapWriter log(path);
+    mcap::McapWriter log(path);
     write_all(log);
     log.flush();
-    test::RandomFields random(1);
-    io::LogChannel<NavSolution>(log, "inslab/nav").write(random.make<NavSolution>(), 0, 0, 0);
+    recordings::test::RandomFields random(1);
+    log::LogChannel<NavSolution>(log, "inslab/nav").write(random.make<NavSolution>(), 0, 0, 0);
     std::raise(SIGKILL);
   }
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) != child || !WIFSIGNALED(status)) {
     throw std::runtime_error("the writer was not killed");
   }
-  if (io::McapReader(path).closed_properly()) throw std::runtime_error("the killed writer closed its log");
+  if (mcap::McapReader(path).closed_properly()) throw std::runtime_error("the killed writer closed its log");
 }
 
 }  // namespace
@@ -79,15 +79,15 @@ int main(int argc, char** argv) {
     const std::string folder = argv[1];
     std::filesystem::create_directories(folder);
     {
-      io::McapWriter log(folder + "/closed.mcap");
+      mcap::McapWriter log(folder + "/closed.mcap");
       write_all(log);
       log.close();
     }
     write_and_be_killed(folder + "/killed.mcap");
     for (const std::string name : {"closed", "killed"}) {
-      io::export_log(folder + "/" + name + ".mcap", io::ExportFormat::Csv, folder + "/" + name + "_csv");
+      exports::export_log(folder + "/" + name + ".mcap", exports::ExportFormat::Csv, folder + "/" + name + "_csv");
     }
-    io::export_log(folder + "/closed.mcap", io::ExportFormat::Hdf5, folder + "/closed.h5");
+    exports::export_log(folder + "/closed.mcap", exports::ExportFormat::Hdf5, folder + "/closed.h5");
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "make_logs: %s\n", error.what());

@@ -49,26 +49,26 @@ const std::vector<Deed> kDeeds{
 
 template <class Do>
 void for_each_topic(const Do& with) {
-  with(topics::truth());
-  with(topics::block(topics::truth()));
-  with(topics::stream<ImuSample>(0));
-  with(topics::stream<ImuTruth>(0));
-  with(topics::stream<GnssFix>(0));
-  with(topics::request<ImuErrorProfile>());
-  with(topics::request<GnssErrorProfile>());
-  with(topics::request<FaultProfile>());
-  with(topics::sim_command());
-  with(topics::sim_status());
-  with(topics::time_mark());
-  with(topics::installation());
-  with(topics::journal<ImuErrorProfile>());
-  with(topics::journal<FaultProfile>());
-  with(topics::profile_ack());
-  with(topics::vehicle_state());
-  with(topics::credit());
-  with(topics::nav());
-  with(topics::block(topics::nav()));
-  with(topics::service_status());
+  with(dds::topics::truth());
+  with(dds::topics::block(dds::topics::truth()));
+  with(dds::topics::stream<ImuSample>(0));
+  with(dds::topics::stream<ImuTruth>(0));
+  with(dds::topics::stream<GnssFix>(0));
+  with(dds::topics::request<ImuErrorProfile>());
+  with(dds::topics::request<GnssErrorProfile>());
+  with(dds::topics::request<FaultProfile>());
+  with(dds::topics::sim_command());
+  with(dds::topics::sim_status());
+  with(dds::topics::time_mark());
+  with(dds::topics::installation());
+  with(dds::topics::journal<ImuErrorProfile>());
+  with(dds::topics::journal<FaultProfile>());
+  with(dds::topics::profile_ack());
+  with(dds::topics::vehicle_state());
+  with(dds::topics::credit());
+  with(dds::topics::nav());
+  with(dds::topics::block(dds::topics::nav()));
+  with(dds::topics::service_status());
 }
 
 /// A set of real processes with keys that waits for its first step, and whoever is let loose on it.

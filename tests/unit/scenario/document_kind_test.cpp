@@ -20,7 +20,7 @@ const std::filesystem::path kConfig = std::filesystem::path(INSLAB_SOURCE_DIR) /
 void expect_all(const std::string& folder, DocumentKind kind) {
   for (const auto& entry : std::filesystem::directory_iterator(kConfig / folder)) {
     if (entry.path().extension() != ".json") continue;
-    config::Json json = config::read_json_file(entry.path());
+    json::Json json = json::read_json_file(entry.path());
     if (json.contains("$schema")) {
       EXPECT_EQ(document_kind(json), kind) << entry.path();
     }
@@ -43,18 +43,18 @@ TEST(DocumentKind, OfEveryFileThatComesWithInslabIsKnown) {
 }
 
 TEST(DocumentKind, AScheduleIsNoScenario) {
-  EXPECT_EQ(document_kind(config::parse_json(R"({"swaps": []})", "f")), DocumentKind::Schedule);
+  EXPECT_EQ(document_kind(json::parse_json(R"({"swaps": []})", "f")), DocumentKind::Schedule);
 }
 
 TEST(DocumentKind, OfWhatIsNotOursIsNone) {
-  EXPECT_EQ(document_kind(config::parse_json(R"({"name": "x", "other": 1})", "f")), std::nullopt);
-  EXPECT_EQ(document_kind(config::parse_json("[1, 2]", "f")), std::nullopt);
+  EXPECT_EQ(document_kind(json::parse_json(R"({"name": "x", "other": 1})", "f")), std::nullopt);
+  EXPECT_EQ(document_kind(json::parse_json("[1, 2]", "f")), std::nullopt);
 }
 
 std::string refusal_of_profile(const std::string& file, ProfileKind kind) {
   try {
     load_profile(kConfig / file, kind, {SensorKind::Imu, 0});
-  } catch (const config::Error& error) {
+  } catch (const json::Error& error) {
     return error.what();
   }
   return "accepted";
@@ -68,13 +68,13 @@ TEST(DocumentKind, AFileOfAnotherKindIsCalledWhatItIs) {
   try {
     load(kConfig / "profiles/imu/stim300.json");
     FAIL();
-  } catch (const config::Error& error) {
+  } catch (const json::Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("is an IMU error profile (imu_error); expected a scenario"));
   }
   try {
-    reference_nav::read_parameters((kConfig / "scenarios/demo.json").string());
+    navigation::read_parameters((kConfig / "scenarios/demo.json").string());
     FAIL();
-  } catch (const config::Error& error) {
+  } catch (const json::Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("is a scenario; expected a navigation filter's parameters"));
   }
 }

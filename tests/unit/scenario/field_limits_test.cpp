@@ -7,10 +7,10 @@
 #include "tests/unit/foundation/fields/number_fields.hpp"
 
 /// Walks the declarations of every file: no field is named here, so a new one is tested from the day it is declared.
-namespace inslab {
+namespace inslab::scenario {
 namespace field_limits_test {
 
-using config::Json;
+using json::Json;
 
 template <class T>
 T filled() {
@@ -25,9 +25,9 @@ void expect_refusal(const Json& base, const test::NumberField& number, const Jso
   Json json = base;
   json[Json::json_pointer(number.pointer)] = outside;
   try {
-    config::from_json<T>(json, "file.json");
+    json::from_json<T>(json, "file.json");
     ADD_FAILURE() << number.path << " = " << outside << " was accepted";
-  } catch (const config::Error& error) {
+  } catch (const json::Error& error) {
     EXPECT_EQ(error.path(), number.path) << error.what();
     EXPECT_EQ(error.file(), "file.json");
     EXPECT_EQ(error.rule(), Rule::ValueRange) << error.what();
@@ -38,7 +38,7 @@ template <class T>
 void expect_acceptance(const Json& base, const test::NumberField& number, const Json& inside) {
   Json json = base;
   json[Json::json_pointer(number.pointer)] = inside;
-  EXPECT_NO_THROW(config::from_json<T>(json, "file.json")) << number.path << " = " << inside;
+  EXPECT_NO_THROW(json::from_json<T>(json, "file.json")) << number.path << " = " << inside;
 }
 
 template <class T>
@@ -56,8 +56,8 @@ void try_ends_of_whole_number(const Json& base, const test::NumberField& number)
 /// Returns how many numbers there were.
 template <class T>
 std::size_t try_ends(T value) {
-  const Json base = config::to_json(value);
-  EXPECT_NO_THROW(config::from_json<T>(base, "file.json"));
+  const Json base = json::to_json(value);
+  EXPECT_NO_THROW(json::from_json<T>(base, "file.json"));
   test::NumberFinder finder;
   T::fields(value, finder);
   for (const test::NumberField& number : finder.found) {
@@ -85,32 +85,32 @@ TEST(FieldLimits, HoldInEveryProfile) {
 }
 
 TEST(FieldLimits, HoldInTheParametersOfANavigationFilter) {
-  EXPECT_GE(try_ends(filled<reference_nav::NavigationParameters>()), 55U);
+  EXPECT_GE(try_ends(filled<navigation::NavigationParameters>()), 55U);
 }
 
 TEST(FieldLimits, HoldInAScenarioWithEveryMotion) {
-  for (std::size_t i = 0; i < EnumNames<scenario::MotionType>::values.size(); ++i) {
-    auto scenario = filled<scenario::Scenario>();
-    scenario::Motion& motion = scenario.trajectory.segments.at(0).motions.at(0);
-    motion.type = static_cast<scenario::MotionType>(i);
+  for (std::size_t i = 0; i < EnumNames<MotionType>::values.size(); ++i) {
+    auto scenario = filled<Scenario>();
+    Motion& motion = scenario.trajectory.segments.at(0).motions.at(0);
+    motion.type = static_cast<MotionType>(i);
     test::ValidFiller filler;
-    scenario::Motion::fields(motion, filler);
+    Motion::fields(motion, filler);
     EXPECT_GE(try_ends(scenario), 27U) << enum_name(motion.type);
   }
 }
 
 TEST(FieldLimits, OfAnUnsigned64BitNumberAreItsOwn) {
-  auto scenario = filled<scenario::Scenario>();
+  auto scenario = filled<Scenario>();
   scenario.seed = std::numeric_limits<std::uint64_t>::max();
-  std::string text = config::to_json(scenario).dump();
+  std::string text = json::to_json(scenario).dump();
   const std::string largest = "18446744073709551615";
   const auto read = [](const std::string& json) {
-    return config::from_json<scenario::Scenario>(config::parse_json(json, "file.json"), "file.json");
+    return json::from_json<Scenario>(json::parse_json(json, "file.json"), "file.json");
   };
   EXPECT_EQ(read(text).seed, scenario.seed);
   text.replace(text.find(largest), largest.size(), "18446744073709551616");
-  EXPECT_THROW(read(text), config::Error);
+  EXPECT_THROW(read(text), json::Error);
 }
 
 }  // namespace field_limits_test
-}  // namespace inslab
+}  // namespace inslab::scenario

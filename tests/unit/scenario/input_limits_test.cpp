@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-namespace inslab::config {
+namespace inslab::scenario {
 namespace input_limits_test {
 
 /// "4,000,000"
@@ -25,14 +25,14 @@ TEST(InputLimits, AreThoseOfTheDocumentation) {
   std::ifstream in(std::string(INSLAB_SOURCE_DIR) + "/docs/formats.md");
   const std::string docs((std::istreambuf_iterator<char>(in)), {});
   const std::vector<std::string> rows{
-      "results) | " + mebibytes(kMaxJsonBytes) + ", " + with_commas(kMaxJsonValues) + " values, " +
-          std::to_string(kMaxJsonLevels) + " levels;",
-      "import`) | " + mebibytes(kMaxImportBytes) + ", " + std::to_string(kMaxImportLevels) + " levels (of YAML 500",
-      "lines) | " + with_commas(kMaxLineBytes) + " bytes in a line; " + with_commas(kMaxRowsInMemory) + " rows",
-      "(MCAP) | " + mebibytes(kMaxLogRecordBytes) + " for a record",
-      "; " + std::to_string(kMaxOpenLogBytes >> 30) + " GiB of chunks that overlap in time |"};
+      "results) | " + mebibytes(files::kMaxJsonBytes) + ", " + with_commas(files::kMaxJsonValues) + " values, " +
+          std::to_string(files::kMaxJsonLevels) + " levels;",
+      "import`) | " + mebibytes(files::kMaxImportBytes) + ", " + std::to_string(files::kMaxImportLevels) + " levels (of YAML 500",
+      "lines) | " + with_commas(files::kMaxLineBytes) + " bytes in a line; " + with_commas(files::kMaxRowsInMemory) + " rows",
+      "(MCAP) | " + mebibytes(files::kMaxLogRecordBytes) + " for a record",
+      "; " + std::to_string(files::kMaxOpenLogBytes >> 30) + " GiB of chunks that overlap in time |"};
   for (const std::string& row : rows) EXPECT_THAT(docs, testing::HasSubstr(row));
 }
 
 }  // namespace input_limits_test
-}  // namespace inslab::config
+}  // namespace inslab::scenario

@@ -10,7 +10,7 @@
 #include "inslab/scenario/load.hpp"
 
 /// config/invalid holds files that break one rule each, and expected.json what must be said of them.
-namespace inslab {
+namespace inslab::scenario {
 namespace invalid_files_test {
 
 const std::filesystem::path kFolder = std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "invalid";
@@ -79,4 +79,4 @@ TEST(Scenario, RefusesASensorItDoesNotHave) {
 }
 
 }  // namespace invalid_files_test
-}  // namespace inslab
+}  // namespace inslab::scenario

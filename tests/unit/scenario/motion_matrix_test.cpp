@@ -8,7 +8,7 @@
 namespace inslab::scenario {
 namespace motion_matrix_test {
 
-class MotionMatrix : public test::TemporaryFolder {
+class MotionMatrix : public recordings::test::TemporaryFolder {
  protected:
   std::vector<Segment> read(const std::string& text) const {
     put(path("matrix.csv"), text);
@@ -27,7 +27,7 @@ class MotionMatrix : public test::TemporaryFolder {
   std::string refusal(const std::string& text) const {
     try {
       read(text);
-    } catch (const config::Error& error) {
+    } catch (const json::Error& error) {
       EXPECT_EQ(error.file(), path("matrix.csv"));
       return error.path() + ": " + error.reason();
     }

@@ -7,7 +7,7 @@
 #include "inslab/data/json/json_reader.hpp"
 
 /// The profiles that come with the product: each is read strictly, breaks no rule, and bears its file's name.
-namespace inslab {
+namespace inslab::scenario {
 namespace profile_files_test {
 
 std::filesystem::path folder(const std::string& kind) {
@@ -18,7 +18,7 @@ template <class Profile>
 void check_files(const std::string& kind, const std::set<std::string>& expected) {
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder(kind))) {
-    const auto profile = config::read_file<Profile>(entry.path());
+    const auto profile = json::read_file<Profile>(entry.path());
     const auto broken = violation(profile);
     EXPECT_FALSE(broken.has_value()) << entry.path() << ": " << broken->path << ' ' << broken->reason;
     EXPECT_EQ(profile.name, entry.path().stem().string());
@@ -65,7 +65,7 @@ struct NumbersAtZero {
 };
 
 TEST(ProfileFiles, TheExampleOfEveryTermHasEveryTerm) {
-  const auto profile = config::read_file<ImuErrorProfile>(folder("imu") / "every_term.json");
+  const auto profile = json::read_file<ImuErrorProfile>(folder("imu") / "every_term.json");
   NumbersAtZero zeros;
   GyroErrors::fields(profile.gyro, zeros);
   AccelErrors::fields(profile.accel, zeros);
@@ -75,10 +75,10 @@ TEST(ProfileFiles, TheExampleOfEveryTermHasEveryTerm) {
 }
 
 TEST(ProfileFiles, AScalarMeansAllThreeAxes) {
-  const auto stim300 = config::read_file<ImuErrorProfile>(folder("imu") / "stim300.json");
+  const auto stim300 = json::read_file<ImuErrorProfile>(folder("imu") / "stim300.json");
   EXPECT_EQ(stim300.gyro.bias_gm_sigma_deg_per_h, Vector3::Constant(0.5));
   EXPECT_EQ(stim300.accel.vrw_m_per_s_per_sqrt_h, Vector3::Constant(0.07));
 }
 
 }  // namespace profile_files_test
-}  // namespace inslab
+}  // namespace inslab::scenario

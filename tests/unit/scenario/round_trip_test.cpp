@@ -7,7 +7,7 @@
 #include "tests/unit/foundation/fields/field_bits.hpp"
 #include "tests/unit/foundation/fields/number_fields.hpp"
 
-namespace inslab {
+namespace inslab::scenario {
 namespace round_trip_test {
 
 /// Clears what files do not hold, as reading one leaves it.
@@ -16,15 +16,15 @@ void without_request(Profile& profile) {
   profile.target = Profile{}.target;
   profile.request = {};
 }
-void without_request(scenario::Scenario&) {}
-void without_request(reference_nav::NavigationParameters&) {}
+void without_request(Scenario&) {}
+void without_request(navigation::NavigationParameters&) {}
 
 template <class T>
 class RoundTrip : public testing::Test {};
 
 using Files =
     Applied<testing::Types,
-            Joined<Types<scenario::Scenario>, catalog::ProfileKinds, Types<reference_nav::NavigationParameters>>>;
+            Joined<Types<Scenario>, catalog::ProfileKinds, Types<navigation::NavigationParameters>>>;
 TYPED_TEST_SUITE(RoundTrip, Files, );
 
 TYPED_TEST(RoundTrip, ThroughJsonTextKeepsEveryBitOfRandomValues) {
@@ -34,11 +34,11 @@ TYPED_TEST(RoundTrip, ThroughJsonTextKeepsEveryBitOfRandomValues) {
     test::ValidFiller filler(&engine);
     TypeParam::fields(value, filler);
     without_request(value);
-    const std::string text = config::to_json(value).dump(2);
-    const auto back = config::from_json<TypeParam>(config::parse_json(text, "file.json"), "file.json");
+    const std::string text = json::to_json(value).dump(2);
+    const auto back = json::from_json<TypeParam>(json::parse_json(text, "file.json"), "file.json");
     ASSERT_EQ(test::bits_of(back), test::bits_of(value)) << text;
   }
 }
 
 }  // namespace round_trip_test
-}  // namespace inslab
+}  // namespace inslab::scenario

@@ -9,7 +9,7 @@
 #include "tests/unit/foundation/fields/field_bits.hpp"
 
 /// The scenarios and profiles that come with the product.
-namespace inslab {
+namespace inslab::scenario {
 namespace valid_files_test {
 
 const std::filesystem::path kConfig = std::filesystem::path(INSLAB_SOURCE_DIR) / "config";
@@ -25,7 +25,7 @@ std::vector<std::filesystem::path> json_files(const std::filesystem::path& folde
 
 /// Empty when the file names no schema.
 std::string schema_named_in(const std::filesystem::path& file) {
-  const config::Json json = config::read_json_file(file);
+  const json::Json json = json::read_json_file(file);
   return json.contains("$schema") ? json.at("$schema").get<std::string>() : "";
 }
 
@@ -37,7 +37,7 @@ void expect_schema(const std::filesystem::path& file, const std::string& schema)
 
 template <class T>
 void expect_round_trip(const T& value, const std::filesystem::path& file) {
-  const T back = config::from_json<T>(config::parse_json(config::to_json(value).dump(), "again"), "again");
+  const T back = json::from_json<T>(json::parse_json(json::to_json(value).dump(), "again"), "again");
   EXPECT_EQ(test::bits_of(back), test::bits_of(value)) << file;
 }
 
@@ -46,7 +46,7 @@ TEST(ValidFiles, EveryScenarioLoadsNamesItsSchemaAndSurvivesARoundTrip) {
   EXPECT_GE(files.size(), 2U);
   for (const auto& file : files) {
     EXPECT_NO_THROW({
-      const scenario::LoadedScenario loaded = scenario::load(file);
+      const LoadedScenario loaded = load(file);
       expect_round_trip(loaded.scenario, file);
     });
     expect_schema(file, "scenario.schema.json");
@@ -56,7 +56,7 @@ TEST(ValidFiles, EveryScenarioLoadsNamesItsSchemaAndSurvivesARoundTrip) {
 template <class Profile>
 void expect_good_profiles(const std::string& folder, const std::string& schema) {
   for (const auto& file : json_files(kConfig / "profiles" / folder)) {
-    EXPECT_NO_THROW({ expect_round_trip(config::read_file<Profile>(file), file); });
+    EXPECT_NO_THROW({ expect_round_trip(json::read_file<Profile>(file), file); });
     if (!schema_named_in(file).empty()) expect_schema(file, schema);
   }
 }
@@ -74,10 +74,10 @@ TEST(ValidFiles, EveryFilterReadsAndSurvivesARoundTrip) {
   const auto files = json_files(kConfig / "nav");
   EXPECT_GE(files.size(), 1U);
   for (const auto& file : files) {
-    EXPECT_NO_THROW({ expect_round_trip(reference_nav::read_parameters(file.string()), file); });
+    EXPECT_NO_THROW({ expect_round_trip(navigation::read_parameters(file.string()), file); });
     expect_schema(file, "navigation.schema.json");
   }
 }
 
 }  // namespace valid_files_test
-}  // namespace inslab
+}  // namespace inslab::scenario

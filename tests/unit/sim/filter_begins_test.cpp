@@ -16,7 +16,7 @@
 #include "inslab/sim/look_ahead.hpp"
 #include "inslab/sim/offline_run.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 namespace filter_begins_test {
 
 constexpr double kRate_hz = 50.0;
@@ -41,7 +41,7 @@ std::vector<std::filesystem::path> files_of(const std::string& folder) {
 /// Squared errors over their covariance, position, velocity, attitude: 3 degrees of freedom each.
 using Nees = std::array<double, 3>;
 
-Nees nees_of(const reference_nav::InertialFilter& filter, const ImuTruth& truth) {
+Nees nees_of(const navigation::InertialFilter& filter, const ImuTruth& truth) {
   const nav::NavState state = filter.state();
   std::array<Vector3, 3> errors;
   errors[0] = nav::ned_from(state.position, {truth.latitude_rad, truth.longitude_rad, truth.height_m});
@@ -61,16 +61,16 @@ Nees nees_of(const reference_nav::InertialFilter& filter, const ImuTruth& truth)
 struct Unit {
   std::string name;
   scenario::LoadedScenario loaded;
-  sim::Sensor<catalog::Imu> injector;
-  sim::Sensor<catalog::Gnss> emulator;
-  reference_nav::Navigator navigator;
+  Sensor<catalog::Imu> injector;
+  Sensor<catalog::Gnss> emulator;
+  navigation::Navigator navigator;
   bool has_fix = false;
   std::optional<nav::RollPitchYaw> first_rpy;  ///< at the first fix
   std::optional<double> begun_s;
   std::vector<Nees> nees;                    ///< at the moments
   std::map<std::uint64_t, ImuTruth> truths;  ///< of the samples that the filter has not had, by their number
 
-  Unit(const std::string& imu_name, const scenario::LoadedScenario& scenario, const reference_nav::AppSetup& setup)
+  Unit(const std::string& imu_name, const scenario::LoadedScenario& scenario, const navigation::AppSetup& setup)
       : name(imu_name),
         loaded(scenario),
         injector(scenario, scenario.imus[0]),
@@ -94,7 +94,7 @@ struct Unit {
     while (const auto step = navigator.step()) {
       const ImuTruth now = truths.at(step->imu_sequence);
       truths.erase(truths.begin(), truths.upper_bound(step->imu_sequence));
-      const reference_nav::InertialFilter* filter = navigator.filter().filter();
+      const navigation::InertialFilter* filter = navigator.filter().filter();
       if (filter == nullptr) continue;
       const double t_s = 1e-9 * static_cast<double>(now.header.sim_time_ns);
       if (!begun_s) begun_s = t_s;
@@ -135,7 +135,7 @@ std::vector<std::unique_ptr<Unit>> units_of(const scenario::LoadedScenario& scen
     const AnyProfile profile = scenario::load_profile(file, ProfileKind::ImuError, {SensorKind::Imu, 0});
     scenario::LoadedScenario loaded = with(scenario, std::get<ImuErrorProfile>(profile));
     loaded.scenario.seed += 1000 * units.size();
-    const auto setup = reference_nav::setup_for(loaded, *loaded.scenario.reference_nav);
+    const auto setup = navigation::setup_for(loaded, *loaded.scenario.reference_nav);
     units.push_back(std::make_unique<Unit>(file.stem().string(), loaded, setup));
   }
   return units;
@@ -178,13 +178,13 @@ void expect_honest(const std::vector<std::unique_ptr<Unit>>& units) {
 }
 
 /// The unit with another initial attitude than the scenario's, run until its filter is known.
-std::unique_ptr<Unit> begun_with(const Unit& unit, reference_nav::InitialAttitude attitude,
+std::unique_ptr<Unit> begun_with(const Unit& unit, navigation::InitialAttitude attitude,
                                  const nav::RollPitchYaw& rpy, double longest_s) {
-  reference_nav::AppSetup told = reference_nav::setup_for(unit.loaded, *unit.loaded.scenario.reference_nav);
+  navigation::AppSetup told = navigation::setup_for(unit.loaded, *unit.loaded.scenario.reference_nav);
   told.parameters.initial.attitude = attitude;
   told.parameters.initial.rpy_deg = Vector3(rpy.roll_rad, rpy.pitch_rad, rpy.yaw_rad) / units::kDeg;
   auto again = std::make_unique<Unit>(unit.name, unit.loaded, told);
-  trajectory::TruthSource source(unit.loaded, {2446, 0}, RunId{});
+  TruthSource source(unit.loaded, {2446, 0}, RunId{});
   double now_s = 0.0;
   while (source.has_next() && !again->is_done() && now_s < longest_s) {
     const TruthState truth = source.take();
@@ -205,10 +205,10 @@ void expect_warned(const Unit& unit, const nav::RollPitchYaw& rpy) {
                                  std::string("'given' and all three angles")}) {
     EXPECT_NE(said.find(why), std::string::npos) << why << "\nis not in\n" << said;
   }
-  const auto given = begun_with(unit, reference_nav::InitialAttitude::Given, rpy, kLongest_s);
+  const auto given = begun_with(unit, navigation::InitialAttitude::Given, rpy, kLongest_s);
   EXPECT_TRUE(given->begun_s && *given->begun_s < 2.0) << "with the attitude given";
   for (const Nees& nees : given->nees) EXPECT_LT(*std::max_element(nees.begin(), nees.end()), kWorst);
-  const auto levelled = begun_with(unit, reference_nav::InitialAttitude::Levelled, rpy, kLongest_s);
+  const auto levelled = begun_with(unit, navigation::InitialAttitude::Levelled, rpy, kLongest_s);
   const bool is_offered = said.find("'levelled' and the yaw") != std::string::npos;
   EXPECT_EQ(is_offered, levelled->begun_s.has_value()) << said;
 }
@@ -218,7 +218,7 @@ class ReferenceFilterBegins : public testing::TestWithParam<std::filesystem::pat
 TEST_P(ReferenceFilterBegins, OrCheckSaysWhatToSetAndKnowsItsErrors) {
   const scenario::LoadedScenario scenario = scenario::load(GetParam());
   std::vector<std::unique_ptr<Unit>> units = units_of(scenario);
-  trajectory::TruthSource source(units[0]->loaded, {2446, 0}, RunId{});
+  TruthSource source(units[0]->loaded, {2446, 0}, RunId{});
   const auto is_over = [&] {
     return std::all_of(units.begin(), units.end(), [](const auto& unit) { return unit->is_done(); });
   };
@@ -246,4 +246,4 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, ReferenceFilterBegins, testing::ValuesIn(fil
                          [](const auto& tested) { return tested.param.stem().string(); });
 
 }  // namespace filter_begins_test
-}  // namespace inslab::cli
+}  // namespace inslab::sim

@@ -4,14 +4,14 @@
 #include "inslab/referee/evidence/log_summary.hpp"
 
 /// A log's summary with as many swaps of IMU 0's faults, spread over 90 s, as a soak makes.
-namespace inslab::cli {
+namespace inslab::sim {
 
 constexpr std::int64_t time_of_swap_ns(std::uint32_t i, std::uint32_t swaps) {
   return static_cast<std::int64_t>(i) * 90'000'000'000 / swaps;
 }
 
-inline LogSummary journal_of_faults(std::uint32_t swaps) {
-  LogSummary summary;
+inline evidence::LogSummary journal_of_faults(std::uint32_t swaps) {
+  evidence::LogSummary summary;
   summary.scenario.duration_s = 100.0;
   for (std::uint32_t i = 1; i <= swaps; ++i) {
     const std::int64_t t_ns = time_of_swap_ns(i, swaps);
@@ -28,7 +28,7 @@ inline LogSummary journal_of_faults(std::uint32_t swaps) {
     ack.first_sequence = i;
     summary.acks.push_back(ack);
   }
-  summary.timeline = ProfileTimeline(summary.profiles);
+  summary.timeline = evidence::ProfileTimeline(summary.profiles);
   return summary;
 }
 
@@ -41,4 +41,4 @@ inline ImuSample sample_after(std::uint32_t i, std::uint32_t swaps) {
   return sample;
 }
 
-}  // namespace inslab::cli
+}  // namespace inslab::sim

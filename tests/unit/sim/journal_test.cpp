@@ -6,7 +6,7 @@
 
 #include "inslab/foundation/fields/limits.hpp"
 
-namespace inslab::swap {
+namespace inslab::sim {
 namespace journal_test {
 
 using namespace std::chrono_literals;
@@ -156,4 +156,4 @@ TEST(Journal, ARejectionFitsTheWire) {
 }
 
 }  // namespace journal_test
-}  // namespace inslab::swap
+}  // namespace inslab::sim

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-namespace inslab::cli {
+namespace inslab::sim {
 namespace look_ahead_test {
 
 /// Ten seconds from 100 m/s at 50 m: 2 m/s^2 along, and a turn whose rate is 30 deg/s in its middle third or so.
@@ -152,4 +152,4 @@ TEST(LookAhead, OffersALevelledBeginningOnlyToAVehicleThatRests) {
 }
 
 }  // namespace look_ahead_test
-}  // namespace inslab::cli
+}  // namespace inslab::sim

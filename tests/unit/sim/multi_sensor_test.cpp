@@ -9,7 +9,7 @@
 #include "inslab/sim/offline_run.hpp"
 
 /// Several IMUs and antennas in one unit, each with its own profile, place, rate and streams.
-namespace inslab::cli {
+namespace inslab::sim {
 namespace multi_sensor_test {
 
 /// Every sample of every stream as bytes, journal revisions aside, by topic.
@@ -147,4 +147,4 @@ TEST(MultiSensor, UnitsOfOneScenarioShareTheTruthAndNoError) {
 }
 
 }  // namespace multi_sensor_test
-}  // namespace inslab::cli
+}  // namespace inslab::sim

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace inslab::trajectory {
+namespace inslab::sim {
 namespace other_runs_test {
 
 using std::chrono::milliseconds;
@@ -48,4 +48,4 @@ TEST(OtherRuns, AServiceThatWaitsForARunIsNone) {
 }
 
 }  // namespace other_runs_test
-}  // namespace inslab::trajectory
+}  // namespace inslab::sim

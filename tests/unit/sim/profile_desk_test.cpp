@@ -4,7 +4,7 @@
 
 #include "inslab/data/state/state_stream.hpp"
 
-namespace inslab::swap {
+namespace inslab::sim {
 namespace profile_desk_test {
 
 const SensorAddress kImu{SensorKind::Imu, 0};
@@ -207,10 +207,10 @@ TEST(ProfileDesk, RejectsAtTheEndWhatNoSampleCameOutUnder) {
 /// What a service that was killed goes on with in another process.
 ProfileDesk resumed(const ProfileDesk& before) {
   std::vector<std::uint8_t> bytes;
-  recovery::StateWriter writer(bytes);
+  state::StateWriter writer(bytes);
   writer(before);
   ProfileDesk after = desk();
-  recovery::StateReader reader(bytes.data(), bytes.size());
+  state::StateReader reader(bytes.data(), bytes.size());
   reader(after);
   return after;
 }
@@ -234,7 +234,7 @@ TEST(ProfileDesk, HoldsNothingOfWhatHasBeenTaken) {
   ProfileDesk d = desk();
   const auto size = [&d] {
     std::vector<std::uint8_t> bytes;
-    recovery::StateWriter writer(bytes);
+    state::StateWriter writer(bytes);
     writer(d);
     return bytes.size();
   };
@@ -251,4 +251,4 @@ TEST(ProfileDesk, HoldsNothingOfWhatHasBeenTaken) {
 }
 
 }  // namespace profile_desk_test
-}  // namespace inslab::swap
+}  // namespace inslab::sim

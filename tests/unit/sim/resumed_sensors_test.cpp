@@ -8,7 +8,7 @@
 #include "inslab/sim/sensors.hpp"
 #include "inslab/sim/truth_source.hpp"
 
-namespace inslab {
+namespace inslab::sim {
 namespace resumed_sensors_test {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -140,4 +140,4 @@ TEST(ResumedSensors, AtRatesThatDivideNoneOfTheOthersAllGoOnWithTheSameBits) {
 }
 
 }  // namespace resumed_sensors_test
-}  // namespace inslab
+}  // namespace inslab::sim

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace inslab::trajectory {
+namespace inslab::sim {
 namespace run_clock_test {
 
 using namespace std::chrono_literals;
@@ -49,4 +49,4 @@ TEST(RunClock, AChangeOfRateWhilePausedCountsFromTheResumption) {
 }
 
 }  // namespace run_clock_test
-}  // namespace inslab::trajectory
+}  // namespace inslab::sim

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace inslab::trajectory {
+namespace inslab::sim {
 namespace run_control_test {
 
 SimCommand command(CommandKind kind, double value = 0.0) { return {7, kind, value}; }
@@ -79,4 +79,4 @@ TEST(RunControl, StopIsObeyedInEveryState) {
 }
 
 }  // namespace run_control_test
-}  // namespace inslab::trajectory
+}  // namespace inslab::sim

@@ -8,27 +8,27 @@
 #include "tests/unit/foundation/fields/field_bits.hpp"
 #include "tests/unit/foundation/fields/number_fields.hpp"
 
-namespace inslab::logger {
+namespace inslab::sim {
 namespace run_log_test {
 
-class RunLogFile : public test::TemporaryFolder {
+class RunLogFile : public recordings::test::TemporaryFolder {
  protected:
   void write(const std::vector<AnyProfile>& entries, const std::vector<ProfileAck>& acks = {}) {
     RunLog log(path("run.mcap"), scenario_, "x86-64");
     for (const AnyProfile& entry : entries) log.add_profile(entry);
     for (const ProfileAck& ack : acks) log.add_ack(ack);
     log.file().close();
-    const io::McapReader reader(path("run.mcap"));
+    const mcap::McapReader reader(path("run.mcap"));
     for (const auto& record : reader.metadata()) metadata_[record.name] = record.values;
   }
 
   template <class T>
   T read_back(const std::string& record) {
-    return config::from_json<T>(config::parse_json(metadata_.at(record).at("json"), record), record);
+    return json::from_json<T>(json::parse_json(metadata_.at(record).at("json"), record), record);
   }
 
   scenario::LoadedScenario scenario_ = scenario::load(std::string(INSLAB_SOURCE_DIR) + "/config/scenarios/demo.json");
-  std::map<std::string, io::mcap::StringMap> metadata_;
+  std::map<std::string, mcap::StringMap> metadata_;
 };
 
 template <class Profile>
@@ -88,8 +88,8 @@ TEST_F(RunLogFile, NumbersAcknowledgements) {
   ack.reason = "because";
   write({}, {ack, ack});
   EXPECT_EQ(metadata_.count("ack/1"), 1U);
-  EXPECT_EQ(config::parse_json(metadata_.at("ack/2").at("json"), "ack").at("reason"), "because");
+  EXPECT_EQ(json::parse_json(metadata_.at("ack/2").at("json"), "ack").at("reason"), "because");
 }
 
 }  // namespace run_log_test
-}  // namespace inslab::logger
+}  // namespace inslab::sim

@@ -4,10 +4,10 @@
 
 #include "inslab/sim/offline_run.hpp"
 
-namespace inslab::test {
+namespace inslab::sim::test {
 
 /// Keeps everything an offline run gives.
-class RunRecorder : public cli::RunSink {
+class RunRecorder : public sim::RunSink {
  public:
   void journal(const AnyProfile& entry) override { entries.push_back(entry); }
   void vehicle_state(const UsedVehicleState& used) override { vehicle_states.push_back(used); }
@@ -28,4 +28,4 @@ class RunRecorder : public cli::RunSink {
   std::vector<ProfileAck> acks;
 };
 
-}  // namespace inslab::test
+}  // namespace inslab::sim::test

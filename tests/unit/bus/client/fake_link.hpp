@@ -4,10 +4,10 @@
 
 #include "inslab/bus/client/run_link.hpp"
 
-namespace inslab::test {
+namespace inslab::client::test {
 
 /// A running set as its client sees it.
-class FakeLink : public cli::RunLink {
+class FakeLink : public client::RunLink {
  public:
   bool connected() const override { return is_connected; }
   bool send(const AnyProfile& request) override {
@@ -58,4 +58,4 @@ inline AnyProfile imu_swap(std::uint64_t request_id) {
   return profile;
 }
 
-}  // namespace inslab::test
+}  // namespace inslab::client::test

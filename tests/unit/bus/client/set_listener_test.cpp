@@ -4,7 +4,7 @@
 
 #include "inslab/bus/client/topic_watch.hpp"
 
-namespace inslab::cli {
+namespace inslab::client {
 namespace set_listener_test {
 
 using testing::ElementsAre;
@@ -39,4 +39,4 @@ TEST(Intervals, HaveFiguresFromTheSecondMessageOn) {
 }
 
 }  // namespace set_listener_test
-}  // namespace inslab::cli
+}  // namespace inslab::client

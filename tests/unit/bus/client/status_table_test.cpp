@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace inslab::cli {
+namespace inslab::client {
 namespace status_table_test {
 
 using testing::ContainsRegex;
@@ -81,4 +81,4 @@ TEST(StatusTable, NamesThePlaceInWhichNoServerWasHeard) {
 }
 
 }  // namespace status_table_test
-}  // namespace inslab::cli
+}  // namespace inslab::client

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace inslab::app {
+namespace inslab::service {
 namespace scenario_hash_test {
 
 namespace fs = std::filesystem;
@@ -59,4 +59,4 @@ TEST_F(ScenarioHash, IsTheSameWhereTheTrajectorysRowsAreNotRead) {
 }
 
 }  // namespace scenario_hash_test
-}  // namespace inslab::app
+}  // namespace inslab::service

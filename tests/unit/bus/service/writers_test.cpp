@@ -5,7 +5,7 @@
 
 #include "inslab/foundation/host/host.hpp"
 
-namespace inslab::app {
+namespace inslab::service {
 namespace writers_test {
 
 using testing::HasSubstr;
@@ -13,10 +13,10 @@ using testing::HasSubstr;
 class WritersOfAStream : public testing::Test {
  protected:
   static constexpr const char* kTopic = "inslab/imu/0";
-  static inline const ServiceKey kInjector{catalog::Imu::service, 0u};
+  static inline const scenario::ServiceKey kInjector{catalog::Imu::service, 0u};
 
-  static Identity identity(const char* service, std::uint32_t pid, const std::string& space = "another host") {
-    Identity one;
+  static streams::Identity identity(const char* service, std::uint32_t pid, const std::string& space = "another host") {
+    streams::Identity one;
     one.service = service;
     one.host = "bench";
     one.process_space = space;
@@ -25,10 +25,10 @@ class WritersOfAStream : public testing::Test {
     one.scenario_hash = "1";
     return one;
   }
-  dds::ParticipantKey joins(std::uint8_t number, const std::optional<Identity>& who, const char* name = "someone") {
+  dds::ParticipantKey joins(std::uint8_t number, const std::optional<streams::Identity>& who, const char* name = "someone") {
     dds::ParticipantKey key{};
     key.fill(number);
-    peers_.note({key, name, "10.0.0.9", who ? announced(*who) : std::vector<std::uint8_t>{}});
+    peers_.note({key, name, "10.0.0.9", who ? streams::announced(*who) : std::vector<std::uint8_t>{}});
     return key;
   }
 
@@ -82,26 +82,26 @@ TEST_F(WritersOfAStream, OfAnAppTheSecondIsAFaultAsSoonAsBothAreSeenToWrite) {
 }
 
 TEST_F(WritersOfAStream, OfAnAppBesideAProcessThatIsSeenToLiveTheSecondIsAFaultAtItsFirstSample) {
-  Identity living = identity(kReferenceNav, process_id(), process_space());
-  living.started_ticks = *started_ticks(process_id());
+  streams::Identity living = identity(kReferenceNav, host::process_id(), host::process_space());
+  living.started_ticks = *host::started_ticks(host::process_id());
   EXPECT_TRUE(writers_.admit_app("inslab/nav", joins(1, living)));
   EXPECT_FALSE(writers_.admit_app("inslab/nav", joins(2, std::nullopt, "app")));
   EXPECT_THAT(writers_.fault(), HasSubstr("a second writer beside inslab-reference-nav 0"));
 }
 
 TEST_F(WritersOfAStream, OfASetIsKnownToWhoHasNoScenarioOfItsOwn) {
-  Identity client;
+  streams::Identity client;
   client.service = "inslab-swap";
   Writers writers(peers_, kOwn, client);
   EXPECT_TRUE(writers.admit("inslab/sim/status", {kTrajectoryServer, 0u}, joins(1, identity(kTrajectoryServer, 2))));
-  Identity elsewhere = identity(kTrajectoryServer, 3);
+  streams::Identity elsewhere = identity(kTrajectoryServer, 3);
   elsewhere.unit = "other";
   EXPECT_FALSE(writers.admit("inslab/sim/status", {kTrajectoryServer, 0u}, joins(2, elsewhere)));
   EXPECT_FALSE(writers.admit("inslab/sim/status", {kTrajectoryServer, 0u}, joins(3, std::nullopt, "foe")));
 }
 
 TEST_F(WritersOfAStream, WithoutAScenarioAreNotOfASetThatHasOne) {
-  Identity without = identity(catalog::Imu::service, 3);
+  streams::Identity without = identity(catalog::Imu::service, 3);
   without.scenario_hash.clear();
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(1, without)));
 }
@@ -127,10 +127,10 @@ TEST_F(WritersOfAStream, WhatAStrangerSaysOfItselfIsLeftOutAndSpoilsNothing) {
 TEST_F(WritersOfAStream, OfAnotherRoleUnitOrScenarioIsAFaultThatNamesIt) {
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(2, identity(catalog::Gnss::service, 5))));
   EXPECT_THAT(writers_.fault(), HasSubstr("inslab-gnss-emulator 0 (host bench, process 5"));
-  Identity elsewhere = identity(catalog::Imu::service, 6);
+  streams::Identity elsewhere = identity(catalog::Imu::service, 6);
   elsewhere.unit = "other";
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(3, elsewhere)));
-  Identity of_another_scenario = identity(catalog::Imu::service, 7);
+  streams::Identity of_another_scenario = identity(catalog::Imu::service, 7);
   of_another_scenario.scenario_hash = "2";
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(4, of_another_scenario)));
 }
@@ -147,8 +147,8 @@ TEST_F(WritersOfAStream, ASuccessorMayFollowButNotBesideTheOneBefore) {
 }
 
 TEST_F(WritersOfAStream, WhereTheProcessIsSeenToLiveNobodyTakesItsPlace) {
-  Identity living = identity(catalog::Imu::service, process_id(), process_space());
-  living.started_ticks = *started_ticks(process_id());
+  streams::Identity living = identity(catalog::Imu::service, host::process_id(), host::process_space());
+  living.started_ticks = *host::started_ticks(host::process_id());
   const auto first = joins(1, living);
   EXPECT_TRUE(writers_.admit(kTopic, kInjector, first));
   EXPECT_FALSE(writers_.admit(kTopic, kInjector, joins(2, identity(catalog::Imu::service, 3))));
@@ -157,18 +157,18 @@ TEST_F(WritersOfAStream, WhereTheProcessIsSeenToLiveNobodyTakesItsPlace) {
 }
 
 TEST_F(WritersOfAStream, TopicsAndClaimsHaveTheirServices) {
-  EXPECT_EQ(writer_of_topic<TruthState>("inslab/truth"), (ServiceKey{kTrajectoryServer, 0u}));
-  EXPECT_EQ(writer_of_topic<ImuSample>("inslab/imu/12"), (ServiceKey{catalog::Imu::service, 12u}));
-  EXPECT_EQ(writer_of_topic<Block<ImuTruth>>("inslab/block/imu_truth/3"), (ServiceKey{catalog::Imu::service, 3u}));
-  EXPECT_EQ(writer_of_topic<GnssFix>("inslab/gnss/1"), (ServiceKey{catalog::Gnss::service, 1u}));
-  EXPECT_EQ(writer_of_topic<SimStatus>("inslab/sim/status"), (ServiceKey{kTrajectoryServer, 0u}));
+  EXPECT_EQ(writer_of_topic<TruthState>("inslab/truth"), (scenario::ServiceKey{kTrajectoryServer, 0u}));
+  EXPECT_EQ(writer_of_topic<ImuSample>("inslab/imu/12"), (scenario::ServiceKey{catalog::Imu::service, 12u}));
+  EXPECT_EQ(writer_of_topic<Block<ImuTruth>>("inslab/block/imu_truth/3"), (scenario::ServiceKey{catalog::Imu::service, 3u}));
+  EXPECT_EQ(writer_of_topic<GnssFix>("inslab/gnss/1"), (scenario::ServiceKey{catalog::Gnss::service, 1u}));
+  EXPECT_EQ(writer_of_topic<SimStatus>("inslab/sim/status"), (scenario::ServiceKey{kTrajectoryServer, 0u}));
   ProfileAck ack;
   ack.service = catalog::Gnss::service;
   ack.target.number = 2;
-  EXPECT_EQ(writer_of(ack), (ServiceKey{catalog::Gnss::service, 2u}));
+  EXPECT_EQ(writer_of(ack), (scenario::ServiceKey{catalog::Gnss::service, 2u}));
   ack.service = kTrajectoryServer;
-  EXPECT_EQ(writer_of(ack), (ServiceKey{kTrajectoryServer, 0u}));
+  EXPECT_EQ(writer_of(ack), (scenario::ServiceKey{kTrajectoryServer, 0u}));
 }
 
 }  // namespace writers_test
-}  // namespace inslab::app
+}  // namespace inslab::service

@@ -92,9 +92,9 @@ void expect_everything(const std::string& topic, const Roles& roles) {
   wire::encode(T(), bytes);
   T again;
   EXPECT_TRUE(wire::decode(bytes.data(), bytes.size(), again));
-  EXPECT_NE(io::find_log_type(wire::WireType<T>::name), nullptr);
-  const std::string name(wire::WireType<T>::name.substr(wire::kModule.size()));
-  EXPECT_THAT(wire::self_contained_idl(wire::WireType<T>::idl_file), HasSubstr("struct " + name + " {"));
+  EXPECT_NE(log::find_log_type(WireType<T>::name), nullptr);
+  const std::string name(WireType<T>::name.substr(kModule.size()));
+  EXPECT_THAT(self_contained_idl(WireType<T>::idl_file), HasSubstr("struct " + name + " {"));
   EXPECT_FALSE(roles.writers_of(topic).empty());
   EXPECT_THAT(roles.readers_of(topic), Contains("inslab-truth-logger"));
   EXPECT_THAT(roles.readers_of(topic), Contains("operator"));
@@ -109,8 +109,8 @@ void expect_blocks(const std::string& topic, const Roles& roles) {
   wire::encode(Block<T>{{T()}}, bytes);
   Block<T> again;
   EXPECT_TRUE(wire::decode(bytes.data(), bytes.size(), again));
-  const std::string name(wire::WireType<Block<T>>::name.substr(wire::kModule.size()));
-  EXPECT_THAT(wire::self_contained_idl(wire::WireType<Block<T>>::idl_file), HasSubstr("struct " + name + " {"));
+  const std::string name(WireType<Block<T>>::name.substr(kModule.size()));
+  EXPECT_THAT(self_contained_idl(WireType<Block<T>>::idl_file), HasSubstr("struct " + name + " {"));
   EXPECT_EQ(roles.writers_of(blocks), roles.writers_of(topic));
 }
 
@@ -175,7 +175,7 @@ TEST(SensorKinds, EachHasAServiceWithUnitAndPlaceInInventories) {
 }
 
 TEST(SensorKinds, EachHasASectionInScenariosAndCanBeAskedForByName) {
-  const auto schema = config::schema<scenario::Scenario>("scenario");
+  const auto schema = json::schema<scenario::Scenario>("scenario");
   for_each(SensorKinds{}, [&schema](auto tag) {
     using Kind = typename decltype(tag)::type;
     EXPECT_TRUE(schema["properties"].contains(std::string(Kind::name))) << Kind::name;
@@ -186,7 +186,7 @@ TEST(SensorKinds, EachHasASectionInScenariosAndCanBeAskedForByName) {
 TEST(ProfileKinds, EachHasTopicsWordsAndASchema) {
   const Roles roles;
   std::set<std::string> schemas;
-  for (const cli::DerivedFile& file : cli::derived_files()) schemas.insert(file.path);
+  for (const derived::DerivedFile& file : derived::derived_files()) schemas.insert(file.path);
   for_each(ProfileKinds{}, [&](auto tag) {
     using Profile = typename decltype(tag)::type;
     const std::string name(enum_name(Profile::kind));

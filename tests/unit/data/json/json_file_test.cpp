@@ -8,7 +8,7 @@
 #include "inslab/foundation/text/shown.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::config {
+namespace inslab::json {
 namespace json_file_test {
 
 using ::testing::HasSubstr;
@@ -119,4 +119,4 @@ TEST_F(JsonFile, AFileThatIsNotThereIsNamedAsItWasLookedFor) {
 TEST(JsonText, BytesThatAreNoUtf8AreRefused) { EXPECT_THROW(parse_json("{\"a\": \"\xff\xfe\"}", "file.json"), Error); }
 
 }  // namespace json_file_test
-}  // namespace inslab::config
+}  // namespace inslab::json

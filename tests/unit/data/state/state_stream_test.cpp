@@ -4,7 +4,7 @@
 
 #include "inslab/data/samples/imu_sample.hpp"
 
-namespace inslab::recovery {
+namespace inslab::state {
 namespace state_stream_test {
 
 struct Inner {
@@ -84,4 +84,4 @@ TEST(StateStream, RefusesBytesThatAreLeftOver) {
 }
 
 }  // namespace state_stream_test
-}  // namespace inslab::recovery
+}  // namespace inslab::state

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace inslab::app {
+namespace inslab::streams {
 namespace credit_ledger_test {
 
 using std::chrono::seconds;
@@ -85,4 +85,4 @@ TEST(CreditLedger, OfThoseWhoWereNotExpectedItKeepsSoMany) {
 }
 
 }  // namespace credit_ledger_test
-}  // namespace inslab::app
+}  // namespace inslab::streams

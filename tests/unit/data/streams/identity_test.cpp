@@ -7,7 +7,7 @@
 
 #include "inslab/foundation/host/host.hpp"
 
-namespace inslab::app {
+namespace inslab::streams {
 namespace identity_test {
 
 using testing::HasSubstr;
@@ -83,26 +83,26 @@ TEST(Identity, YieldsToWhoeverWasThereAndOfTwoThatBeginTogetherTheSecondYields) 
 }
 
 TEST(Host, KnowsWhenAProcessStartedAndThatOneHasEnded) {
-  const auto own = started_ticks(process_id());
+  const auto own = host::started_ticks(host::process_id());
   ASSERT_TRUE(own);
-  EXPECT_EQ(started_ticks(process_id()), own);
+  EXPECT_EQ(host::started_ticks(host::process_id()), own);
   const pid_t child = fork();
   if (child == 0) _exit(0);
   // Ended and not waited for it is a zombie, which is no process any more.
   siginfo_t ended;
   ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);
-  EXPECT_FALSE(started_ticks(static_cast<std::uint32_t>(child)));
+  EXPECT_FALSE(host::started_ticks(static_cast<std::uint32_t>(child)));
   ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED), 0);
-  EXPECT_FALSE(started_ticks(static_cast<std::uint32_t>(child)));
+  EXPECT_FALSE(host::started_ticks(static_cast<std::uint32_t>(child)));
 }
 
 TEST(RunIdText, ReadsBack) {
-  const RunId run = random_run_id();
-  EXPECT_EQ(run_id_of(run_id_text(run)), run);
-  EXPECT_FALSE(run_id_of(""));
-  EXPECT_FALSE(run_id_of(std::string(31, '0')));
-  EXPECT_FALSE(run_id_of(std::string(31, '0') + "g"));
+  const RunId run = host::random_run_id();
+  EXPECT_EQ(host::run_id_of(host::run_id_text(run)), run);
+  EXPECT_FALSE(host::run_id_of(""));
+  EXPECT_FALSE(host::run_id_of(std::string(31, '0')));
+  EXPECT_FALSE(host::run_id_of(std::string(31, '0') + "g"));
 }
 
 }  // namespace identity_test
-}  // namespace inslab::app
+}  // namespace inslab::streams

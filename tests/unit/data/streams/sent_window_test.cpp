@@ -4,7 +4,7 @@
 
 #include "inslab/data/samples/gnss_fix.hpp"
 
-namespace inslab::app {
+namespace inslab::streams {
 namespace sent_window_test {
 
 SentWindow<GnssFix> window_with(std::size_t capacity, std::uint64_t first, std::uint64_t end) {
@@ -45,4 +45,4 @@ TEST(SentWindow, ForgetsWhatNobodyWantsAgain) {
 }
 
 }  // namespace sent_window_test
-}  // namespace inslab::app
+}  // namespace inslab::streams

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace inslab::app {
+namespace inslab::streams {
 namespace stream_monitor_test {
 
 StreamHeader header(std::uint64_t sequence, std::uint8_t run = 1) {
@@ -106,4 +106,4 @@ TEST(StreamMonitor, CountsWhatIsSent) {
 }
 
 }  // namespace stream_monitor_test
-}  // namespace inslab::app
+}  // namespace inslab::streams

@@ -12,7 +12,7 @@ namespace inslab::wire {
 namespace idl_test {
 
 TEST(SelfContainedIdl, HasNoPreprocessorLineAndTheTypesItNeeds) {
-  const std::string text = self_contained_idl(WireType<ImuSample>::idl_file);
+  const std::string text = catalog::self_contained_idl(catalog::WireType<ImuSample>::idl_file);
   EXPECT_EQ(text.find("#include"), std::string::npos);
   EXPECT_EQ(text.find("\n#"), std::string::npos);
   const std::size_t header = text.find("struct StreamHeader");
@@ -22,7 +22,7 @@ TEST(SelfContainedIdl, HasNoPreprocessorLineAndTheTypesItNeeds) {
   EXPECT_LT(header, sample);
 }
 
-TEST(SelfContainedIdl, RefusesAFileThatIsNotThere) { EXPECT_THROW(self_contained_idl("no.idl"), std::out_of_range); }
+TEST(SelfContainedIdl, RefusesAFileThatIsNotThere) { EXPECT_THROW(catalog::self_contained_idl("no.idl"), std::out_of_range); }
 
 /// FNV-1a, 64 bits.
 std::uint64_t hash_of(const std::string& text) {
@@ -33,7 +33,7 @@ std::uint64_t hash_of(const std::string& text) {
 
 /// A file's declarations alone: no comments, no preprocessor lines, no spaces, no names of modules.
 std::string declarations_of(const std::string& idl_file) {
-  std::istringstream lines(self_contained_idl(idl_file));
+  std::istringstream lines(catalog::self_contained_idl(idl_file));
   std::string text;
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("module ", 0) == 0) continue;
@@ -51,16 +51,16 @@ TEST(WireVersion, GoesUpWhenAStructOrAnEnumerationChanges) {
                                                       {"inslab::v2::", 0x94c6006dc09440dd}};
   std::string all;
   for (const char* file : {"block.idl", "control.idl", "vehicle.idl"}) all += declarations_of(file);
-  ASSERT_EQ(versions.count(std::string(kModule)), 1u);
-  EXPECT_EQ(hash_of(all), versions.at(std::string(kModule)))
-      << "the types are not those of " << kModule << ". Give idl/ and wire_type.hpp the next version, add it here with "
+  ASSERT_EQ(versions.count(std::string(catalog::kModule)), 1u);
+  EXPECT_EQ(hash_of(all), versions.at(std::string(catalog::kModule)))
+      << "the types are not those of " << catalog::kModule << ". Give idl/ and wire_type.hpp the next version, add it here with "
       << "this hash, and keep logs of the versions before readable (present_name())";
 }
 
 TEST(WireVersion, StandsInEveryFile) {
   for (const char* file :
        {"header", "truth", "imu", "gnss", "magnetometer", "nav", "profile", "control", "vehicle", "block"}) {
-    std::istringstream lines(self_contained_idl(std::string(file) + ".idl"));
+    std::istringstream lines(catalog::self_contained_idl(std::string(file) + ".idl"));
     int modules = 0;
     for (std::string line; std::getline(lines, line);) {
       if (line.rfind("module ", 0) != 0) continue;
@@ -69,15 +69,15 @@ TEST(WireVersion, StandsInEveryFile) {
     }
     EXPECT_GT(modules, 0) << file;
   }
-  EXPECT_EQ(kModule, "inslab::v2::");
+  EXPECT_EQ(catalog::kModule, "inslab::v2::");
 }
 
 TEST(PresentName, IsThatOfTheSameTypeInAnEarlierLog) {
-  EXPECT_EQ(present_name("inslab::TruthState"), WireType<TruthState>::name);
-  EXPECT_EQ(present_name("inslab::v1::TruthState"), WireType<TruthState>::name);
-  EXPECT_EQ(present_name("inslab::v2::TruthState"), WireType<TruthState>::name);
-  EXPECT_EQ(present_name("inslab::v7::TruthState"), "inslab::v7::TruthState");  // read as one it would be read wrong
-  EXPECT_EQ(present_name("sensor_msgs::msg::Imu"), "sensor_msgs::msg::Imu");
+  EXPECT_EQ(catalog::present_name("inslab::TruthState"), catalog::WireType<TruthState>::name);
+  EXPECT_EQ(catalog::present_name("inslab::v1::TruthState"), catalog::WireType<TruthState>::name);
+  EXPECT_EQ(catalog::present_name("inslab::v2::TruthState"), catalog::WireType<TruthState>::name);
+  EXPECT_EQ(catalog::present_name("inslab::v7::TruthState"), "inslab::v7::TruthState");  // read as one it would be read wrong
+  EXPECT_EQ(catalog::present_name("sensor_msgs::msg::Imu"), "sensor_msgs::msg::Imu");
 }
 
 TEST(TopicNames, AreOneForEachStreamAndKind) {

@@ -21,22 +21,22 @@
 // The HDF5 library leaks what it could not write to a full disk; the sanitizer's runtime asks this function.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
 
-namespace inslab::io {
+namespace inslab::exports {
 namespace log_export_test {
 
 using ::testing::HasSubstr;
 
-class LogExport : public test::TemporaryFolder {
+class LogExport : public recordings::test::TemporaryFolder {
  protected:
   static constexpr std::size_t kSamples = 2500;  // more than two HDF5 chunks of 1024 rows
 
   void SetUp() override {
     TemporaryFolder::SetUp();
-    McapWriter writer(path("run.mcap"));
+    mcap::McapWriter writer(path("run.mcap"));
     writer.metadata("run", {{"scenario", "static"}, {"note", "a, \"quoted\" word"}});
-    LogChannel<TruthState> truth(writer, "inslab/truth");
-    LogChannel<ServiceStatus> status(writer, "inslab/service_status");
-    test::RandomFields random(5);
+    log::LogChannel<TruthState> truth(writer, "inslab/truth");
+    log::LogChannel<ServiceStatus> status(writer, "inslab/service_status");
+    recordings::test::RandomFields random(5);
     for (std::size_t k = 0; k < kSamples; ++k) {
       samples_.push_back(random.make<TruthState>());
       truth.write(samples_.back(), 0, k, k);
@@ -52,7 +52,7 @@ bool same_bits(double a, double b) { return std::isnan(a) ? std::isnan(b) : std:
 
 TEST_F(LogExport, ALogFromBeforeTheTypesHadAVersionGivesTheSameRows) {
   {
-    McapWriter writer(path("earlier.mcap"));
+    mcap::McapWriter writer(path("earlier.mcap"));
     const auto schema = writer.add_schema("inslab::TruthState", "omgidl", "module inslab { };");
     const auto channel = writer.add_channel(schema, "inslab/truth", "cdr", {});
     std::vector<std::uint8_t> bytes;
@@ -68,7 +68,7 @@ TEST_F(LogExport, ALogFromBeforeTheTypesHadAVersionGivesTheSameRows) {
   EXPECT_EQ(topics[0].rows, kSamples);
   EXPECT_EQ(contents(path("earlier/inslab_truth.csv")), contents(path("now/inslab_truth.csv")));
   std::size_t read = 0;
-  for_each_sample<TruthState>(McapReader(path("earlier.mcap")), "inslab/truth",
+  log::for_each_sample<TruthState>(mcap::McapReader(path("earlier.mcap")), "inslab/truth",
                               [&read](const TruthState&, std::uint64_t) {
                                 ++read;
                                 return true;
@@ -87,13 +87,13 @@ TEST_F(LogExport, CsvReadsBackToTheSameDoubles) {
   std::string line;
   std::getline(lines, line);
   EXPECT_THAT(line, testing::StartsWith("header.run_id,header.sequence_number,header.sim_time_ns,"));
-  const std::vector<Column> columns = columns_of<TruthState>();
-  Row row;
+  const std::vector<tables::Column> columns = tables::columns_of<TruthState>();
+  tables::Row row;
   for (const TruthState& sample : samples_) {
     ASSERT_TRUE(std::getline(lines, line));
     std::istringstream cells(line);
-    fill_row(sample, row);
-    for (const Cell& cell : row) {
+    tables::fill_row(sample, row);
+    for (const tables::Cell& cell : row) {
       std::string text;
       ASSERT_TRUE(std::getline(cells, text, ','));
       if (const double* value = std::get_if<double>(&cell)) {
@@ -148,18 +148,18 @@ TEST_F(LogExport, RefusesATopicThatIsNotThereAndNamesThoseThatAre) {
   try {
     export_log(path("run.mcap"), ExportFormat::Csv, path("out"), {"inslab/imu/0"});
     FAIL() << "exported a topic that is not there";
-  } catch (const ReadError& error) {
+  } catch (const files::ReadError& error) {
     EXPECT_THAT(error.what(), HasSubstr("has no topic inslab/imu/0; it has inslab/truth, inslab/service_status"));
   }
 }
 
 TEST_F(LogExport, LeavesOutForeignTypesAndDamagedMessagesAndSaysSo) {
   {
-    McapWriter writer(path("odd.mcap"));
+    mcap::McapWriter writer(path("odd.mcap"));
     const std::uint8_t bytes[] = {1, 2, 3};
     const auto foreign = writer.add_channel(writer.add_schema("other::Type", "omgidl", "?"), "other/topic", "cdr");
     writer.write(foreign, 0, 0, 0, bytes, sizeof(bytes));
-    LogChannel<TruthState> truth(writer, "inslab/truth");
+    log::LogChannel<TruthState> truth(writer, "inslab/truth");
     truth.write(samples_[0], 0, 0, 0);
     writer.write(1, 1, 1, 1, bytes, sizeof(bytes));
     writer.close();
@@ -173,9 +173,9 @@ TEST_F(LogExport, LeavesOutForeignTypesAndDamagedMessagesAndSaysSo) {
 
 TEST_F(LogExport, TopicNamesCannotLeaveTheFolder) {
   {
-    McapWriter writer(path("evil.mcap"));
+    mcap::McapWriter writer(path("evil.mcap"));
     for (const char* topic : {"../../escape", "/", "a/b", "a_b", "metadata"}) {
-      LogChannel<TruthState>(writer, topic).write(samples_[0], 0, 0, 0);
+      log::LogChannel<TruthState>(writer, topic).write(samples_[0], 0, 0, 0);
     }
     writer.close();
   }
@@ -188,11 +188,11 @@ TEST_F(LogExport, TopicNamesCannotLeaveTheFolder) {
 
 TEST_F(LogExport, SaysWhichFileCannotBeWritten) {
   put(path("file"), "not a folder");
-  EXPECT_THROW(export_log(path("run.mcap"), ExportFormat::Csv, path("file/out")), WriteError);
+  EXPECT_THROW(export_log(path("run.mcap"), ExportFormat::Csv, path("file/out")), files::WriteError);
   try {
     export_log(path("run.mcap"), ExportFormat::Hdf5, path("nowhere/run.h5"));
     FAIL() << "wrote into a folder that is not there";
-  } catch (const WriteError& error) {
+  } catch (const files::WriteError& error) {
     EXPECT_THAT(error.what(), HasSubstr("nowhere/run.h5: cannot create"));
     EXPECT_THAT(error.what(), HasSubstr("No such file or directory"));
   }
@@ -216,7 +216,7 @@ class LogExportToAFullDisk : public LogExport {
     try {
       export_log(path("run.mcap"), format, path(name));
       FAIL() << "wrote more than fits";
-    } catch (const WriteError& error) {
+    } catch (const files::WriteError& error) {
       EXPECT_THAT(error.what(), HasSubstr(path(name)));
       EXPECT_THAT(error.what(), HasSubstr("cannot write: File too large"));
     }
@@ -231,4 +231,4 @@ TEST_F(LogExportToAFullDisk, CsvNamesFileAndReason) { expect_error(ExportFormat:
 TEST_F(LogExportToAFullDisk, Hdf5NamesFileAndReason) { expect_error(ExportFormat::Hdf5, "run.h5"); }
 
 }  // namespace log_export_test
-}  // namespace inslab::io
+}  // namespace inslab::exports

@@ -6,14 +6,14 @@
 #include "inslab/formats/log/log_channel.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 namespace log_info_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-class LogInfoOf : public test::TemporaryFolder {
+class LogInfoOf : public recordings::test::TemporaryFolder {
  protected:
   static TruthState truth(std::uint64_t k, std::uint8_t run = 1) {
     TruthState sample;
@@ -23,7 +23,7 @@ class LogInfoOf : public test::TemporaryFolder {
     return sample;
   }
   void log(const std::vector<TruthState>& samples) const {
-    McapWriter writer(path("run.mcap"));
+    mcap::McapWriter writer(path("run.mcap"));
     LogChannel<TruthState> channel(writer, "inslab/truth");
     for (const TruthState& sample : samples) channel.write(sample, 0, 0, 0);
     writer.close();
@@ -72,7 +72,7 @@ TEST_F(LogInfoOf, TwoRunsCountsEachFromZero) {
 }
 
 TEST_F(LogInfoOf, AnAppWithoutHeaderIsNotNumbered) {
-  McapWriter writer(path("run.mcap"));
+  mcap::McapWriter writer(path("run.mcap"));
   LogChannel<NavSolution>(writer, "inslab/nav").write(NavSolution(), 0, 0, 0);
   writer.close();
 
@@ -83,7 +83,7 @@ TEST_F(LogInfoOf, AnAppWithoutHeaderIsNotNumbered) {
 }
 
 TEST_F(LogInfoOf, MessagesThatAreNotTheirTypeAreCounted) {
-  McapWriter writer(path("run.mcap"));
+  mcap::McapWriter writer(path("run.mcap"));
   LogChannel<TruthState> channel(writer, "inslab/truth");
   channel.write(truth(0), 0, 0, 0);
   const std::uint8_t garbage[] = {1, 2, 3};
@@ -96,7 +96,7 @@ TEST_F(LogInfoOf, MessagesThatAreNotTheirTypeAreCounted) {
 }
 
 TEST_F(LogInfoOf, AKilledWriterSaysSo) {
-  McapWriter writer(path("run.mcap"));
+  mcap::McapWriter writer(path("run.mcap"));
   LogChannel<TruthState> channel(writer, "inslab/truth");
   channel.write(truth(0), 0, 0, 0);
   writer.flush();
@@ -108,4 +108,4 @@ TEST_F(LogInfoOf, AKilledWriterSaysSo) {
 }
 
 }  // namespace log_info_test
-}  // namespace inslab::io
+}  // namespace inslab::log

@@ -8,17 +8,17 @@
 #include "inslab/formats/log/log_channel.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::io {
+namespace inslab::log {
 namespace log_walk_test {
 
 using ::testing::ElementsAre;
 
 /// A log of three truths and two fixes of two receivers, as they are written: t0 f0 t1 t2 f1.
-class LogWalkOver : public test::TemporaryFolder {
+class LogWalkOver : public recordings::test::TemporaryFolder {
  protected:
   void SetUp() override {
     TemporaryFolder::SetUp();
-    McapWriter writer(path("run.mcap"));
+    mcap::McapWriter writer(path("run.mcap"));
     LogChannel<TruthState> truths(writer, "inslab/truth");
     LogChannel<GnssFix> first(writer, "inslab/gnss/0"), second(writer, "inslab/gnss/1");
     const auto put = [](auto& channel, auto sample, std::int64_t t) {
@@ -35,7 +35,7 @@ class LogWalkOver : public test::TemporaryFolder {
 };
 
 TEST_F(LogWalkOver, GivesEachSampleToThoseWhoAskedInTheOrderOfTheLog) {
-  const McapReader log(path("run.mcap"));
+  const mcap::McapReader log(path("run.mcap"));
   std::vector<std::string> heard;
   LogWalk walk(log);
   walk.each<TruthState>([&](const TruthState& s) { heard.push_back("a t" + std::to_string(s.header.sim_time_ns)); });
@@ -50,7 +50,7 @@ TEST_F(LogWalkOver, GivesEachSampleToThoseWhoAskedInTheOrderOfTheLog) {
 }
 
 TEST_F(LogWalkOver, CountsTheMessagesOfATopic) {
-  const McapReader log(path("run.mcap"));
+  const mcap::McapReader log(path("run.mcap"));
   std::size_t messages = 0;
   LogWalk walk(log);
   walk.each_message("inslab/truth", [&] { ++messages; });
@@ -59,13 +59,13 @@ TEST_F(LogWalkOver, CountsTheMessagesOfATopic) {
 }
 
 TEST_F(LogWalkOver, LeavesOutWhatIsNotWhatItsTypeSays) {
-  McapWriter writer(path("bad.mcap"));
+  mcap::McapWriter writer(path("bad.mcap"));
   LogChannel<TruthState> channel(writer, "inslab/truth");
   channel.write(TruthState(), 0, 0, 0);
   const std::uint8_t torn[] = {0, 1, 0, 0, 7};
   writer.write(channel.id(), 1, 0, 0, torn, sizeof(torn));
   writer.close();
-  const McapReader log(path("bad.mcap"));
+  const mcap::McapReader log(path("bad.mcap"));
   std::size_t truths = 0, messages = 0;
   LogWalk walk(log);
   walk.each<TruthState>([&](const TruthState&) { ++truths; });
@@ -76,4 +76,4 @@ TEST_F(LogWalkOver, LeavesOutWhatIsNotWhatItsTypeSays) {
 }
 
 }  // namespace log_walk_test
-}  // namespace inslab::io
+}  // namespace inslab::log

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace inslab::io {
+namespace inslab::log {
 namespace sequence_check_test {
 
 using ::testing::ElementsAre;
@@ -48,4 +48,4 @@ TEST(SequenceCheck, ARepeatedNumberIsADuplicate) {
 }
 
 }  // namespace sequence_check_test
-}  // namespace inslab::io
+}  // namespace inslab::log

@@ -9,13 +9,13 @@
 #include "inslab/foundation/files/error.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::io {
+namespace inslab::mcap {
 namespace mcap_disk_test {
 
 using ::testing::HasSubstr;
 
 /// A log whose disk is full after 200 kB: a limit on the size of files stands in for the full disk.
-class McapOnAFullDisk : public test::TemporaryFolder {
+class McapOnAFullDisk : public recordings::test::TemporaryFolder {
  protected:
   static constexpr rlim_t kLimit = 200000;
 
@@ -49,7 +49,7 @@ class McapOnAFullDisk : public test::TemporaryFolder {
       for (std::uint8_t& byte : data) byte = static_cast<std::uint8_t>((noise = noise * 1664525 + 1013904223) >> 24);
       try {
         writer.write(channel, k, k, k, data.data(), data.size());
-      } catch (const WriteError& error) {
+      } catch (const files::WriteError& error) {
         message = error.what();
         ++errors;
       }
@@ -79,7 +79,7 @@ TEST_F(McapOnAFullDisk, WhatWasWrittenStaysReadableAndTheLogSaysWhatIsMissing) {
 
   const McapReader reader(path("run.mcap"));
   std::uint32_t next = 0;
-  reader.for_each([&](const mcap::Message& m) {
+  reader.for_each([&](const Message& m) {
     EXPECT_EQ(m.sequence, next++);
     return true;
   });
@@ -110,7 +110,7 @@ TEST(McapOnAMissingDisk, NamesFileAndReason) {
   try {
     McapWriter writer("/nonexistent/run.mcap");
     FAIL() << "created a file in a folder that is not there";
-  } catch (const WriteError& error) {
+  } catch (const files::WriteError& error) {
     EXPECT_STREQ(error.what(), "/nonexistent/run.mcap: cannot create: No such file or directory");
   }
 }
@@ -120,10 +120,10 @@ TEST(McapOnAMissingDisk, FullDeviceIsReportedAtOnce) {
   try {
     McapWriter writer("/dev/full");
     FAIL() << "wrote to a full device";
-  } catch (const WriteError& error) {
+  } catch (const files::WriteError& error) {
     EXPECT_THAT(error.what(), HasSubstr("No space left on device"));
   }
 }
 
 }  // namespace mcap_disk_test
-}  // namespace inslab::io
+}  // namespace inslab::mcap

@@ -10,13 +10,13 @@
 #include "inslab/foundation/files/error.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::io {
+namespace inslab::mcap {
 namespace mcap_test {
 
 using ::testing::HasSubstr;
 using Order = McapReader::Order;
 
-class McapLog : public test::TemporaryFolder {
+class McapLog : public recordings::test::TemporaryFolder {
  protected:
   struct Seen {
     std::uint16_t channel;
@@ -44,7 +44,7 @@ class McapLog : public test::TemporaryFolder {
                                 const std::set<std::uint16_t>& channels = {}) {
     std::vector<Seen> all;
     reader.for_each(
-        [&](const mcap::Message& m) {
+        [&](const Message& m) {
           all.push_back({m.channel_id, m.sequence, m.log_time_ns, m.publish_time_ns,
                          std::string(reinterpret_cast<const char*>(m.data), m.size)});
           return true;
@@ -97,7 +97,7 @@ TEST_F(McapLog, CountsWhatItHolds) {
   fill(writer, 201);
   writer.close();
 
-  const mcap::Statistics statistics = McapReader(path("run.mcap")).statistics();
+  const Statistics statistics = McapReader(path("run.mcap")).statistics();
   EXPECT_EQ(statistics.message_count, 201u);
   EXPECT_EQ(statistics.channel_message_counts.at(0), 101u);
   EXPECT_EQ(statistics.channel_message_counts.at(1), 100u);
@@ -164,7 +164,7 @@ TEST_F(McapLog, StopsWhenTheVisitorHasEnough) {
   writer.close();
 
   int calls = 0;
-  McapReader(path("run.mcap")).for_each([&](const mcap::Message&) { return ++calls < 3; });
+  McapReader(path("run.mcap")).for_each([&](const Message&) { return ++calls < 3; });
   EXPECT_EQ(calls, 3);
 }
 
@@ -223,7 +223,7 @@ TEST_F(McapLog, WithAnyByteChangedNeverCrashesTheReader) {
         const McapReader reader(path("bad.mcap"));
         read(reader, Order::File);
         read(reader, Order::LogTime);
-      } catch (const ReadError& error) {
+      } catch (const files::ReadError& error) {
         EXPECT_THAT(error.what(), HasSubstr("bad.mcap"));
         ++refused;
       }
@@ -244,7 +244,7 @@ TEST_F(McapLog, ChangedInAMessageIsRefusedWithFilePlaceAndReason) {
   try {
     read(McapReader(path("bad.mcap")));
     FAIL() << "read a damaged chunk";
-  } catch (const ReadError& error) {
+  } catch (const files::ReadError& error) {
     EXPECT_THAT(error.what(), HasSubstr("bad.mcap: chunk at byte "));
   }
 }
@@ -259,16 +259,16 @@ TEST_F(McapLog, ThatClaimsAHugeChunkIsRefused) {
 
   McapReader::Options limits;
   limits.max_chunk_bytes = 1 << 20;
-  EXPECT_THROW(read(McapReader(path("run.mcap"), limits)), ReadError);
+  EXPECT_THROW(read(McapReader(path("run.mcap"), limits)), files::ReadError);
 }
 
 TEST_F(McapLog, ReaderRefusesWhatIsNoLog) {
   put(path("text.mcap"), "time,x\n0,1\n");
   put(path("empty.mcap"), "");
-  EXPECT_THROW(McapReader(path("text.mcap")), ReadError);
-  EXPECT_THROW(McapReader(path("empty.mcap")), ReadError);
-  EXPECT_THROW(McapReader(path("missing.mcap")), ReadError);
-  EXPECT_THROW(McapReader(path("")), ReadError);
+  EXPECT_THROW(McapReader(path("text.mcap")), files::ReadError);
+  EXPECT_THROW(McapReader(path("empty.mcap")), files::ReadError);
+  EXPECT_THROW(McapReader(path("missing.mcap")), files::ReadError);
+  EXPECT_THROW(McapReader(path("")), files::ReadError);
 }
 
 TEST_F(McapLog, RefusesUnknownSchemasAndChannels) {
@@ -287,4 +287,4 @@ TEST_F(McapLog, IsTheSameBytesForTheSameMessages) {
 }
 
 }  // namespace mcap_test
-}  // namespace inslab::io
+}  // namespace inslab::mcap

@@ -11,10 +11,10 @@
 #include "inslab/foundation/files/error.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::io {
+namespace inslab::mcap {
 namespace mcap_unfinished_test {
 
-class UnfinishedMcap : public test::TemporaryFolder {
+class UnfinishedMcap : public recordings::test::TemporaryFolder {
  protected:
   static constexpr std::uint32_t kMessages = 20;
 
@@ -53,7 +53,7 @@ TEST_F(UnfinishedMcap, WhereverItEndsTheLogGoesOnWithEveryWholeChunk) {
   }
   for (std::size_t size = begin; size <= bytes.size(); ++size) {
     const std::string cut = cut_to(bytes, size);
-    const mcap::UnfinishedLog unfinished = mcap::read_unfinished(cut);
+    const UnfinishedLog unfinished = read_unfinished(cut);
     const auto kept = static_cast<std::uint32_t>(unfinished.statistics.message_count);
     ASSERT_EQ(kept % 10, 0u) << "cut to " << size;
     {
@@ -65,7 +65,7 @@ TEST_F(UnfinishedMcap, WhereverItEndsTheLogGoesOnWithEveryWholeChunk) {
     ASSERT_TRUE(reader.closed_properly());
     ASSERT_EQ(reader.channels().size(), 2u);
     std::uint32_t next = 0;
-    reader.for_each([&](const mcap::Message& message) {
+    reader.for_each([&](const Message& message) {
       EXPECT_EQ(message.sequence, next);
       EXPECT_EQ(message.data[0], next);
       ++next;
@@ -78,7 +78,7 @@ TEST_F(UnfinishedMcap, WhereverItEndsTheLogGoesOnWithEveryWholeChunk) {
 
 TEST_F(UnfinishedMcap, KeepsItsMetadata) {
   const std::string cut = cut_to(left_by_a_kill(), left_by_a_kill().size());
-  { McapWriter log(cut, {}, mcap::read_unfinished(cut)); }
+  { McapWriter log(cut, {}, read_unfinished(cut)); }
   const McapReader reader(cut);
   ASSERT_EQ(reader.metadata().size(), 1u);
   EXPECT_EQ(reader.metadata()[0].values.at("key"), "value");
@@ -89,14 +89,14 @@ TEST_F(UnfinishedMcap, RefusesALogThatWasClosed) {
     McapWriter log(path("closed.mcap"));
     write(log, 0, 3);
   }
-  EXPECT_THAT([this] { mcap::read_unfinished(path("closed.mcap")); },
-              testing::ThrowsMessage<ReadError>(testing::HasSubstr("a log that was not closed")));
+  EXPECT_THAT([this] { read_unfinished(path("closed.mcap")); },
+              testing::ThrowsMessage<files::ReadError>(testing::HasSubstr("a log that was not closed")));
 }
 
 TEST_F(UnfinishedMcap, RefusesWhatIsNoLog) {
   std::ofstream(path("text")) << "no log at all";
-  EXPECT_THROW(mcap::read_unfinished(path("text")), ReadError);
+  EXPECT_THROW(read_unfinished(path("text")), files::ReadError);
 }
 
 }  // namespace mcap_unfinished_test
-}  // namespace inslab::io
+}  // namespace inslab::mcap

@@ -8,7 +8,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::io {
+namespace inslab::novatel {
 namespace novatel_test {
 
 using ::testing::HasSubstr;
@@ -22,7 +22,7 @@ constexpr const char* kLine2209 =
     "%RAWIMUSXA,2209,491674.014;04,41,2209,491674.013699,ea59fe00,329308016,-2706935,4508389,196192,417138,-1000837*"
     "038422a7";
 
-class NovatelReader : public test::TemporaryFolder {
+class NovatelReader : public recordings::test::TemporaryFolder {
  protected:
   std::vector<NovatelImuRecord> read(const std::string& text, const NovatelImuReader::Options& options = {}) {
     put(path("raw"), text);
@@ -150,7 +150,7 @@ TEST_F(NovatelReader, ReadsTheRealLinesThatLieBesideTheProject) {
       std::filesystem::path(INSLAB_SOURCE_DIR).parent_path() / "shared" / "data" / "novatel" / "edie_test_lines.txt";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
   // Its lines are of different units and in no order of time: each is read by itself.
-  TextLines lines(file.string());
+  files::TextLines lines(file.string());
   std::string_view line;
   std::size_t good = 0;
   std::size_t bad = 0;
@@ -208,4 +208,4 @@ TEST(NovatelScale, AgreesWithThePublishedFigures) {
 }
 
 }  // namespace novatel_test
-}  // namespace inslab::io
+}  // namespace inslab::novatel

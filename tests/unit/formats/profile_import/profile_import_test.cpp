@@ -6,13 +6,13 @@
 #include "inslab/foundation/units/units.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::cli {
+namespace inslab::profile_import {
 namespace profile_import_test {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-class ProfileImport : public test::TemporaryFolder {
+class ProfileImport : public recordings::test::TemporaryFolder {
  protected:
   template <class Importer>
   ImportedProfile import(Importer importer, const std::string& text, const ImportOptions& options = {}) {
@@ -24,7 +24,7 @@ class ProfileImport : public test::TemporaryFolder {
   std::string error_of(Importer importer, const std::string& text, const ImportOptions& options = {}) {
     try {
       import(importer, text, options);
-    } catch (const io::ReadError& error) {
+    } catch (const files::ReadError& error) {
       return error.what();
     }
     return "nothing was refused";
@@ -207,4 +207,4 @@ TEST_F(ProfileImport, WhatIsTooLargeIsRefused) {
 }
 
 }  // namespace profile_import_test
-}  // namespace inslab::cli
+}  // namespace inslab::profile_import

@@ -13,7 +13,7 @@
 #include "inslab/formats/log/log_types.hpp"
 #include "tests/unit/formats/text/random_sample.hpp"
 
-namespace inslab::io {
+namespace inslab::tables {
 namespace columns_test {
 
 const Column& column(const std::vector<Column>& columns, const std::string& name) {
@@ -55,13 +55,13 @@ TEST(Columns, UnitsComeFromTheSuffixOfTheNameOrOfWhatEnclosesIt) {
 }
 
 TEST(Columns, EveryTypeHasAsManyCellsAsColumnsAndDistinctNames) {
-  for (const LogType& type : log_types()) {
+  for (const log::LogType& type : log::log_types()) {
     std::vector<std::string> names;
     for (const Column& c : type.columns) names.push_back(c.name);
     std::sort(names.begin(), names.end());
     EXPECT_EQ(std::unique(names.begin(), names.end()), names.end()) << type.name;
   }
-  test::RandomFields random(1);
+  recordings::test::RandomFields random(1);
   Row row;
   for (int i = 0; i < 20; ++i) {
     fill_row(random.make<ServiceStatus>(), row);
@@ -103,9 +103,9 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
   truth.header.sim_time_ns = 34;
   std::vector<std::uint8_t> payload;
   wire::encode(truth, payload);
-  const LogType* type = find_log_type("inslab::v2::TruthState");
+  const log::LogType* type = log::find_log_type("inslab::v2::TruthState");
   ASSERT_NE(type, nullptr);
-  SampleStamp stamp;
+  log::SampleStamp stamp;
   ASSERT_TRUE(type->stamp(payload.data(), payload.size(), stamp));
   EXPECT_EQ(stamp.run_id, truth.header.run_id);
   EXPECT_EQ(stamp.sequence_number, 12u);
@@ -114,11 +114,11 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
 }
 
 TEST(LogTypes, KnowEveryTopicTypeAndNoOther) {
-  EXPECT_EQ(log_types().size(), 22u);
-  EXPECT_NE(find_log_type("inslab::v2::ServiceStatus"), nullptr);
-  EXPECT_EQ(find_log_type("inslab::v2::Nothing"), nullptr);
-  EXPECT_EQ(find_log_type("inslab::v0::ServiceStatus"), nullptr);
+  EXPECT_EQ(log::log_types().size(), 22u);
+  EXPECT_NE(log::find_log_type("inslab::v2::ServiceStatus"), nullptr);
+  EXPECT_EQ(log::find_log_type("inslab::v2::Nothing"), nullptr);
+  EXPECT_EQ(log::find_log_type("inslab::v0::ServiceStatus"), nullptr);
 }
 
 }  // namespace columns_test
-}  // namespace inslab::io
+}  // namespace inslab::tables

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace inslab::io {
+namespace inslab::tables {
 namespace picture_test {
 
 using testing::HasSubstr;
@@ -161,4 +161,4 @@ TEST(ThinnedTrack, KeepsPointsThatAreApartAndTheLast) {
 }
 
 }  // namespace picture_test
-}  // namespace inslab::io
+}  // namespace inslab::tables

@@ -9,10 +9,10 @@
 #include "inslab/foundation/units/units.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 namespace imu_recording_test {
 
-class ImuRecording : public test::TemporaryFolder {
+class ImuRecording : public recordings::test::TemporaryFolder {
  protected:
   /// Reads `text` as a file named imu.txt.
   std::vector<ImuIncrements> read(const std::string& text, const ImuRecordingOptions& options = {}) {
@@ -27,7 +27,7 @@ class ImuRecording : public test::TemporaryFolder {
   std::string error_of(const std::string& text, const ImuRecordingOptions& options = {}) {
     try {
       read(text, options);
-    } catch (const ReadError& error) {
+    } catch (const files::ReadError& error) {
       return error.what();
     }
     return "nothing was refused";
@@ -102,4 +102,4 @@ TEST_F(ImuRecording, OnlyALogHasATruthToTakeOff) {
 }
 
 }  // namespace imu_recording_test
-}  // namespace inslab::io
+}  // namespace inslab::recordings

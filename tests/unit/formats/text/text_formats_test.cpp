@@ -13,7 +13,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::io {
+namespace inslab::recordings {
 namespace text_formats_test {
 
 using ::testing::HasSubstr;
@@ -29,17 +29,17 @@ std::string message_of(const std::function<void()>& action) {
 }
 
 /// A run of two IMUs, one receiver and the truth, with values of all sizes.
-class FileExport : public test::TemporaryFolder {
+class FileExport : public recordings::test::TemporaryFolder {
  protected:
   static constexpr std::uint64_t kSamples = 50;
 
   void SetUp() override {
     TemporaryFolder::SetUp();
-    McapWriter log(path("run.mcap"));
-    LogChannel<TruthState> truth(log, "inslab/truth");
-    LogChannel<ImuSample> imu(log, "inslab/imu/0");
-    LogChannel<ImuSample> other_imu(log, "inslab/imu/1");
-    LogChannel<GnssFix> gnss(log, "inslab/gnss/0");
+    mcap::McapWriter log(path("run.mcap"));
+    log::LogChannel<TruthState> truth(log, "inslab/truth");
+    log::LogChannel<ImuSample> imu(log, "inslab/imu/0");
+    log::LogChannel<ImuSample> other_imu(log, "inslab/imu/1");
+    log::LogChannel<GnssFix> gnss(log, "inslab/gnss/0");
     for (std::uint64_t k = 0; k < kSamples; ++k) {
       const double phase = 0.7 * static_cast<double>(k);
       truths_.push_back(make_truth(k, phase));
@@ -53,12 +53,12 @@ class FileExport : public test::TemporaryFolder {
     log.close();
   }
 
-  ExportedFile exported(FileFormat format, const std::string& name, const std::string& topic = "") {
-    FileExportOptions options;
+  exports::ExportedFile exported(exports::FileFormat format, const std::string& name, const std::string& topic = "") {
+    exports::FileExportOptions options;
     options.format = format;
     options.destination = path(name);
     options.topic = topic;
-    return export_file(path("run.mcap"), options);
+    return exports::export_file(path("run.mcap"), options);
   }
 
   static StreamHeader header(std::uint64_t k) {
@@ -103,8 +103,8 @@ class FileExport : public test::TemporaryFolder {
 };
 
 TEST_F(FileExport, NavTextReadsBackToTheTruthItWasMadeOf) {
-  EXPECT_EQ(exported(FileFormat::Nav, "run.nav").rows, kSamples);
-  const TrajectoryReading reading = read_trajectory(path("run.nav"));
+  EXPECT_EQ(exported(exports::FileFormat::Nav, "run.nav").rows, kSamples);
+  const trajectory::TrajectoryReading reading = trajectory::read_trajectory(path("run.nav"));
   ASSERT_TRUE(reading.problems.empty());
   ASSERT_EQ(reading.file.rows.size(), kSamples);
   for (std::size_t k = 0; k < kSamples; ++k) {
@@ -121,7 +121,7 @@ TEST_F(FileExport, NavTextReadsBackToTheTruthItWasMadeOf) {
 }
 
 TEST_F(FileExport, ImuTextReadsBackWithoutTheSampleThatHasNoInterval) {
-  const ExportedFile file = exported(FileFormat::Imu, "imu.txt", "inslab/imu/0");
+  const exports::ExportedFile file = exported(exports::FileFormat::Imu, "imu.txt", "inslab/imu/0");
   EXPECT_EQ(file.rows, kSamples - 1);
   EXPECT_EQ(file.left_out, 1U);
   ImuTextReader reader(path("imu.txt"));
@@ -136,7 +136,7 @@ TEST_F(FileExport, ImuTextReadsBackWithoutTheSampleThatHasNoInterval) {
 }
 
 TEST_F(FileExport, GnssTextReadsBackWithoutTheEpochThatHasNoFix) {
-  const ExportedFile file = exported(FileFormat::Gnss, "gnss.txt");
+  const exports::ExportedFile file = exported(exports::FileFormat::Gnss, "gnss.txt");
   EXPECT_EQ(file.topic, "inslab/gnss/0");
   EXPECT_EQ(file.rows, kSamples - 1);
   GnssTextReader reader(path("gnss.txt"));
@@ -152,14 +152,14 @@ TEST_F(FileExport, GnssTextReadsBackWithoutTheEpochThatHasNoFix) {
   }
   EXPECT_FALSE(reader.next(record));
   // The trajectory reader takes the same file.
-  EXPECT_EQ(read_trajectory(path("gnss.txt")).file.rows.size(), kSamples - 1);
+  EXPECT_EQ(trajectory::read_trajectory(path("gnss.txt")).file.rows.size(), kSamples - 1);
 }
 
 TEST_F(FileExport, NovatelLinesReadBackToHalfACountAndLoseNothingInSum) {
-  EXPECT_EQ(exported(FileFormat::Novatel, "raw.txt", "inslab/imu/0").rows, kSamples - 1);
-  const NovatelImuType& type = *find_novatel_imu_type(FileExportOptions{}.novatel_imu_type);
-  NovatelImuReader reader(path("raw.txt"));
-  NovatelImuRecord record;
+  EXPECT_EQ(exported(exports::FileFormat::Novatel, "raw.txt", "inslab/imu/0").rows, kSamples - 1);
+  const novatel::NovatelImuType& type = *novatel::find_novatel_imu_type(exports::FileExportOptions{}.novatel_imu_type);
+  novatel::NovatelImuReader reader(path("raw.txt"));
+  novatel::NovatelImuRecord record;
   Vector3 lost_rad = Vector3::Zero();
   Vector3 lost_m_per_s = Vector3::Zero();
   for (std::size_t k = 1; k < kSamples; ++k) {
@@ -178,14 +178,14 @@ TEST_F(FileExport, NovatelLinesReadBackToHalfACountAndLoseNothingInSum) {
 }
 
 TEST_F(FileExport, AsksWhichImuWhenThereAreTwoAndSaysWhatALogHas) {
-  EXPECT_THAT(message_of([&] { exported(FileFormat::Imu, "imu.txt"); }),
+  EXPECT_THAT(message_of([&] { exported(exports::FileFormat::Imu, "imu.txt"); }),
               HasSubstr("has inslab/imu/0 and inslab/imu/1; expected to be told which"));
-  EXPECT_THAT(message_of([&] { exported(FileFormat::Nav, "nav.nav", "inslab/imu/0"); }),
+  EXPECT_THAT(message_of([&] { exported(exports::FileFormat::Nav, "nav.nav", "inslab/imu/0"); }),
               HasSubstr("has no topic inslab/imu/0 of the type inslab::v2::TruthState; it has "));
 }
 
 TEST_F(FileExport, DrawsATrackWithItsEnds) {
-  EXPECT_EQ(exported(FileFormat::Kml, "run.kml").rows, kSamples);
+  EXPECT_EQ(exported(exports::FileFormat::Kml, "run.kml").rows, kSamples);
   const std::string kml = contents(path("run.kml"));
   EXPECT_THAT(kml, StartsWith("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml "));
   EXPECT_THAT(kml, HasSubstr("<name>run.mcap: inslab/truth</name>"));
@@ -228,4 +228,4 @@ TEST_F(FileExport, ReadersNameLineAndColumnOfWhatTheyRefuse) {
 }
 
 }  // namespace text_formats_test
-}  // namespace inslab::io
+}  // namespace inslab::recordings

@@ -11,7 +11,7 @@
 #include "inslab/foundation/files/decimal_time.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 namespace real_files_test {
 
 using testing::HasSubstr;
@@ -19,32 +19,32 @@ using testing::ThrowsMessage;
 
 TEST(DecimalTime, IsExactWhereADoubleIsNot) {
   constexpr std::int64_t kS = 1'000'000'000;
-  EXPECT_EQ(exact_nanoseconds("1700000000.01", kS), 1'700'000'000'010'000'000);
-  EXPECT_EQ(exact_nanoseconds("1700000000005000000", 1), 1'700'000'000'005'000'000);
-  EXPECT_EQ(exact_nanoseconds("-0.5", kS), -500'000'000);
-  EXPECT_EQ(exact_nanoseconds("+12.3456789", 1'000'000), 12'345'679) << "rounded once";
-  EXPECT_EQ(exact_nanoseconds(".25", 1000), 250);
-  EXPECT_EQ(exact_nanoseconds("1e3", kS), 1000 * kS);
+  EXPECT_EQ(files::exact_nanoseconds("1700000000.01", kS), 1'700'000'000'010'000'000);
+  EXPECT_EQ(files::exact_nanoseconds("1700000000005000000", 1), 1'700'000'000'005'000'000);
+  EXPECT_EQ(files::exact_nanoseconds("-0.5", kS), -500'000'000);
+  EXPECT_EQ(files::exact_nanoseconds("+12.3456789", 1'000'000), 12'345'679) << "rounded once";
+  EXPECT_EQ(files::exact_nanoseconds(".25", 1000), 250);
+  EXPECT_EQ(files::exact_nanoseconds("1e3", kS), 1000 * kS);
   for (const char* wrong : {"", "-", ".", "12:00", "9999999999999999999", "1e30", "nan", "0x10"}) {
-    EXPECT_EQ(exact_nanoseconds(wrong, kS), std::nullopt) << wrong;
+    EXPECT_EQ(files::exact_nanoseconds(wrong, kS), std::nullopt) << wrong;
   }
 }
 
 TEST(CalendarTime, IsGpsTime) {
   // 2024-03-05 was a Tuesday of GPS week 2304: 2 days and 10 hours, 208800 s.
-  const auto time = gps_from_calendar("2024/03/05", "10:00:01.250");
+  const auto time = files::gps_from_calendar("2024/03/05", "10:00:01.250");
   ASSERT_TRUE(time);
   EXPECT_EQ(time->week, 2304u);
   EXPECT_EQ(time->time_of_week_ns, 208'801'250'000'000);
-  EXPECT_EQ(gps_from_calendar("1980-01-06", "00:00:00")->time_of_week_ns, 0);
-  EXPECT_EQ(gps_from_calendar("2000/02/29", "00:00:00")->week, 1051u);
+  EXPECT_EQ(files::gps_from_calendar("1980-01-06", "00:00:00")->time_of_week_ns, 0);
+  EXPECT_EQ(files::gps_from_calendar("2000/02/29", "00:00:00")->week, 1051u);
   for (const char* date : {"1979/12/31", "2024/13/05", "2024.03.05", "24/03/05"}) {
-    EXPECT_FALSE(gps_from_calendar(date, "10:00:00")) << date;
+    EXPECT_FALSE(files::gps_from_calendar(date, "10:00:00")) << date;
   }
-  EXPECT_FALSE(gps_from_calendar("2024/03/05", "25:00:00"));
+  EXPECT_FALSE(files::gps_from_calendar("2024/03/05", "25:00:00"));
 }
 
-class RealFiles : public test::TemporaryFolder {
+class RealFiles : public recordings::test::TemporaryFolder {
  protected:
   std::string file(const std::string& text) {
     put(path("file.txt"), text);
@@ -116,16 +116,16 @@ TEST_F(RealFiles, ColumnsAreLeftAsideByNameOrByADash) {
 }
 
 TEST_F(RealFiles, SecondsOfWeekGoOnPastTheEndOfTheWeek) {
-  ImuTextReader reader(file("604798 0 0 0 0 0 -9.8\n604799 0 0 0 0 0 -9.8\n0 0 0 0 0 0 -9.8\n1 0 0 0 0 0 -9.8\n"));
-  ImuTextRecord record;
+  recordings::ImuTextReader reader(file("604798 0 0 0 0 0 -9.8\n604799 0 0 0 0 0 -9.8\n0 0 0 0 0 0 -9.8\n1 0 0 0 0 0 -9.8\n"));
+  recordings::ImuTextRecord record;
   std::vector<double> seconds;
   while (reader.next(record)) seconds.push_back(time::to_seconds(record.in_week));
   EXPECT_THAT(seconds, testing::ElementsAre(604798.0, 604799.0, 604800.0, 604801.0));
-  ImuTextReader back(file("100 0 0 0 0 0 -9.8\n99 0 0 0 0 0 -9.8\n"));
+  recordings::ImuTextReader back(file("100 0 0 0 0 0 -9.8\n99 0 0 0 0 0 -9.8\n"));
   ASSERT_TRUE(back.next(record));
-  EXPECT_THAT([&] { back.next(record); }, ThrowsMessage<ReadError>(HasSubstr("expected time to go on")));
+  EXPECT_THAT([&] { back.next(record); }, ThrowsMessage<files::ReadError>(HasSubstr("expected time to go on")));
   {
-    ImuTextWriter writer(path("out.txt"));
+    recordings::ImuTextWriter writer(path("out.txt"));
     writer.write({time::from_seconds(604801.0), nav::Vector3::Zero(), nav::Vector3::Zero()});
     writer.close();
   }
@@ -133,26 +133,26 @@ TEST_F(RealFiles, SecondsOfWeekGoOnPastTheEndOfTheWeek) {
 }
 
 TEST_F(RealFiles, AFixWithoutASigmaIsRefusedWithItsPlace) {
-  GnssTextReader reader(file("100 47 9 430 0.03 0.03 0.05\n101 47 9 430 0 0 0\n"));
-  GnssTextRecord record;
+  recordings::GnssTextReader reader(file("100 47 9 430 0.03 0.03 0.05\n101 47 9 430 0 0 0\n"));
+  recordings::GnssTextRecord record;
   ASSERT_TRUE(reader.next(record));
   EXPECT_THAT([&] { reader.next(record); },
-              ThrowsMessage<ReadError>(testing::AllOf(HasSubstr("file.txt: line 2, column 5: is 0"),
+              ThrowsMessage<files::ReadError>(testing::AllOf(HasSubstr("file.txt: line 2, column 5: is 0"),
                                                       HasSubstr("columns 5 to 7"), HasSubstr("above 0 m"))));
 }
 
 class ImuFiles : public RealFiles {
  protected:
-  ImuRecordingInfo read(const std::string& text) {
+  recordings::ImuRecordingInfo read(const std::string& text) {
     sums_ = {};
-    ImuRecordingInfo info = read_imu_recording(
-        file(text), {}, [](const ImuRecordingInfo&) {},
-        [this](const ImuIncrements& sample) {
+    recordings::ImuRecordingInfo info = recordings::read_imu_recording(
+        file(text), {}, [](const recordings::ImuRecordingInfo&) {},
+        [this](const recordings::ImuIncrements& sample) {
           for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += sample[i];
         });
     return info;
   }
-  ImuIncrements sums_{};
+  recordings::ImuIncrements sums_{};
 };
 
 TEST_F(ImuFiles, NamesInACommentWithUnitsInBracketsAreRead) {
@@ -162,7 +162,7 @@ TEST_F(ImuFiles, NamesInACommentWithUnitsInBracketsAreRead) {
   for (int k = 0; k < 400; ++k) {
     text += std::to_string(1'700'000'000'000'000'000 + 5'000'000LL * k) + ",0.01,0,0,0,0,-9.81\n";
   }
-  const ImuRecordingInfo info = read(text);
+  const recordings::ImuRecordingInfo info = read(text);
   EXPECT_DOUBLE_EQ(info.dt_s, 0.005);
   EXPECT_EQ(info.samples, 400u);
   EXPECT_NEAR(sums_[0], 0.01 * 2.0, 1e-12) << "rates became increments";
@@ -178,12 +178,12 @@ TEST_F(ImuFiles, SevenColumnsWithoutNamesAreRefusedWhereTheyCannotBeSecondsOrInc
   }
   EXPECT_THAT(
       [&] { read(nanoseconds); },
-      ThrowsMessage<ReadError>(HasSubstr("expected a time in seconds; milli-, micro- and nanoseconds need a name")));
+      ThrowsMessage<files::ReadError>(HasSubstr("expected a time in seconds; milli-, micro- and nanoseconds need a name")));
   EXPECT_THAT([&] { read(milliseconds); },
-              ThrowsMessage<ReadError>(testing::AllOf(HasSubstr("which no IMU has"), HasSubstr("time_ns"))));
+              ThrowsMessage<files::ReadError>(testing::AllOf(HasSubstr("which no IMU has"), HasSubstr("time_ns"))));
   EXPECT_THAT([&] { read(rates); },
-              ThrowsMessage<ReadError>(testing::AllOf(HasSubstr("gravity as a rate"), HasSubstr("name the columns"))));
+              ThrowsMessage<files::ReadError>(testing::AllOf(HasSubstr("gravity as a rate"), HasSubstr("name the columns"))));
 }
 
 }  // namespace real_files_test
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

@@ -6,7 +6,7 @@
 #include "inslab/foundation/units/units.hpp"
 
 /// A vehicle that drives north at 10 m/s, row by row, with something wrong with it.
-namespace inslab::io {
+namespace inslab::trajectory {
 namespace trajectory_judge_test {
 
 using ::testing::IsEmpty;
@@ -173,4 +173,4 @@ TEST(TrajectoryJudge, SaysThatTheRoundingIsMoreThanTheMotion) {
 }
 
 }  // namespace trajectory_judge_test
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

@@ -12,13 +12,13 @@
 #include "inslab/foundation/units/units.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::io {
+namespace inslab::trajectory {
 namespace trajectory_reader_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-class TrajectoryReader : public test::TemporaryFolder {
+class TrajectoryReader : public recordings::test::TemporaryFolder {
  protected:
   TrajectoryReading read(const std::string& text, const TrajectoryReadOptions& options = {}) {
     put(path("rows"), text);
@@ -177,14 +177,14 @@ TEST_F(TrajectoryReader, PassesOverAMarkOfTheByteOrder) {
 
 TEST_F(TrajectoryReader, RefusesALineThatIsTooLongWhereverItEnds) {
   put(path("long"), "t_s,lat_deg,lon_deg,h_m\n0,48,11," + std::string(70'000, '5') + "\n1,48,11,500\n");
-  EXPECT_THROW(read_trajectory(path("long")), ReadError);
+  EXPECT_THROW(read_trajectory(path("long")), files::ReadError);
 }
 
 TEST_F(TrajectoryReader, RefusesABinaryFileAtOnce) {
   std::string bytes;
   for (int i = 0; i < 100000; ++i) bytes += static_cast<char>(i % 7 + 1);
   put(path("binary"), bytes);
-  EXPECT_THROW(read_trajectory(path("binary")), ReadError);
+  EXPECT_THROW(read_trajectory(path("binary")), files::ReadError);
 }
 
 TEST_F(TrajectoryReader, LeavesOutBadRowsAndSaysWhichWhenAskedFor) {
@@ -212,7 +212,7 @@ TEST_F(TrajectoryReader, ReadsWhatTheNavWriterWroteToItsResolution) {
   row.v_n = nav::Vector3(-12.3456789, 0.0000004, 250.1234567);
   row.rpy = nav::RollPitchYaw{-3.1, 1.5, 6.28};
   {
-    NavTextWriter writer(path("out.nav"));
+    recordings::NavTextWriter writer(path("out.nav"));
     writer.write({2400, 604'799'999'999'999}, row);
     writer.write({2401, 4'999'999}, row);
     writer.close();
@@ -234,13 +234,13 @@ TEST_F(TrajectoryReader, ReadsWhatTheNavWriterWroteToItsResolution) {
   EXPECT_NEAR(back.rpy->yaw_rad, row.rpy->yaw_rad, angle_rad);
 }
 
-class TrajectoryOfALog : public test::TemporaryFolder {
+class TrajectoryOfALog : public recordings::test::TemporaryFolder {
  protected:
   void SetUp() override {
     TemporaryFolder::SetUp();
-    McapWriter log(path("run.mcap"));
-    LogChannel<TruthState> truth(log, "inslab/truth");
-    LogChannel<NavSolution> nav(log, "inslab/nav");
+    mcap::McapWriter log(path("run.mcap"));
+    log::LogChannel<TruthState> truth(log, "inslab/truth");
+    log::LogChannel<NavSolution> nav(log, "inslab/nav");
     for (std::uint64_t k = 0; k < 3; ++k) {
       TruthState state;
       state.header.sim_time_ns = static_cast<std::int64_t>(k) * 5'000'000;
@@ -287,4 +287,4 @@ TEST_F(TrajectoryOfALog, NamesTheTopicsWhenTheOneAskedForIsNotThere) {
 }
 
 }  // namespace trajectory_reader_test
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

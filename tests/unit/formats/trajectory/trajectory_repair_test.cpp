@@ -9,7 +9,7 @@
 #include "inslab/foundation/units/units.hpp"
 
 /// A car that stands for two seconds and then drives north, recorded at 10 Hz, with something wrong with it.
-namespace inslab::io {
+namespace inslab::trajectory {
 namespace trajectory_repair_test {
 
 using ::testing::HasSubstr;
@@ -144,4 +144,4 @@ TEST(TrajectoryRepair, LeavesAGapThatNothingTellsHowToCross) {
 }
 
 }  // namespace trajectory_repair_test
-}  // namespace inslab::io
+}  // namespace inslab::trajectory

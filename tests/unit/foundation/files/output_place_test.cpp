@@ -10,18 +10,18 @@
 #include "inslab/foundation/files/output_file.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::io {
+namespace inslab::files {
 namespace output_place_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-class OutputPlaces : public test::TemporaryFolder {
+class OutputPlaces : public recordings::test::TemporaryFolder {
  protected:
   void TearDown() override {
     set_output_rule(OutputRule::ReplaceAll);
-    test::TemporaryFolder::TearDown();
+    recordings::test::TemporaryFolder::TearDown();
   }
   std::size_t files() const {
     std::size_t count = 0;
@@ -49,7 +49,7 @@ TEST_F(OutputPlaces, HalfAResultIsNone) {
     OutputFile file(path("r.txt"));
     file.append(reinterpret_cast<const std::uint8_t*>("ha"), 2);
   }
-  { Hdf5Writer half(path("half.h5")); }
+  { tables::Hdf5Writer half(path("half.h5")); }
   EXPECT_EQ(contents(path("r.txt")), "old");
   EXPECT_EQ(files(), 1u) << "nothing else is left in the folder";
 }
@@ -114,4 +114,4 @@ TEST_F(OutputPlaces, AFolderThatIsNotThereIsNamed) {
 }
 
 }  // namespace output_place_test
-}  // namespace inslab::io
+}  // namespace inslab::files

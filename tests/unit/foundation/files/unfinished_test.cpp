@@ -14,10 +14,10 @@
 
 extern char** environ;
 
-namespace inslab::io {
+namespace inslab::files {
 namespace unfinished_test {
 
-class Unfinished : public test::TemporaryFolder {
+class Unfinished : public recordings::test::TemporaryFolder {
  protected:
   std::vector<std::string> names() const {
     std::vector<std::string> found;
@@ -79,7 +79,7 @@ TEST_F(Unfinished, AnEmptyFolderOfResultsGoesWithThem) {
   in_a_child([this] {
     const UnfinishedFile folder(path("tables"));
     std::filesystem::create_directory(path("tables"));
-    CsvWriter table(path("tables/a.csv"), {{"a", "", ColumnKind::Bool}});
+    tables::CsvWriter table(path("tables/a.csv"), {{"a", "", tables::ColumnKind::Bool}});
     discard_unfinished();
     _exit(0);
   });
@@ -113,4 +113,4 @@ TEST(UnfinishedProgram, GivesItsWaitStatus) {
 }
 
 }  // namespace unfinished_test
-}  // namespace inslab::io
+}  // namespace inslab::files

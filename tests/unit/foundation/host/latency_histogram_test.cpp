@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace inslab::app {
+namespace inslab::host {
 namespace latency_histogram_test {
 
 TEST(LatencyHistogram, HasNothingToSayOfNothing) {
@@ -48,4 +48,4 @@ TEST(LatencyHistogram, CountsWhatLiesOutsideInTheBinAtThatEnd) {
 }
 
 }  // namespace latency_histogram_test
-}  // namespace inslab::app
+}  // namespace inslab::host

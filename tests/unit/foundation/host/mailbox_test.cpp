@@ -5,7 +5,7 @@
 #include <memory>
 #include <thread>
 
-namespace inslab::app {
+namespace inslab::host {
 namespace mailbox_test {
 
 using namespace std::chrono_literals;
@@ -68,4 +68,4 @@ TEST(Mailbox, KeepsEachSendersOrderAndLosesNothingBetweenThreads) {
 }
 
 }  // namespace mailbox_test
-}  // namespace inslab::app
+}  // namespace inslab::host

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace inslab::app {
+namespace inslab::host {
 namespace outcome_test {
 
 TEST(Outcome, TheWorseOfTwoIsTheWorseThingThatHappened) {
@@ -22,4 +22,4 @@ TEST(Outcome, SaysItsExitCodeAndWhy) {
 }
 
 }  // namespace outcome_test
-}  // namespace inslab::app
+}  // namespace inslab::host

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace inslab {
+namespace inslab::imu {
 namespace profile_rules_test {
 
 template <class Profile>
@@ -147,4 +147,4 @@ TEST(ProfileRules, AReceiverWithoutAFixIsAnOutage) {
 }
 
 }  // namespace profile_rules_test
-}  // namespace inslab
+}  // namespace inslab::imu

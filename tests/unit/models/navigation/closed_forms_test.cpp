@@ -9,7 +9,7 @@
 
 /// The filter at rest, one thing uncertain at a time, against what a Kalman filter of two states or least squares give
 /// in closed form.
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 namespace closed_forms_test {
 
 constexpr double kDt_s = 0.01;
@@ -235,4 +235,4 @@ TEST(CovarianceSteps, ChangeNoSigmaByMoreThanTheirTrapezoidsDo) {
 }
 
 }  // namespace closed_forms_test
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 namespace covariance_test {
 
 /// Beside the nine: none, sizes that are compiled as such, others.
@@ -76,4 +76,4 @@ TEST(Covariance, ForgettingLeavesNoTraceOfThreeErrors) {
 }
 
 }  // namespace covariance_test
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -10,7 +10,7 @@
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/wgs84.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 namespace inertial_filter_test {
 
 constexpr double kDt_s = 0.0025;
@@ -304,4 +304,4 @@ TEST(InertialFilter, TakesNoZeroVelocityThatItsOwnVelocityContradicts) {
 }
 
 }  // namespace inertial_filter_test
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

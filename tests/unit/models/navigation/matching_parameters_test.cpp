@@ -4,7 +4,7 @@
 
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 namespace matching_parameters_test {
 
 NavigationParameters matching(const std::function<void(ImuErrorProfile&)>& change) {
@@ -137,4 +137,4 @@ TEST(MatchingParameters, TheLeverArmIsFromTheImuToTheAntennaInTheImusAxes) {
 }
 
 }  // namespace matching_parameters_test
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

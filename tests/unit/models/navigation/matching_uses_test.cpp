@@ -6,7 +6,7 @@
 #include "inslab/data/catalog/profile_kinds.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"
 
-namespace inslab::reference_nav::matching {
+namespace inslab::navigation::matching {
 namespace matching_uses_test {
 
 // A new term of a profile is handled, or it is named as left out: there is no third.
@@ -98,4 +98,4 @@ TEST(MatchedProfiles, WhatIsSetAndLeftOutIsNamed) {
 }
 
 }  // namespace matching_uses_test
-}  // namespace inslab::reference_nav::matching
+}  // namespace inslab::navigation::matching

@@ -9,7 +9,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/attitude.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 namespace navigation_filter_test {
 
 constexpr double kDt_s = 0.005;
@@ -497,4 +497,4 @@ TEST(NavigationFilter, RestHoldsTheVelocityThroughAnOutage) {
 }
 
 }  // namespace navigation_filter_test
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 namespace navigator_test {
 
 constexpr std::int64_t kDt_ns = 5'000'000;
@@ -102,4 +102,4 @@ TEST(Navigator, GivesTheSameSolutionsInWhateverOrderTheInputsAreHandedOver) {
 }
 
 }  // namespace navigator_test
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

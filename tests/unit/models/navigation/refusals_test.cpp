@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 namespace refusals_test {
 
 TEST(Refusals, AreSaidOnceWhateverTheirNumbers) {
@@ -16,4 +16,4 @@ TEST(Refusals, AreSaidOnceWhateverTheirNumbers) {
 }
 
 }  // namespace refusals_test
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

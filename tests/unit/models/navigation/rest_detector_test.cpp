@@ -6,7 +6,7 @@
 
 #include "inslab/foundation/units/units.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 namespace rest_detector_test {
 
 constexpr double kDt_s = 0.005;
@@ -43,4 +43,4 @@ TEST(RestDetector, RockingIsMotion) {
 }
 
 }  // namespace rest_detector_test
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -8,7 +8,7 @@
 #include "inslab/models/navigation/processes.hpp"
 #include "inslab/nav/attitude.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 namespace state_layout_test {
 
 /// Each choice of blocks by a number below 16, and the parameters that make it.
@@ -98,4 +98,4 @@ TEST(StateLayout, ABlockThatIsLeftOutIsOneThatIsHeldForZero) {
 }
 
 }  // namespace state_layout_test
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -8,7 +8,7 @@
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/geodesy.hpp"
 
-namespace inslab::reference_nav {
+namespace inslab::navigation {
 namespace zero_velocity_test {
 
 constexpr double kDt_s = 0.01;
@@ -165,4 +165,4 @@ TEST(ZeroVelocity, RestIsStillBelievedIn) {
 }
 
 }  // namespace zero_velocity_test
-}  // namespace inslab::reference_nav
+}  // namespace inslab::navigation

@@ -10,8 +10,8 @@
 /// Rows that a motion table gives, as a file would have them.
 namespace inslab::trajectory {
 
-inline io::TrajectoryRow row_of(const TruthState& truth) {
-  io::TrajectoryRow row;
+inline TrajectoryRow row_of(const TruthState& truth) {
+  TrajectoryRow row;
   row.time = time::Nanoseconds(truth.header.sim_time_ns);
   row.position = {truth.latitude_rad, truth.longitude_rad, truth.height_m};
   row.v_n = truth.v_n;
@@ -19,9 +19,9 @@ inline io::TrajectoryRow row_of(const TruthState& truth) {
   return row;
 }
 
-inline io::TrajectoryFile rows_of(const scenario::Trajectory& table, double rate_hz, double seconds) {
+inline TrajectoryFile rows_of(const scenario::Trajectory& table, double rate_hz, double seconds) {
   MotionTableModel model(table, time::Rate(rate_hz), {2300, 0});
-  io::TrajectoryFile file;
+  TrajectoryFile file;
   file.name = "rows.nav";
   file.start = {2300, 0};
   for (file.rows.push_back(row_of(model.current())); time::to_seconds(file.rows.back().time) < seconds;) {

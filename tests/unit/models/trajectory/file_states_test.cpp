@@ -14,8 +14,8 @@ namespace file_states_test {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-std::shared_ptr<io::TrajectoryFile> two_rows() {
-  auto file = std::make_shared<io::TrajectoryFile>();
+std::shared_ptr<TrajectoryFile> two_rows() {
+  auto file = std::make_shared<TrajectoryFile>();
   file->name = "two.csv";
   file->rows.resize(2);
   file->rows[0].position = {0.5, 2.0, 100.0};
@@ -31,7 +31,7 @@ std::shared_ptr<io::TrajectoryFile> two_rows() {
 TEST(FileStates, AtARowIsTheRow) {
   const auto file = two_rows();
   FileStates states(file);
-  for (const io::TrajectoryRow& row : file->rows) {
+  for (const TrajectoryRow& row : file->rows) {
     const nav::NavState state = states.at(row.time);
     EXPECT_EQ(state.position.latitude_rad, row.position.latitude_rad);
     EXPECT_EQ(state.position.height_m, row.position.height_m);
@@ -61,15 +61,15 @@ TEST(FileStates, FollowsIrregularRows) {
   weaving.initial.speed_m_per_s = 10.0;
   weaving.segments = {
       tables::segment(20.0, {tables::sinusoid(scenario::MotionType::SineRate, 10.0, 6.0, tables::Axis::Z)})};
-  const io::TrajectoryFile dense = rows_of(weaving, 1000.0, 20.0);
-  auto irregular = std::make_shared<io::TrajectoryFile>(dense);
+  const TrajectoryFile dense = rows_of(weaving, 1000.0, 20.0);
+  auto irregular = std::make_shared<TrajectoryFile>(dense);
   irregular->rows.clear();
   // Every 1, 2, ... 99 ms.
   for (std::size_t i = 0, step = 1; i < dense.rows.size(); i += step, step = step % 99 + 1) {
     irregular->rows.push_back(dense.rows[i]);
   }
   FileStates states(irregular);
-  for (const io::TrajectoryRow& row : dense.rows) {
+  for (const TrajectoryRow& row : dense.rows) {
     if (row.time > states.end()) break;
     const nav::NavState state = states.at(row.time);
     // h^2/8 of the second derivative, at most v (omega^2 + omega') = 10 (0.175^2 + 0.175 * 2 pi/6) = 2.14 m/s^3.

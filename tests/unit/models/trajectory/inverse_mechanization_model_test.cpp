@@ -16,23 +16,23 @@ const time::Rate kRate(200.0);
 const time::GpsTime kStart{2300, 604'799'000'000'000};
 
 /// A minute from the busy part of a table.
-io::TrajectoryFile driving(double rate_hz = 200.0) {
+TrajectoryFile driving(double rate_hz = 200.0) {
   scenario::Trajectory table = tables::vehicle();
   table.segments.erase(table.segments.begin());
   return rows_of(table, rate_hz, 60.0);
 }
 
-InverseMechanizationModel model_of(const io::TrajectoryFile& file,
+InverseMechanizationModel model_of(const TrajectoryFile& file,
                                    const InverseMechanizationModel::Options& options = {}) {
-  return InverseMechanizationModel(std::make_shared<io::TrajectoryFile>(file), nav::Gravity(), options, kRate, kStart);
+  return InverseMechanizationModel(std::make_shared<TrajectoryFile>(file), nav::Gravity(), options, kRate, kStart);
 }
 
-nav::Vector3 position_error_m(const TruthState& truth, const io::TrajectoryRow& row) {
+nav::Vector3 position_error_m(const TruthState& truth, const TrajectoryRow& row) {
   return nav::ned_from(row.position, state_of(truth).position);
 }
 
 TEST(InverseMechanizationModel, BeginsWithTheFirstRow) {
-  const io::TrajectoryFile file = driving();
+  const TrajectoryFile file = driving();
   const TruthState truth = model_of(file).current();
   EXPECT_LT(position_error_m(truth, file.rows[0]).norm(), 3e-9);
   EXPECT_EQ(truth.v_n, *file.rows[0].v_n);
@@ -54,7 +54,7 @@ TEST(InverseMechanizationModel, CountsSamplesOnTheGridAndCarriesTheWeek) {
 }
 
 TEST(InverseMechanizationModel, MeetsAttitudeAndVelocityOfEveryRowAndStaysAtItsPosition) {
-  const io::TrajectoryFile file = driving();
+  const TrajectoryFile file = driving();
   InverseMechanizationModel model = model_of(file);
   double position_m = 0.0, velocity_m_per_s = 0.0, attitude_rad = 0.0;
   for (std::size_t k = 1; k < file.rows.size(); ++k) {
@@ -105,8 +105,8 @@ TEST(InverseMechanizationModel, PublishesTheRateAndSpecificForceOfTheMotion) {
 
 TEST(InverseMechanizationModel, BoundsThePositionErrorOfAFileWhoseVelocityContradictsItsPositions) {
   const Vector3 contradiction_m_per_s(0.01, -0.02, 0.005);
-  io::TrajectoryFile file = rows_of(tables::at_wuhan(), 10.0, 300.0);
-  for (io::TrajectoryRow& row : file.rows) *row.v_n += contradiction_m_per_s;
+  TrajectoryFile file = rows_of(tables::at_wuhan(), 10.0, 300.0);
+  for (TrajectoryRow& row : file.rows) *row.v_n += contradiction_m_per_s;
   InverseMechanizationModel::Options options;
   options.position_feedback_per_s = 0.05;
   InverseMechanizationModel model = model_of(file, options);
@@ -118,8 +118,8 @@ TEST(InverseMechanizationModel, BoundsThePositionErrorOfAFileWhoseVelocityContra
 }
 
 TEST(InverseMechanizationModel, WithoutFeedbackTheContradictionAddsUp) {
-  io::TrajectoryFile file = rows_of(tables::at_wuhan(), 10.0, 100.0);
-  for (io::TrajectoryRow& row : file.rows) *row.v_n += Vector3(0.01, 0.0, 0.0);
+  TrajectoryFile file = rows_of(tables::at_wuhan(), 10.0, 100.0);
+  for (TrajectoryRow& row : file.rows) *row.v_n += Vector3(0.01, 0.0, 0.0);
   InverseMechanizationModel::Options options;
   options.position_feedback_per_s = 0.0;
   InverseMechanizationModel model = model_of(file, options);
@@ -129,8 +129,8 @@ TEST(InverseMechanizationModel, WithoutFeedbackTheContradictionAddsUp) {
 }
 
 TEST(InverseMechanizationModel, TakesIrregularRowsThatDoNotLieOnTheGrid) {
-  const io::TrajectoryFile dense = driving(1000.0);
-  io::TrajectoryFile irregular = dense;
+  const TrajectoryFile dense = driving(1000.0);
+  TrajectoryFile irregular = dense;
   irregular.rows.clear();
   // Every 1, 2, ... 99 ms.
   for (std::size_t i = 0, step = 1; i < dense.rows.size(); i += step, step = step % 99 + 1) {
@@ -148,7 +148,7 @@ TEST(InverseMechanizationModel, TakesIrregularRowsThatDoNotLieOnTheGrid) {
 }
 
 TEST(InverseMechanizationModel, EndsWithTheFile) {
-  io::TrajectoryFile file = driving();
+  TrajectoryFile file = driving();
   file.rows.resize(11);
   InverseMechanizationModel model = model_of(file);
   EXPECT_EQ(model.end(), time::Nanoseconds(50'000'000));
@@ -158,8 +158,8 @@ TEST(InverseMechanizationModel, EndsWithTheFile) {
 }
 
 TEST(InverseMechanizationModel, RefusesToLeaveTheDomain) {
-  io::TrajectoryFile file = rows_of(tables::at_wuhan(), 200.0, 1.0);
-  for (io::TrajectoryRow& row : file.rows) {
+  TrajectoryFile file = rows_of(tables::at_wuhan(), 200.0, 1.0);
+  for (TrajectoryRow& row : file.rows) {
     row.position.height_m = 99990.0 + 100.0 * time::to_seconds(row.time);
     row.v_n = Vector3(0.0, 0.0, -100.0);
   }

@@ -17,11 +17,11 @@ constexpr double kPlace_m = 2.9e-9;
 
 nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
 
-SmoothModel model_of(const io::TrajectoryFile& file, double rate_hz) {
+SmoothModel model_of(const TrajectoryFile& file, double rate_hz) {
   return {motion_through(file, {}), "row", nav::Gravity(), time::Rate(rate_hz), {2300, 0}};
 }
 
-std::vector<TruthState> run(const io::TrajectoryFile& file, double rate_hz) {
+std::vector<TruthState> run(const TrajectoryFile& file, double rate_hz) {
   SmoothModel model = model_of(file, rate_hz);
   std::vector<TruthState> truth{model.current()};
   const time::Rate rate(rate_hz);
@@ -31,8 +31,8 @@ std::vector<TruthState> run(const io::TrajectoryFile& file, double rate_hz) {
 
 /// A straight way east from 30 N, a row a second, at a steady speed, with bends as the function gives them.
 template <class NorthOf>
-io::TrajectoryFile eastward(double speed_m_per_s, int rows, NorthOf north_m) {
-  io::TrajectoryFile file;
+TrajectoryFile eastward(double speed_m_per_s, int rows, NorthOf north_m) {
+  TrajectoryFile file;
   file.name = "eastward";
   const nav::Geodetic start{30.0 * units::kDeg, 0.0, 100.0};
   for (int k = 0; k < rows; ++k) {
@@ -46,7 +46,7 @@ class RowMotionAt : public testing::TestWithParam<double> {};
 
 TEST_P(RowMotionAt, PassesThroughEveryRow) {
   for (const auto table : {tables::vehicle, tables::aircraft}) {
-    const io::TrajectoryFile file = rows::of_table(table(), GetParam(), 400.0);
+    const TrajectoryFile file = rows::of_table(table(), GetParam(), 400.0);
     const auto truth = run(file, 200.0);
     const auto every = static_cast<std::size_t>(std::lround(200.0 / GetParam()));
     for (std::size_t k = 0; k < file.rows.size(); ++k) {
@@ -63,8 +63,8 @@ INSTANTIATE_TEST_SUITE_P(Rows, RowMotionAt, testing::Values(1.0, 10.0, 50.0),
                          [](const auto& rate) { return std::to_string(int(rate.param)) + "Hz"; });
 
 TEST(RowMotion, TakesRowsAtIrregularTimes) {
-  const io::TrajectoryFile regular = rows::of_table(tables::vehicle(), 200.0, 400.0);
-  io::TrajectoryFile file = regular;
+  const TrajectoryFile regular = rows::of_table(tables::vehicle(), 200.0, 400.0);
+  TrajectoryFile file = regular;
   file.rows.clear();
   // From 5 to 85 ms apart.
   for (std::size_t k = 0, step = 1; k < regular.rows.size(); k += 1 + (5 * ++step) % 17)
@@ -92,7 +92,7 @@ TEST(RowMotion, SegmentIndexIsTheRowThatTheVehicleHasPassed) {
 }
 
 TEST(RowMotion, WithoutAttitudesTheNosePointsAlongTheVelocity) {
-  const io::TrajectoryFile file = rows::positions_of(rows::of_table(tables::aircraft(), 10.0, 400.0));
+  const TrajectoryFile file = rows::positions_of(rows::of_table(tables::aircraft(), 10.0, 400.0));
   const auto truth = run(file, 10.0);
   for (const TruthState& sample : truth) {
     if (std::hypot(sample.v_n.x(), sample.v_n.y()) < 0.3) continue;
@@ -103,7 +103,7 @@ TEST(RowMotion, WithoutAttitudesTheNosePointsAlongTheVelocity) {
 
 TEST(RowMotion, WithoutAttitudesATurnIsBankedUntilNothingPullsSideways) {
   // A circle of 2 deg/s at 60 m/s in the level: tan(bank) = v yaw'/g.
-  io::TrajectoryFile file;
+  TrajectoryFile file;
   file.name = "circle";
   const double rate = 2.0 * units::kDeg, radius_m = 60.0 / rate;
   const nav::Geodetic centre{-35.0 * units::kDeg, 149.0 * units::kDeg, 1000.0};
@@ -121,7 +121,7 @@ TEST(RowMotion, WithoutAttitudesATurnIsBankedUntilNothingPullsSideways) {
 }
 
 TEST(RowMotion, WithoutAttitudesTheBankStopsAtItsLimit) {
-  io::TrajectoryFile file = eastward(20.0, 60, [](int k) { return 80.0 * std::sin(0.3 * k); });
+  TrajectoryFile file = eastward(20.0, 60, [](int k) { return 80.0 * std::sin(0.3 * k); });
   scenario::PathAttitude level;
   level.max_bank_deg = 0.0;
   SmoothModel model(motion_through(file, level), "row", nav::Gravity(), time::Rate(1.0), {2300, 0});
@@ -133,7 +133,7 @@ TEST(RowMotion, WithoutAttitudesTheBankStopsAtItsLimit) {
 
 TEST(RowMotion, WithoutAttitudesAStandingVehicleKeepsItsHeading) {
   // 20 s east at 10 m/s, then 20 s at rest.
-  io::TrajectoryFile file = eastward(10.0, 41, [](int) { return 0.0; });
+  TrajectoryFile file = eastward(10.0, 41, [](int) { return 0.0; });
   for (std::size_t k = 21; k < 41; ++k) file.rows[k].position = file.rows[20].position;
   const auto truth = run(file, 1.0);
   for (std::size_t i = 25; i < truth.size(); ++i) {
@@ -155,7 +155,7 @@ TEST(RowMotion, EndsWithItsLastRow) {
 }
 
 TEST(RowMotion, RefusesOneRowAndPlacesOutsideTheDomain) {
-  io::TrajectoryFile file = rows::of_table(tables::vehicle(), 1.0, 3.0);
+  TrajectoryFile file = rows::of_table(tables::vehicle(), 1.0, 3.0);
   file.rows[2].position.height_m = 2e5;
   EXPECT_THROW(motion_through(file, {}), std::domain_error);
   file.rows.resize(1);

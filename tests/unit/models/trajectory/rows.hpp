@@ -11,8 +11,8 @@
 namespace inslab::trajectory::rows {
 
 /// What a file would say of a motion table at `rate_hz`, with all digits, from the start to `seconds`.
-inline io::TrajectoryFile of_table(const scenario::Trajectory& table, double rate_hz, double seconds) {
-  io::TrajectoryFile file;
+inline TrajectoryFile of_table(const scenario::Trajectory& table, double rate_hz, double seconds) {
+  TrajectoryFile file;
   file.name = "rows";
   MotionTableModel model(table, time::Rate(rate_hz), {2300, 0});
   for (long i = std::lround(seconds * rate_hz); i >= 0; --i) {
@@ -27,8 +27,8 @@ inline io::TrajectoryFile of_table(const scenario::Trajectory& table, double rat
 }
 
 /// The same without velocities and attitudes.
-inline io::TrajectoryFile positions_of(io::TrajectoryFile file) {
-  for (io::TrajectoryRow& row : file.rows) {
+inline TrajectoryFile positions_of(TrajectoryFile file) {
+  for (TrajectoryRow& row : file.rows) {
     row.v_n.reset();
     row.rpy.reset();
   }

@@ -18,7 +18,7 @@ constexpr double kPlace_m = 2.9e-9;
 
 nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
 
-std::vector<TruthState> run(const io::TrajectoryFile& file, double rate_hz) {
+std::vector<TruthState> run(const TrajectoryFile& file, double rate_hz) {
   SmoothModel model(motion_through(file, {}), "row", nav::Gravity(), time::Rate(rate_hz), {2300, 0});
   std::vector<TruthState> truth{model.current()};
   const time::Rate rate(rate_hz);
@@ -35,7 +35,7 @@ scenario::Trajectory moved(scenario::Trajectory table, double latitude_deg, doub
 
 struct Case {
   const char* name;
-  io::TrajectoryFile (*file)();
+  TrajectoryFile (*file)();
 };
 
 class SmoothTruth : public testing::TestWithParam<Case> {};

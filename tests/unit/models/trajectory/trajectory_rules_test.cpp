@@ -5,7 +5,7 @@
 
 #include "tests/unit/models/trajectory/tables.hpp"
 
-namespace inslab::scenario {
+namespace inslab::trajectory {
 namespace trajectory_rules_test {
 
 using trajectory::tables::at_wuhan;
@@ -23,63 +23,63 @@ struct NamesOfFields {
   }
 };
 
-std::set<std::string> fields_of(MotionType type) {
-  Motion m = motion(type);
+std::set<std::string> fields_of(scenario::MotionType type) {
+  scenario::Motion m = motion(type);
   NamesOfFields visitor;
-  Motion::fields(m, visitor);
+  scenario::Motion::fields(m, visitor);
   return visitor.names;
 }
 
 TEST(MotionFields, AreThoseOfTheTypeAlone) {
   using Names = std::set<std::string>;
-  EXPECT_EQ(fields_of(MotionType::Uniform), (Names{"type"}));
-  EXPECT_EQ(fields_of(MotionType::TargetSpeed), (Names{"type", "axis", "final_speed_m_per_s", "ramp_fraction"}));
-  EXPECT_EQ(fields_of(MotionType::SineAccel), (Names{"type", "axis", "amplitude_m_per_s2", "period_s"}));
-  EXPECT_EQ(fields_of(MotionType::CosineRate), (Names{"type", "axis", "amplitude_deg_per_s", "period_s"}));
-  EXPECT_EQ(fields_of(MotionType::Turn), (Names{"type", "axis", "angle_deg", "ramp_fraction"}));
+  EXPECT_EQ(fields_of(scenario::MotionType::Uniform), (Names{"type"}));
+  EXPECT_EQ(fields_of(scenario::MotionType::TargetSpeed), (Names{"type", "axis", "final_speed_m_per_s", "ramp_fraction"}));
+  EXPECT_EQ(fields_of(scenario::MotionType::SineAccel), (Names{"type", "axis", "amplitude_m_per_s2", "period_s"}));
+  EXPECT_EQ(fields_of(scenario::MotionType::CosineRate), (Names{"type", "axis", "amplitude_deg_per_s", "period_s"}));
+  EXPECT_EQ(fields_of(scenario::MotionType::Turn), (Names{"type", "axis", "angle_deg", "ramp_fraction"}));
 }
 
 TEST(MotionFields, NameEveryType) {
-  EXPECT_EQ(enum_name(MotionType::RampRate), "ramp_rate");
-  EXPECT_EQ(enum_name(MotionType::Turn), "turn");
-  EXPECT_EQ(enum_name(MotionType::CosineRate), "cosine_rate");
+  EXPECT_EQ(enum_name(scenario::MotionType::RampRate), "ramp_rate");
+  EXPECT_EQ(enum_name(scenario::MotionType::Turn), "turn");
+  EXPECT_EQ(enum_name(scenario::MotionType::CosineRate), "cosine_rate");
 }
 
 TEST(MotionAxis, IsForwardForSpeedsAndDownForTurnsUnlessNamed) {
-  EXPECT_EQ(axis_of(delta_speed(1.0)), Axis::X);
-  EXPECT_EQ(axis_of(motion(MotionType::Turn)), Axis::Z);
-  Motion heave = motion(MotionType::SineAccel);
-  heave.axis = Axis::Z;
-  EXPECT_EQ(axis_of(heave), Axis::Z);
+  EXPECT_EQ(scenario::axis_of(delta_speed(1.0)), scenario::Axis::X);
+  EXPECT_EQ(scenario::axis_of(motion(scenario::MotionType::Turn)), scenario::Axis::Z);
+  scenario::Motion heave = motion(scenario::MotionType::SineAccel);
+  heave.axis = scenario::Axis::Z;
+  EXPECT_EQ(scenario::axis_of(heave), scenario::Axis::Z);
 }
 
 TEST(TrajectoryRules, AcceptAPlainTable) {
-  Trajectory t = at_wuhan();
+  scenario::Trajectory t = at_wuhan();
   t.segments = {segment(10.0), segment(5.0, {target_speed(10.0), constant_rate(5.0)})};
-  EXPECT_FALSE(violation(t).has_value());
+  EXPECT_FALSE(scenario::violation(t).has_value());
 }
 
 TEST(TrajectoryRules, RefuseASecondAccelerationBesideATargetSpeed) {
-  Trajectory t = at_wuhan();
+  scenario::Trajectory t = at_wuhan();
   t.segments = {segment(10.0), segment(5.0, {target_speed(10.0), delta_speed(1.0)})};
-  ASSERT_TRUE(violation(t).has_value());
-  EXPECT_EQ(violation(t)->path, "segments[1].motions[1].axis");
+  ASSERT_TRUE(scenario::violation(t).has_value());
+  EXPECT_EQ(scenario::violation(t)->path, "segments[1].motions[1].axis");
 }
 
 TEST(TrajectoryRules, RefuseATargetSpeedAlongAnAxisThatTurnsAwayFromTheVelocity) {
-  Trajectory t = at_wuhan();
+  scenario::Trajectory t = at_wuhan();
   t.segments = {segment(5.0, {constant_rate(5.0), target_speed(10.0)})};
   t.segments[0].keep_velocity_on_nose = false;
-  ASSERT_TRUE(violation(t).has_value());
-  EXPECT_EQ(violation(t)->path, "segments[0].motions[0].type");
+  ASSERT_TRUE(scenario::violation(t).has_value());
+  EXPECT_EQ(scenario::violation(t)->path, "segments[0].motions[0].type");
 }
 
 TEST(TrajectoryRules, RefuseMoreThanABillionSeconds) {
-  Trajectory t = at_wuhan();
+  scenario::Trajectory t = at_wuhan();
   t.segments.assign(101, segment(1e7));
-  ASSERT_TRUE(violation(t).has_value());
-  EXPECT_EQ(violation(t)->path, "segments[100].duration_s");
+  ASSERT_TRUE(scenario::violation(t).has_value());
+  EXPECT_EQ(scenario::violation(t)->path, "segments[100].duration_s");
 }
 
 }  // namespace trajectory_rules_test
-}  // namespace inslab::scenario
+}  // namespace inslab::trajectory

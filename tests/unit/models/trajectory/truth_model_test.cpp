@@ -24,7 +24,7 @@ TEST(TruthModel, FollowsTheRowsOfTheScenariosFile) {
   const auto model = make_truth_model(scenario, {2300, 0});
   TruthState truth = model->current();
   for (std::uint64_t k = 1; k < scenario.truth_samples; ++k) truth = model->advance();
-  const io::TrajectoryRow& last = scenario.trajectory_file->rows.back();
+  const TrajectoryRow& last = scenario.trajectory_file->rows.back();
   ASSERT_EQ(truth.header.sim_time_ns, last.time.count());
   // Velocity linear over the 0.1 s between rows, where the turn's jerk is below 6 m/s^3: h^2/12 of it, for 8 s.
   EXPECT_LT(nav::ned_from(last.position, state_of(truth).position).norm(), 6.0 * 0.01 / 12.0 * 8.0);
@@ -53,7 +53,7 @@ TEST(TruthModel, PassesThroughTheRowsOfTheScenariosFileInSplineMode) {
   ASSERT_NE(dynamic_cast<const SmoothModel*>(model.get()), nullptr);
   TruthState truth = model->current();
   for (std::uint64_t k = 1; k < scenario.truth_samples; ++k) truth = model->advance();
-  const io::TrajectoryRow& last = scenario.trajectory_file->rows.back();
+  const TrajectoryRow& last = scenario.trajectory_file->rows.back();
   EXPECT_LT(nav::ned_from(last.position, state_of(truth).position).norm(), 3e-9);
   EXPECT_LT(nav::angle_between(truth.q_nv, nav::quaternion_from_rpy(*last.rpy)), 1e-14);
 }

@@ -287,7 +287,7 @@ TEST(NoseAlongTrack, IsRefusedWhereADroneLeavesItsPad) {
   try {
     make_truth_model(loaded, {2446, 0});
     FAIL() << "was accepted";
-  } catch (const config::Error& error) {
+  } catch (const json::Error& error) {
     const std::string what = error.what();
     EXPECT_NE(what.find("turns by"), std::string::npos) << what;
     EXPECT_NE(what.find("vehicle_class multirotor"), std::string::npos) << what;

@@ -13,7 +13,7 @@
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
 /// "Record a sensor, get its twin": a profile makes a log, the log a fit, the fit a profile.
-namespace inslab::cli {
+namespace inslab::calibrate {
 namespace recorded_imu_test {
 
 constexpr double kRate_hz = 50.0;
@@ -54,13 +54,13 @@ scenario::LoadedScenario turning() {
   return loaded;
 }
 
-class RecordedImu : public test::TemporaryFolder {
+class RecordedImu : public recordings::test::TemporaryFolder {
  protected:
   void SetUp() override {
-    test::TemporaryFolder::SetUp();
+    recordings::test::TemporaryFolder::SetUp();
     const scenario::LoadedScenario loaded = turning();
-    LogSink log(path("car.mcap"), loaded, {2400, 0});
-    OfflineRun run(loaded, {2400, 0}, RunId{}, log);
+    sim::LogSink log(path("car.mcap"), loaded, {2400, 0});
+    sim::OfflineRun run(loaded, {2400, 0}, RunId{}, log);
     while (run.step()) {
     }
     log.close();
@@ -97,7 +97,7 @@ TEST_F(RecordedImu, GivesBackTheProfileThatMadeItWithinItsConfidence) {
     EXPECT_THAT(axis.fit.terms, ::testing::UnorderedElementsAreArray(made_of)) << axis.axis;
     for (const FittedParameter& fitted : axis.parameters) {
       const double set = set_value(axis, fitted.parameter);
-      EXPECT_TRUE(fitted.interval.contains(set)) << io::kImuAxisNames[axis.axis] << ": " << set << " is not in "
+      EXPECT_TRUE(fitted.interval.contains(set)) << recordings::kImuAxisNames[axis.axis] << ": " << set << " is not in "
                                                  << fitted.interval.low << " to " << fitted.interval.high;
     }
   }
@@ -106,7 +106,7 @@ TEST_F(RecordedImu, GivesBackTheProfileThatMadeItWithinItsConfidence) {
 TEST_F(RecordedImu, ItsProfileIsAFileThatOurReaderTakes) {
   const ImuErrorProfile profile = fitted_profile(errors({allan::Term::White, allan::Term::GaussMarkov}));
   write_profile(path("twin.json"), profile);
-  const auto again = config::from_json<ImuErrorProfile>(config::read_json_file(path("twin.json")), path("twin.json"));
+  const auto again = json::from_json<ImuErrorProfile>(json::read_json_file(path("twin.json")), path("twin.json"));
   EXPECT_EQ(violation(again), std::nullopt);
   EXPECT_EQ(again.gyro.arw_deg_per_sqrt_h, profile.gyro.arw_deg_per_sqrt_h);
   EXPECT_EQ(again.gyro.bias_gm_correlation_time_s, profile.gyro.bias_gm_correlation_time_s);
@@ -117,11 +117,11 @@ TEST_F(RecordedImu, ItsProfileIsAFileThatOurReaderTakes) {
 TEST_F(RecordedImu, ReportAndPlotShowEveryAxis) {
   const ImuAnalysis analysis = errors({allan::Term::White});
   const std::string text = report_text(analysis);
-  for (const char* name : io::kImuAxisNames) EXPECT_THAT(text, ::testing::HasSubstr(name));
+  for (const char* name : recordings::kImuAxisNames) EXPECT_THAT(text, ::testing::HasSubstr(name));
   EXPECT_THAT(text, ::testing::HasSubstr("white noise (angle random walk)"));
   EXPECT_THAT(curve_csv(analysis), ::testing::HasSubstr("\naccel z,0.02"));
-  const std::string svg = io::drawn(curve_picture(analysis), io::PictureFormat::Svg);
-  for (const char* name : io::kImuAxisNames) EXPECT_THAT(svg, ::testing::HasSubstr(name));
+  const std::string svg = tables::drawn(curve_picture(analysis), tables::PictureFormat::Svg);
+  for (const char* name : recordings::kImuAxisNames) EXPECT_THAT(svg, ::testing::HasSubstr(name));
 }
 
 TEST_F(RecordedImu, WithoutItsTruthTheMeanIsNoBias) {
@@ -138,11 +138,11 @@ TEST_F(RecordedImu, AnImuThatTheLogLacksIsRefusedWithWhatItHas) {
   try {
     analyse_imu(path("car.mcap"), options);
     FAIL();
-  } catch (const io::ReadError& error) {
+  } catch (const files::ReadError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("has no topic inslab/imu/5"));
     EXPECT_THAT(error.what(), ::testing::HasSubstr("inslab/imu/0"));
   }
 }
 
 }  // namespace recorded_imu_test
-}  // namespace inslab::cli
+}  // namespace inslab::calibrate

@@ -8,13 +8,13 @@
 #include "inslab/referee/check/trajectory_check.hpp"
 #include "tests/unit/formats/text/temporary_folder.hpp"
 
-namespace inslab::cli {
+namespace inslab::check {
 namespace file_check_test {
 
 using testing::HasSubstr;
 using Form = FileKind::Form;
 
-class CheckedFile : public test::TemporaryFolder {
+class CheckedFile : public recordings::test::TemporaryFolder {
  protected:
   std::string file(const std::string& text) const {
     put(path("file"), text);
@@ -39,8 +39,8 @@ TEST_F(CheckedFile, IsRecognisedByItsContent) {
 }
 
 TEST_F(CheckedFile, ThatIsEmptyOrUnknownIsAnError) {
-  EXPECT_THROW(check(""), io::ReadError);
-  EXPECT_THROW(check("words\n"), io::ReadError);
+  EXPECT_THROW(check(""), files::ReadError);
+  EXPECT_THROW(check("words\n"), files::ReadError);
 }
 
 TEST_F(CheckedFile, OfTheKindThatIsAskedForIsGood) {
@@ -49,7 +49,7 @@ TEST_F(CheckedFile, OfTheKindThatIsAskedForIsGood) {
   EXPECT_EQ(checked.text, path("file") + ": good: vibration profile 'still' for a sensor of the kind imu\n");
 }
 
-TEST_F(CheckedFile, WithNothingButANameIsOfNoKind) { EXPECT_THROW(check(R"({"name": "x"})"), config::Error); }
+TEST_F(CheckedFile, WithNothingButANameIsOfNoKind) { EXPECT_THROW(check(R"({"name": "x"})"), json::Error); }
 
 TEST_F(CheckedFile, OfRowsIsJudgedAsATrajectory) {
   const FileCheck checked = check(
@@ -69,10 +69,10 @@ TEST_F(CheckedFile, OfRowsIsJudgedByTheLimitsThatAreGiven) {
   options.limits = {"max_gap_s=100"};
   EXPECT_TRUE(check_trajectory(options).is_good) << check_trajectory(options).text;
   options.limits = {"max_gap_s"};
-  EXPECT_THROW(check_trajectory(options), config::Error);
+  EXPECT_THROW(check_trajectory(options), json::Error);
   options.limits = {"no_such_limit=1"};
-  EXPECT_THROW(check_trajectory(options), config::Error);
+  EXPECT_THROW(check_trajectory(options), json::Error);
 }
 
 }  // namespace file_check_test
-}  // namespace inslab::cli
+}  // namespace inslab::check

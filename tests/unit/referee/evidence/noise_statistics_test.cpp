@@ -4,7 +4,7 @@
 
 #include "inslab/referee/evidence/residual_statistics.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 namespace noise_statistics_test {
 
 const Vector3 kX(1.0, 0.0, 0.0);
@@ -69,4 +69,4 @@ TEST(ResidualStatistics, OfASensorAtRestAreTheSpreadAboutALine) {
 }
 
 }  // namespace noise_statistics_test
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

@@ -5,7 +5,7 @@
 
 #include "inslab/data/catalog/profile_kinds.hpp"
 
-namespace inslab::cli::evidence {
+namespace inslab::evidence {
 namespace profile_uses_test {
 
 // A new term of a profile is handled, or it is named as left out: there is no third.
@@ -30,4 +30,4 @@ TEST(WeighedProfiles, NameWhatIsSetAndNoLineWeighs) {
 }
 
 }  // namespace profile_uses_test
-}  // namespace inslab::cli::evidence
+}  // namespace inslab::evidence

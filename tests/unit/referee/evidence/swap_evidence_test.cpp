@@ -14,29 +14,29 @@
 #include "tests/unit/formats/text/temporary_folder.hpp"
 #include "tests/unit/sim/journal_of_faults.hpp"
 
-namespace inslab::cli {
+namespace inslab::evidence {
 namespace swap_evidence_test {
 
 /// Writes a log that lies: what the log says differs from what the models did.
-class TamperingSink : public LogSink {
+class TamperingSink : public sim::LogSink {
  public:
-  using LogSink::LogSink;
+  using sim::LogSink::LogSink;
   double noise_factor = 1.0;
   std::uint64_t sequence_shift = 0;
 
   void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override {
     ImuSample changed = sample;
     changed.dtheta_b = truth.dtheta_b + noise_factor * (sample.dtheta_b - truth.dtheta_b);
-    LogSink::imu(index, noise_factor == 1.0 ? sample : changed, truth);
+    sim::LogSink::imu(index, noise_factor == 1.0 ? sample : changed, truth);
   }
   void ack(const ProfileAck& ack) override {
     ProfileAck changed = ack;
     changed.first_sequence += sequence_shift;
-    LogSink::ack(changed);
+    sim::LogSink::ack(changed);
   }
 };
 
-class SwapEvidenceOfDemo : public test::TemporaryFolder {
+class SwapEvidenceOfDemo : public recordings::test::TemporaryFolder {
  protected:
   /// A whole offline run of the demo: 60 s, four swaps, one of each kind.
   LogSummary write_log(double noise_factor = 1.0, std::uint64_t sequence_shift = 0) {
@@ -45,15 +45,15 @@ class SwapEvidenceOfDemo : public test::TemporaryFolder {
     TamperingSink sink(path("run.mcap"), loaded, start);
     sink.noise_factor = noise_factor;
     sink.sequence_shift = sequence_shift;
-    OfflineRun run(loaded, start, RunId{}, sink);
+    sim::OfflineRun run(loaded, start, RunId{}, sink);
     while (run.step()) {
     }
     sink.close();
-    return summarize(io::McapReader(path("run.mcap")));
+    return summarize(mcap::McapReader(path("run.mcap")));
   }
 
   std::vector<SwapEvidence> weigh(const LogSummary& summary) {
-    return weigh_swaps(io::McapReader(path("run.mcap")), summary);
+    return weigh_swaps(mcap::McapReader(path("run.mcap")), summary);
   }
 
   static bool holds(const std::vector<SwapEvidence>& all, ProfileKind kind) {
@@ -122,11 +122,11 @@ TEST_F(SwapEvidenceOfDemo, FailsForEachKindWhoseProfilePromisesOtherwise) {
   }
 }
 
-class SwapEvidenceOfShippedProfiles : public test::TemporaryFolder,
+class SwapEvidenceOfShippedProfiles : public recordings::test::TemporaryFolder,
                                       public testing::WithParamInterface<std::filesystem::path> {
  protected:
   static ImuErrorProfile profile(const std::filesystem::path& file) {
-    return config::from_json<ImuErrorProfile>(config::read_json_file(file.string()), file.string());
+    return json::from_json<ImuErrorProfile>(json::read_json_file(file.string()), file.string());
   }
 
   /// The demo's car, whose IMU changes to `errors` and then begins to vibrate.
@@ -144,11 +144,11 @@ class SwapEvidenceOfShippedProfiles : public test::TemporaryFolder,
     const time::GpsTime start = loaded.start(time::Nanoseconds(0));
     TamperingSink sink(path("run.mcap"), loaded, start);
     sink.noise_factor = noise_factor;
-    OfflineRun run(loaded, start, RunId{}, sink);
+    sim::OfflineRun run(loaded, start, RunId{}, sink);
     while (run.step()) {
     }
     sink.close();
-    const io::McapReader log(path("run.mcap"));
+    const mcap::McapReader log(path("run.mcap"));
     return weigh_swaps(log, summarize(log));
   }
 };
@@ -241,12 +241,12 @@ TEST(FilterResponse, WithoutAFilterIsThatOfWhiteNoise) {
 /// As long a journal as a soak makes: each swap has its first sample. What it costs is measured by bench_offline.
 TEST(SwapWindowsOfLog, FindTheFirstSampleOfEverySwapOfALongJournal) {
   constexpr std::uint32_t kSwaps = 16000;
-  const LogSummary summary = journal_of_faults(kSwaps);
+  const LogSummary summary = sim::journal_of_faults(kSwaps);
   SwapWindowsOfLog windows(summary);
-  for (std::uint32_t i = 1; i <= kSwaps; ++i) windows.add(sample_after(i, kSwaps), ImuTruth{}, TruthState{});
+  for (std::uint32_t i = 1; i <= kSwaps; ++i) windows.add(sim::sample_after(i, kSwaps), ImuTruth{}, TruthState{});
   ASSERT_EQ(windows.all().size(), kSwaps);
   for (std::uint32_t i = 1; i <= kSwaps; ++i) ASSERT_EQ(windows.all()[i - 1].first_sequence_seen, i);
 }
 
 }  // namespace swap_evidence_test
-}  // namespace inslab::cli
+}  // namespace inslab::evidence

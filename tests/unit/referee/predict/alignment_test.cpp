@@ -12,7 +12,7 @@
 #include "inslab/referee/calibrate/recording.hpp"
 #include "tests/unit/referee/verify/rows_held.hpp"
 
-namespace inslab::align {
+namespace inslab::predict {
 namespace alignment_test {
 
 constexpr double kLatitude_rad = 30.53 * units::kDeg;
@@ -118,4 +118,4 @@ TEST(AlignRecording, RefusesAFileWithoutAGoodSample) {
 }
 
 }  // namespace alignment_test
-}  // namespace inslab::align
+}  // namespace inslab::predict

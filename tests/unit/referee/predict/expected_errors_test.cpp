@@ -227,11 +227,11 @@ TEST(ExpectedErrors, WithFixesAreTheSigmasOfAFilterThatMatches) {
   roof.target = {SensorKind::Gnss, 0};
   roof.lever_arm_v_m = Vector3(1.0, 0.4, -1.2);
 
-  reference_nav::NavigationParameters parameters = reference_nav::matching_parameters(errors, {}, roof);
+  navigation::NavigationParameters parameters = navigation::matching_parameters(errors, {}, roof);
   parameters.initial.attitude_sigma_ned_deg = Vector3(0.2, 0.2, 1.0);
   parameters.zero_velocity.use = false;
   parameters.covariance_interval_s = 0.0;
-  reference_nav::NavigationFilter filter(parameters, nav::Gravity());
+  navigation::NavigationFilter filter(parameters, nav::Gravity());
   filter.start(nav_state(motion().front()), 0);
   ExpectedErrors::Setup setup;
   setup.gnss_number = 0;

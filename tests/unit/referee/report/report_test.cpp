@@ -19,7 +19,7 @@
 
 /// The report of a log that is written here: a car's ten seconds with an outage and a swap, and an app that is off by a
 /// constant.
-namespace inslab::cli {
+namespace inslab::report {
 namespace report_test {
 
 using testing::HasSubstr;
@@ -76,7 +76,7 @@ NavSolution off_by_a_constant(const TruthState& truth) {
   return solution;
 }
 
-class Report : public test::TemporaryFolder {
+class Report : public recordings::test::TemporaryFolder {
  protected:
   enum class With { Everything, NoImuTruth, ImuSamplesToo, ImuSamplesWithoutNoise };
 
@@ -86,12 +86,12 @@ class Report : public test::TemporaryFolder {
       loaded.imus[0].errors.gyro.arw_deg_per_sqrt_h.setConstant(0.1);
       loaded.imus[0].errors.accel.vrw_m_per_s_per_sqrt_h.setConstant(0.1);
     }
-    OfflineRun run(loaded, {2400, 0}, RunId{}, recorder_);
+    sim::OfflineRun run(loaded, {2400, 0}, RunId{}, recorder_);
     while (run.step()) {
     }
-    logger::RunLog log(path("log.mcap"), loaded, "");
+    sim::RunLog log(path("log.mcap"), loaded, "");
     const auto write = [&log](const std::string& topic, const auto& samples) {
-      io::LogChannel<typename std::decay_t<decltype(samples)>::value_type> channel(log.file(), topic);
+      log::LogChannel<typename std::decay_t<decltype(samples)>::value_type> channel(log.file(), topic);
       std::uint32_t number = 0;
       for (const auto& sample : samples) {
         const auto time_ns = static_cast<std::uint64_t>(sample.header.sim_time_ns);
@@ -102,9 +102,9 @@ class Report : public test::TemporaryFolder {
     if (with != With::NoImuTruth) write(catalog::stream_topic<ImuTruth>(0), recorder_.imu_truths);
     if (with >= With::ImuSamplesToo) write(catalog::stream_topic<ImuSample>(0), recorder_.samples);
     write(catalog::stream_topic<GnssFix>(0), recorder_.fixes);
-    io::LogChannel<ImuErrorProfile> journal(log.file(), catalog::journal_topic(ProfileKind::ImuError));
+    log::LogChannel<ImuErrorProfile> journal(log.file(), catalog::journal_topic(ProfileKind::ImuError));
     journal.write(std::get<ImuErrorProfile>(recorder_.entries.front()), 0, 0, 0);
-    io::LogChannel<NavSolution> nav(log.file(), catalog::kNav.name);
+    log::LogChannel<NavSolution> nav(log.file(), catalog::kNav.name);
     for (std::size_t k = 20; k < recorder_.truths.size(); k += 10) {
       const auto time_ns = static_cast<std::uint64_t>(recorder_.truths[k].header.sim_time_ns);
       nav.write(off_by_a_constant(recorder_.truths[k]), static_cast<std::uint32_t>(k), time_ns, time_ns);
@@ -113,11 +113,11 @@ class Report : public test::TemporaryFolder {
     return path("log.mcap");
   }
 
-  test::RunRecorder recorder_;
+  sim::test::RunRecorder recorder_;
 };
 
 TEST_F(Report, ExpectsWhatThePredictionAlongTheRunExpects) {
-  const ReportData data = report_data(io::McapReader(log(With::Everything)));
+  const ReportData data = report_data(mcap::McapReader(log(With::Everything)));
   predict::ExpectedErrors::Setup setup;
   setup.gnss_number = 0;
   setup.start.time_s = 0.1;
@@ -140,7 +140,7 @@ TEST_F(Report, ExpectsWhatThePredictionAlongTheRunExpects) {
 }
 
 TEST_F(Report, SaysInJsonWhatWasToBeExpectedOfAnOutage) {
-  const nlohmann::ordered_json json = report_json(report_data(io::McapReader(log(With::Everything))));
+  const nlohmann::ordered_json json = report_json(report_data(mcap::McapReader(log(With::Everything))));
   const auto& expected = json.at("expected");
   EXPECT_EQ(expected.at("of"), "the best filter of the fixes of gnss 0");
   ASSERT_EQ(expected.at("outages").size(), 1u);
@@ -153,7 +153,7 @@ TEST_F(Report, SaysInJsonWhatWasToBeExpectedOfAnOutage) {
 }
 
 TEST_F(Report, OfALogWithoutTheImusTruthSaysThatNothingIsExpected) {
-  const ReportData data = report_data(io::McapReader(log(With::NoImuTruth)));
+  const ReportData data = report_data(mcap::McapReader(log(With::NoImuTruth)));
   EXPECT_TRUE(data.expectation.curve.empty());
   EXPECT_EQ(report_json(data).at("expected").at("missing"), "the log has no inslab/imu_truth/0");
   EXPECT_GT(data.score.scorer.counts().scored, 100u);
@@ -180,8 +180,8 @@ ReportData with_a_leap(ReportData data, const TruthState& truth) {
 
 TEST_F(Report, NamesTheWorstMomentWithTheOutageTheMotionAndTheSwapBeforeIt) {
   const std::string path = log(With::Everything);
-  const ReportData data = with_a_leap(report_data(io::McapReader(path)), recorder_.truths[1400]);
-  const std::string words = worst_words(data.score);
+  const ReportData data = with_a_leap(report_data(mcap::McapReader(path)), recorder_.truths[1400]);
+  const std::string words = score::worst_words(data.score);
   EXPECT_THAT(words, HasSubstr("5 m horizontally and 1 m vertically at 7.000 s"));
   EXPECT_THAT(words, HasSubstr("3.00 s after the last fix (outage from 4.00 s to 8.10 s)"));
   EXPECT_THAT(words, HasSubstr("at 10.0 m/s"));
@@ -192,10 +192,10 @@ TEST_F(Report, NamesTheWorstMomentWithTheOutageTheMotionAndTheSwapBeforeIt) {
 }
 
 TEST_F(Report, SaysBesideItsPassWhatWasNotJudged) {
-  ReportData data = report_data(io::McapReader(log(With::Everything)));
+  ReportData data = report_data(mcap::McapReader(log(With::Everything)));
   const auto judged = [&data](const std::vector<scenario::AcceptanceLimit>& lines) {
     data.score.verdicts = score::judge(data.score.scorer, lines);
-    return verdict_words(data.score);
+    return score::verdict_words(data.score);
   };
   using scenario::Metric;
   using scenario::Phase;
@@ -213,8 +213,8 @@ TEST_F(Report, SaysBesideItsPassWhatWasNotJudged) {
 }
 
 TEST_F(Report, NamesIntervalsByWhatWasSwapped) {
-  const ReportData data = report_data(io::McapReader(log(With::Everything)));
-  const SwapIntervals intervals(data.summary);
+  const ReportData data = report_data(mcap::McapReader(log(With::Everything)));
+  const score::SwapIntervals intervals(data.summary);
   EXPECT_EQ(intervals.count(), 1u);
   EXPECT_EQ(intervals.at(6.0), 0u) << "an entry counts for what is later than its apply time";
   EXPECT_EQ(intervals.at(6.005), 1u);
@@ -225,7 +225,7 @@ TEST_F(Report, NamesIntervalsByWhatWasSwapped) {
 
 TEST_F(Report, DrawsALimitWhereItJudgesAndLinksItsLine) {
   const std::string path = log(With::Everything);
-  ReportData data = report_data(io::McapReader(path));
+  ReportData data = report_data(mcap::McapReader(path));
   using scenario::Metric;
   scenario::AcceptanceLimit early = at_most(Metric::HorizontalRms, 1.5, scenario::Phase::SwapInterval);
   early.after_s = 2.0;
@@ -252,7 +252,7 @@ TEST_F(Report, DrawsALimitWhereItJudgesAndLinksItsLine) {
 
 TEST_F(Report, GivesFiguresTheColourOfTheirVerdictAndSaysWhichRunItIs) {
   const std::string path = log(With::Everything);
-  ReportData data = report_data(io::McapReader(path));
+  ReportData data = report_data(mcap::McapReader(path));
   using scenario::Metric;
   data.score.verdicts = score::judge(data.score.scorer, {at_most(Metric::HorizontalRms, 0.1, scenario::Phase::All),
                                                          at_most(Metric::VerticalRms, 0.1, scenario::Phase::All)});
@@ -265,7 +265,7 @@ TEST_F(Report, GivesFiguresTheColourOfTheirVerdictAndSaysWhichRunItIs) {
 }
 
 TEST_F(Report, SaysWhyThereIsNoAllanDeviationAndGoesOn) {
-  const ReportData data = report_data(io::McapReader(log(With::ImuSamplesWithoutNoise)));
+  const ReportData data = report_data(mcap::McapReader(log(With::ImuSamplesWithoutNoise)));
   EXPECT_FALSE(data.imu_errors);
   EXPECT_THAT(html(report_page(data)), HasSubstr("No Allan deviation: "));
   EXPECT_GT(data.score.scorer.counts().scored, 100u);
@@ -308,7 +308,7 @@ TEST_F(Report, OfEveryKindTogetherOpensTheLogOnceAndReadsItTwice) {
   const Openings openings(path);
   const std::uint64_t before = bytes_read();
   if (before == 0) GTEST_SKIP() << "the kernel does not count what is read";
-  const ReportData data = report_data(io::McapReader(path));
+  const ReportData data = report_data(mcap::McapReader(path));
   const double read = static_cast<double>(bytes_read() - before);
   ASSERT_TRUE(data.imu_errors) << data.why_no_imu_errors;
   judgement_of(data, {});
@@ -341,4 +341,4 @@ TEST(ReportPage, ShowsTablesThatStandOutWhereALimitFailsAndNoMarkupOfTheScenario
 }
 
 }  // namespace report_test
-}  // namespace inslab::cli
+}  // namespace inslab::report

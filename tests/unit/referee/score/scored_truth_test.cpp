@@ -4,11 +4,11 @@
 #include "inslab/sim/offline_run.hpp"
 
 /// The scorer's true pose of an IMU is the one that the IMU's own model publishes.
-namespace inslab::cli {
+namespace inslab::score {
 namespace scored_truth_test {
 
 /// Scores the perfect answers of one IMU, over turns and over a swap of its installation.
-class PerfectAnswers : public RunSink {
+class PerfectAnswers : public sim::RunSink {
  public:
   PerfectAnswers(const scenario::LoadedScenario& loaded, std::uint32_t imu_number)
       : imu_number_(imu_number), scorer_(loaded.scenario, options_for(imu_number)) {
@@ -36,20 +36,20 @@ class PerfectAnswers : public RunSink {
   void gnss(std::size_t, const GnssFix&) override {}
   void ack(const ProfileAck&) override {}
 
-  const score::Scorer& finished() {
+  const Scorer& finished() {
     scorer_.finish();
     return scorer_;
   }
 
  private:
-  static score::Scorer::Options options_for(std::uint32_t imu_number) {
-    score::Scorer::Options options;
+  static Scorer::Options options_for(std::uint32_t imu_number) {
+    Scorer::Options options;
     options.imu_number = imu_number;
     return options;
   }
 
   std::uint32_t imu_number_;
-  score::Scorer scorer_;
+  Scorer scorer_;
 };
 
 // 16 s: 3200 samples at 200 Hz and 1600 at 100 Hz. Positions to the rounding of their angles, 1e-9 m.
@@ -57,12 +57,12 @@ TEST(TrueImu, IsWhereTheScorerTakesItToBeThroughTurnsAndASwapOfItsInstallation) 
   const auto loaded = scenario::load(std::string(INSLAB_SOURCE_DIR) + "/config/scenarios/two_imus_two_antennas.json");
   for (const std::uint32_t number : {0U, 1U}) {
     PerfectAnswers answers(loaded, number);
-    OfflineRun run(loaded, {2446, 36000'000'000'000}, RunId{}, answers);
+    sim::OfflineRun run(loaded, {2446, 36000'000'000'000}, RunId{}, answers);
     while (run.step()) {
     }
-    const score::Scorer& scorer = answers.finished();
+    const Scorer& scorer = answers.finished();
     ASSERT_EQ(scorer.counts().scored, number == 0 ? 3200U : 1600U);
-    const score::ErrorStatistics& all = scorer.phases().at({});
+    const ErrorStatistics& all = scorer.phases().at({});
     EXPECT_LT(all.position().largest.norm(), 5e-9);
     EXPECT_LT(all.velocity().largest.norm(), 1e-9);
     EXPECT_LT(all.phi().largest.norm(), 1e-12);
@@ -70,4 +70,4 @@ TEST(TrueImu, IsWhereTheScorerTakesItToBeThroughTurnsAndASwapOfItsInstallation) 
 }
 
 }  // namespace scored_truth_test
-}  // namespace inslab::cli
+}  // namespace inslab::score

@@ -27,7 +27,7 @@ scenario::Trajectory from_segment(scenario::Trajectory table, std::ptrdiff_t fir
 
 /// A minute of an aircraft's bumps and turns from another place.
 scenario::Trajectory aircraft_at(double latitude_deg, double longitude_deg, double height_m, double yaw_deg) {
-  scenario::Trajectory table = from_segment(tables::aircraft(), 7, 200.0);
+  scenario::Trajectory table = from_segment(trajectory::tables::aircraft(), 7, 200.0);
   table.initial = {latitude_deg, longitude_deg, height_m, 200.0, 0.0, 0.0, yaw_deg};
   return table;
 }
@@ -48,10 +48,10 @@ TEST_P(EcefReference, AgreesToAMicrometre) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Tables, EcefReference,
-                         testing::Values(Case{"basic", from_segment(tables::basic(), 1, 0.0), 90.0},
-                                         Case{"vehicle", from_segment(tables::vehicle(), 1, 0.0), 90.0},
-                                         Case{"aircraft", from_segment(tables::aircraft(), 6, 200.0), 110.0},
-                                         Case{"ship", tables::ship(), 60.0}, Case{"rocket", tables::rocket(), 60.0}),
+                         testing::Values(Case{"basic", from_segment(trajectory::tables::basic(), 1, 0.0), 90.0},
+                                         Case{"vehicle", from_segment(trajectory::tables::vehicle(), 1, 0.0), 90.0},
+                                         Case{"aircraft", from_segment(trajectory::tables::aircraft(), 6, 200.0), 110.0},
+                                         Case{"ship", trajectory::tables::ship(), 60.0}, Case{"rocket", trajectory::tables::rocket(), 60.0}),
                          [](const auto& table) { return table.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(

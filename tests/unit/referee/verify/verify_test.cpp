@@ -30,19 +30,19 @@ LoopCase two_minutes_of(const char* name, const scenario::Trajectory& trajectory
 
 TEST(VerifyClosedLoop, SparseRowsBySplineAreMetAndMechanizeWithinAMillimetre) {
   namespace tables = trajectory::tables;
-  const std::vector<LoopCase> cases{two_minutes_of("ship", tables::ship()),
-                                    two_minutes_of("aircraft", tables::aircraft())};
+  const std::vector<LoopCase> cases{two_minutes_of("ship", trajectory::tables::ship()),
+                                    two_minutes_of("aircraft", trajectory::tables::aircraft())};
   EXPECT_TRUE(every_row_held(spline_table("10 Hz", cases, time::Rate(10.0))));
   EXPECT_TRUE(every_row_held(spline_table("1 Hz", cases, time::Rate(1.0))));
 }
 
 /// A car's rows as a receiver would give them: 1 cm and 0.05 deg at random besides what contradictory_rows() does.
-std::shared_ptr<const io::TrajectoryFile> noisy_rows() {
-  auto file = std::make_shared<io::TrajectoryFile>(
+std::shared_ptr<const TrajectoryFile> noisy_rows() {
+  auto file = std::make_shared<TrajectoryFile>(
       *contradictory_rows(two_minutes_of("noisy", trajectory::tables::basic()), time::from_seconds(120.0)));
   std::mt19937 engine(3);
   std::normal_distribution<double> place_m(0.0, 0.01), angle_rad(0.0, 9e-4);
-  for (io::TrajectoryRow& row : file->rows) {
+  for (TrajectoryRow& row : file->rows) {
     row.position = nav::displaced(row.position, {place_m(engine), place_m(engine), place_m(engine)});
     row.rpy->yaw_rad += angle_rad(engine);
     row.rpy->roll_rad += angle_rad(engine);
@@ -85,7 +85,7 @@ TEST(VerifyClosedLoop, StaysWithinTheBoundOfAFileThatContradictsItself) {
 TEST(VerifyClosedLoop, StaysWithinTheBoundsOfRealFilesInBothModes) {
   const std::filesystem::path folder = std::string(INSLAB_SOURCE_DIR) + "/../shared/data/trajectories";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no real trajectories in " << folder;
-  const std::vector<std::shared_ptr<const io::TrajectoryFile>> files{
+  const std::vector<std::shared_ptr<const TrajectoryFile>> files{
       real_rows(folder / "whu_kfginsmatlab_dataset2_truth.nav"),
       real_rows(folder / "novatel_propak6_20Hz_profile10.csv")};
   EXPECT_TRUE(every_row_held(contradiction_table(files)));
@@ -93,7 +93,7 @@ TEST(VerifyClosedLoop, StaysWithinTheBoundsOfRealFilesInBothModes) {
 }
 
 TEST(VerifyClosedLoop, RefusesAFileWithoutAttitude) {
-  EXPECT_THROW(real_rows(std::string(INSLAB_SOURCE_DIR) + "/config/invalid/method_needs.csv"), config::Error);
+  EXPECT_THROW(real_rows(std::string(INSLAB_SOURCE_DIR) + "/config/invalid/method_needs.csv"), json::Error);
 }
 
 nav::NavState at_height(double height_m) { return {{0.5, 2.0, height_m}, nav::Vector3::Zero(), {1.0, 0.0, 0.0, 0.0}}; }

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace inslab::cli {
+namespace inslab::derived {
 namespace derived_files_test {
 
 TEST(DerivedFiles, AreInTheTreeAsTheDeclarationsSay) {
@@ -31,4 +31,4 @@ TEST(DerivedFiles, AreAllTheSchemasThereAre) {
 }
 
 }  // namespace derived_files_test
-}  // namespace inslab::cli
+}  // namespace inslab::derived

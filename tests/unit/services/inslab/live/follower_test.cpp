@@ -4,7 +4,7 @@
 
 #include "tests/unit/bus/client/fake_link.hpp"
 
-namespace inslab::cli {
+namespace inslab::live {
 namespace follower_test {
 
 using std::chrono::milliseconds;
@@ -98,4 +98,4 @@ TEST_F(FollowedRun, EndsBadlyWithSwapsThatWereNotSent) {
 }
 
 }  // namespace follower_test
-}  // namespace inslab::cli
+}  // namespace inslab::live

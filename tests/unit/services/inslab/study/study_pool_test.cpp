@@ -7,7 +7,7 @@
 
 #include "inslab/services/inslab/study/usage_watch.hpp"
 
-namespace inslab::cli {
+namespace inslab::study {
 namespace study_pool_test {
 
 using testing::ElementsAre;
@@ -99,4 +99,4 @@ TEST(UsageWatch, NamesWhatGrewFromTheFirstThirdToTheLast) {
 }
 
 }  // namespace study_pool_test
-}  // namespace inslab::cli
+}  // namespace inslab::study
