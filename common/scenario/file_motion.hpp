@@ -5,7 +5,7 @@
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/samples/trajectory_limits.hpp"
 #include "inslab/foundation/fields/field.hpp"
-#include "inslab/scenario/path_attitude.hpp"
+#include "inslab/scenario/attitude_from_path.hpp"
 
 namespace inslab::scenario {
 

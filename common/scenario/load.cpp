@@ -2,7 +2,7 @@
 
 #include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/formats/trajectory/trajectory_judge.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/noise/random/stream.hpp"
 #include "inslab/scenario/motion_matrix.hpp"
@@ -112,7 +112,7 @@ trajectory::TrajectoryReading read_rows(const std::filesystem::path& file, const
     const std::string prefix = file.string() + ": ";
     const std::string what = error.what();
     throw json::Error(file.string(),
-                        {Rule::Readable, "", what.rfind(prefix, 0) == 0 ? what.substr(prefix.size()) : what});
+                      {Rule::Readable, "", what.rfind(prefix, 0) == 0 ? what.substr(prefix.size()) : what});
   }
 }
 
@@ -124,8 +124,8 @@ std::shared_ptr<const TrajectoryFile> load_rows(const std::filesystem::path& fil
   const TrajectoryRow& first = reading.file.rows.front();
   if (motion.method == FileMethod::InverseMechanization && !(first.v_n && first.rpy)) {
     throw json::Error(file.string(), {Rule::MethodNeeds, "",
-                                        std::string("has no ") + (first.v_n ? "attitude" : "velocity") +
-                                            "; expected both for the method inverse_mechanization"});
+                                      std::string("has no ") + (first.v_n ? "attitude" : "velocity") +
+                                          "; expected both for the method inverse_mechanization"});
   }
   return std::make_shared<const TrajectoryFile>(std::move(reading.file));
 }
@@ -135,10 +135,11 @@ void check_rows_cover_run(const LoadedScenario& loaded) {
       loaded.truth_grid().at_or_before(time::from_seconds(loaded.scenario.duration_s));
   const time::Nanoseconds last_row = loaded.trajectory_file->rows.back().time;
   if (last_sample <= last_row) return;
-  throw json::Error(loaded.file.string(), {Rule::FileCoversRun, "duration_s",
-                                             "is " + inslab::samples::detail::number_text(loaded.scenario.duration_s) +
-                                                 "; the rows of the trajectory's file reach to " +
-                                                 inslab::samples::detail::number_text(time::to_seconds(last_row)) + " s"});
+  throw json::Error(loaded.file.string(),
+                    {Rule::FileCoversRun, "duration_s",
+                     "is " + inslab::samples::detail::number_text(loaded.scenario.duration_s) +
+                         "; the rows of the trajectory's file reach to " +
+                         inslab::samples::detail::number_text(time::to_seconds(last_row)) + " s"});
 }
 
 /// Afterwards the scenario says all by itself: what is logged with a run needs no other file.
@@ -229,7 +230,7 @@ nav::Gravity LoadedScenario::gravity() const {
 
 void LoadedScenario::no_such_sensor(std::string_view kind, const char* singular, std::uint32_t number) const {
   throw json::Error(file.string(), {Rule::SensorExists, std::string(kind),
-                                      std::string("has no ") + singular + " number " + std::to_string(number)});
+                                    std::string("has no ") + singular + " number " + std::to_string(number)});
 }
 
 }  // namespace inslab::scenario

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "inslab/data/json/error.hpp"
+#include "inslab/data/json/config_error.hpp"
 #include "inslab/foundation/fields/limits.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/text_lines.hpp"
 #include "inslab/foundation/text/shown.hpp"
 
@@ -113,15 +113,16 @@ class Line {
     if (found && static_cast<double>(whole) == number) return *found;
     std::string known;
     for (const auto one : EnumNames<MotionType>::numbers) known += (known.empty() ? "" : ", ") + std::to_string(one);
-    fail(Rule::MotionMatrix, "column 1 is " + samples::detail::number_text(number) + "; expected one of the types " + known);
+    fail(Rule::MotionMatrix,
+         "column 1 is " + samples::detail::number_text(number) + "; expected one of the types " + known);
   }
 
   void set(Motion& motion, double Motion::*parameter, double value, int column) const {
     if (parameter != nullptr) {
       motion.*parameter = value;
     } else if (value != 0.0) {
-      fail(Rule::MotionMatrix, "column " + std::to_string(column) + " is " + samples::detail::number_text(value) + "; " +
-                                   std::string(enum_name(motion.type)) + " has no parameter there: expected 0");
+      fail(Rule::MotionMatrix, "column " + std::to_string(column) + " is " + samples::detail::number_text(value) +
+                                   "; " + std::string(enum_name(motion.type)) + " has no parameter there: expected 0");
     }
   }
 

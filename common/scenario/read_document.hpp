@@ -17,7 +17,7 @@ T read_document(const std::filesystem::path& file, DocumentKind expected) {
     const auto kind = document_kind(json, expected);
     if (!is_about_keys || !kind || *kind == expected) throw;
     throw json::Error(file.string(),
-                        {Rule::KnownKey, "", "is " + words_of(*kind) + "; expected " + words_of(expected)});
+                      {Rule::KnownKey, "", "is " + words_of(*kind) + "; expected " + words_of(expected)});
   }
 }
 

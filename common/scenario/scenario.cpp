@@ -33,7 +33,8 @@ std::optional<Violation> rate_violation(const NamedRate& rate, const std::vector
     const double apart_ns = time::least_distance_ns(time::Rate(rate.hz), time::Rate(other.hz));
     const auto least_ns = static_cast<double>(time::Grid::kLeastApart.count());
     if (apart_ns >= least_ns) continue;
-    const std::string hz = inslab::samples::detail::number_text(rate.hz), other_hz = inslab::samples::detail::number_text(other.hz);
+    const std::string hz = inslab::samples::detail::number_text(rate.hz),
+                      other_hz = inslab::samples::detail::number_text(other.hz);
     return Violation{Rule::SensorInstants, rate.path,
                      "is " + hz + ", and its instants come within " +
                          inslab::samples::detail::number_text(std::round(10.0 * apart_ns) / 10.0) + " ns of those of " +

@@ -41,8 +41,7 @@ inline std::vector<ServiceKey> required_services(const LoadedScenario& scenario)
 
 /// Our consumers of a stream of sensor `number`: the logger, and the reference navigation app where it navigates by it.
 template <class Kind>
-std::vector<ServiceKey> stream_consumers(const Scenario& scenario, catalog::Audience audience,
-                                         std::uint32_t number) {
+std::vector<ServiceKey> stream_consumers(const Scenario& scenario, catalog::Audience audience, std::uint32_t number) {
   std::vector<ServiceKey> services{{kTruthLogger, 0u}};
   const auto& app = scenario.reference_nav;
   if (audience == catalog::Audience::App && app && sensor_of_the_app<Kind>(*app) == number) {

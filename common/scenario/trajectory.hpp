@@ -9,7 +9,7 @@
 #include "inslab/nav/gravity.hpp"
 #include "inslab/scenario/file_motion.hpp"
 #include "inslab/scenario/live_vehicle.hpp"
-#include "inslab/scenario/vehicle_attitude.hpp"
+#include "inslab/scenario/vehicle_class.hpp"
 #include "inslab/scenario/waypoint.hpp"
 
 /// The motion part of a scenario: where the vehicle starts and what it does, segment after segment.

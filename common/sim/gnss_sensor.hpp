@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "inslab/models/gnss/model.hpp"
+#include "inslab/models/gnss/gnss_model.hpp"
 #include "inslab/sim/run_sink.hpp"
 #include "inslab/sim/sensor.hpp"
 

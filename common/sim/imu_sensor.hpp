@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "inslab/models/imu/model.hpp"
+#include "inslab/models/imu/imu_model.hpp"
 #include "inslab/sim/run_sink.hpp"
 #include "inslab/sim/sensor.hpp"
 

@@ -9,7 +9,8 @@ namespace {
 
 template <class... Profile>
 std::tuple<log::LogChannel<Profile>...> journal_channels(mcap::McapWriter& log, Types<Profile...>) {
-  return std::tuple<log::LogChannel<Profile>...>(log::LogChannel<Profile>(log, catalog::journal_topic(Profile::kind))...);
+  return std::tuple<log::LogChannel<Profile>...>(
+      log::LogChannel<Profile>(log, catalog::journal_topic(Profile::kind))...);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/host/usage_error.hpp"
 
 namespace inslab::sim {
@@ -28,7 +28,7 @@ std::vector<UsedVehicleState> logged_vehicle_states(const std::string& log_path)
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (states[i].header.sequence_number == i) continue;
     throw files::ReadError(log_path + ": " + topic + ": number " + std::to_string(i) +
-                        " is missing, so the run cannot be repeated");
+                           " is missing, so the run cannot be repeated");
   }
   return states;
 }

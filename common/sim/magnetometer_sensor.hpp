@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "inslab/models/magnetometer/model.hpp"
+#include "inslab/models/magnetometer/magnetometer_model.hpp"
 #include "inslab/sim/run_sink.hpp"
 #include "inslab/sim/sensor.hpp"
 

@@ -1,7 +1,7 @@
 #include "inslab/sim/scenario_folder.hpp"
 
 #include "inslab/data/json/json_writer.hpp"
-#include "inslab/formats/text/nav_text.hpp"
+#include "inslab/formats/recordings/nav_text.hpp"
 #include "inslab/foundation/files/output_file.hpp"
 
 namespace inslab::sim {

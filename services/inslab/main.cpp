@@ -6,8 +6,8 @@
 #include <new>
 
 #include "inslab/bus/service/set_members.hpp"
-#include "inslab/data/json/error.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/data/json/config_error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/output_place.hpp"
 #include "inslab/foundation/files/unfinished.hpp"
 #include "inslab/foundation/host/command_ending.hpp"

@@ -29,7 +29,8 @@ class NavigatorOnBus {
   int run();
 
  private:
-  using Message = std::variant<service::Arrived<ImuSample>, service::Arrived<GnssFix>, SimStatus, ServiceStatus, Credit>;
+  using Message =
+      std::variant<service::Arrived<ImuSample>, service::Arrived<GnssFix>, SimStatus, ServiceStatus, Credit>;
 
   void handle(const Message& message);
   void handle(const service::Arrived<ImuSample>& arrived);

@@ -4,6 +4,7 @@
 int main(int argc, char** argv) {
   using namespace inslab;
   return service::run_service(app::kTrajectoryServer,
-                          "Sends the vehicle's true motion and keeps the run's clock and journal", {false, false, true},
-                          argc, argv, [](service::Context& context) { return trajectory_server::ServerOnBus(context).run(); });
+                              "Sends the vehicle's true motion and keeps the run's clock and journal",
+                              {false, false, true}, argc, argv,
+                              [](service::Context& context) { return trajectory_server::ServerOnBus(context).run(); });
 }

@@ -16,7 +16,7 @@
 #include "inslab/services/trajectory_server/vehicle_on_bus.hpp"
 #include "inslab/sim/other_runs.hpp"
 #include "inslab/sim/run_clock.hpp"
-#include "inslab/sim/run_control.hpp"
+#include "inslab/sim/run_gate.hpp"
 #include "inslab/sim/truth_source.hpp"
 
 namespace inslab::trajectory_server {

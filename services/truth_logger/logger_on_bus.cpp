@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/last_word.hpp"

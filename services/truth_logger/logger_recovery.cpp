@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/services/truth_logger/logger_on_bus.hpp"
 

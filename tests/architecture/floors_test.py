@@ -28,7 +28,7 @@ BREACHES = {  # what is planted where: (file, include) and what must be said of 
                                  "a library includes a service"),
     "a command on the bus itself": ("services/inslab/commands/run.cpp", '"inslab/bus/dds/participant.hpp"',
                                     "common/bus/client"),
-    "a command with a model": ("services/inslab/commands/run.cpp", '"inslab/models/imu/model.hpp"', "stands in a library"),
+    "a command with a model": ("services/inslab/commands/run.cpp", '"inslab/models/imu/imu_model.hpp"', "stands in a library"),
     "not by its path": ("common/nav/strapdown.cpp", '"geodesy.hpp"', 'ours are included as "inslab/<path>"'),
     "no such folder": ("common/nav/strapdown.cpp", '"inslab/geodesy/wgs84.hpp"', "there is no folder geodesy"),
 }
@@ -106,7 +106,7 @@ class Floors(unittest.TestCase):
     def test_takes_what_keeps_to_the_floors(self):
         for path, include in {
             "common/nav/strapdown.cpp": "<Eigen/Core>",
-            "common/sim/offline_run.cpp": '"inslab/models/imu/model.hpp"',
+            "common/sim/offline_run.cpp": '"inslab/models/imu/imu_model.hpp"',
             "common/bus/dds/type_adapter.cpp": "<fastdds/dds/topic/Topic.hpp>",
             "services/inslab/commands/run.cpp": '"inslab/services/inslab/live/live_run.hpp"',
         }.items():

@@ -86,8 +86,8 @@ std::vector<Step> make_steps() {
 
 template <class T>
 std::uint16_t add(mcap::McapWriter& writer, const std::string& topic) {
-  const auto schema =
-      writer.add_schema(catalog::WireType<T>::name, "omgidl", catalog::self_contained_idl(catalog::WireType<T>::idl_file));
+  const auto schema = writer.add_schema(catalog::WireType<T>::name, "omgidl",
+                                        catalog::self_contained_idl(catalog::WireType<T>::idl_file));
   return writer.add_channel(schema, topic, "cdr");
 }
 

@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "inslab/models/gnss/model.hpp"
-#include "inslab/models/imu/model.hpp"
+#include "inslab/models/gnss/gnss_model.hpp"
+#include "inslab/models/imu/imu_model.hpp"
 #include "inslab/noise/random/stream.hpp"
 
 /// Price of the models on one core. Goals: 12 ns a normal number, 3 M samples/s of an IMU with bias and noise, 1 M of

@@ -30,7 +30,8 @@ void Rocket(benchmark::State& state) { drive(state, trajectory::tables::rocket()
 void Segments(benchmark::State& state) {
   scenario::Trajectory table = trajectory::tables::at_wuhan();
   for (int i = 0; i < state.range(0); i += 2) {
-    table.segments.push_back(trajectory::tables::segment(0.5, {trajectory::tables::target_speed(i % 4 == 0 ? 10.0 : 5.0)}));
+    table.segments.push_back(
+        trajectory::tables::segment(0.5, {trajectory::tables::target_speed(i % 4 == 0 ? 10.0 : 5.0)}));
     table.segments.push_back(trajectory::tables::segment(0.5, {trajectory::tables::turn(i % 4 == 0 ? 20.0 : -20.0)}));
   }
   drive(state, table, 200.0);
@@ -38,8 +39,8 @@ void Segments(benchmark::State& state) {
 
 /// Rows at the rate given, truth at 200 Hz.
 void InverseMechanization(benchmark::State& state) {
-  const auto file =
-      std::make_shared<TrajectoryFile>(trajectory::rows_of(trajectory::tables::vehicle(), static_cast<double>(state.range(0)), 1200.0));
+  const auto file = std::make_shared<TrajectoryFile>(
+      trajectory::rows_of(trajectory::tables::vehicle(), static_cast<double>(state.range(0)), 1200.0));
   trajectory::InverseMechanizationModel model(file, nav::Gravity(), {}, time::Rate(200.0), {2300, 0});
   double sum = 0.0;
   for (auto _ : state) benchmark::DoNotOptimize(sum += model.advance().dv_v.x());

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "inslab/bus/dds/reader.hpp"
-#include "inslab/bus/dds/topics.hpp"
+#include "inslab/bus/dds/typed_topics.hpp"
 #include "inslab/bus/dds/writer.hpp"
 
 namespace inslab::dds {

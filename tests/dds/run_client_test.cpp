@@ -64,7 +64,7 @@ TEST(RunClient, IsConnectedOnlyOnceTheTrajectoryServerItselfHearsEveryKindOfRequ
   Participant own(service::participant_options(network, "inslab-follow"));
   const RequestReaders logger(of_logger);
   const OpenReader<SimCommand> commands(of_server, dds::topics::sim_command(),
-                                             [](const SimCommand&, const SampleOrigin&) {});
+                                        [](const SimCommand&, const SampleOrigin&) {});
   Writer<SimStatus> statuses(of_server, dds::topics::sim_status());
   client::RunClient client(own);
   SimStatus status;

@@ -10,7 +10,7 @@
 #include <memory>
 #include <regex>
 
-#include "inslab/bus/dds/topics.hpp"
+#include "inslab/bus/dds/typed_topics.hpp"
 #include "inslab/bus/dds/writer.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "tests/e2e/process.hpp"

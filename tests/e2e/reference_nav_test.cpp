@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "inslab/bus/dds/reader.hpp"
-#include "inslab/bus/dds/topics.hpp"
+#include "inslab/bus/dds/typed_topics.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "tests/e2e/logged_samples.hpp"
 #include "tests/e2e/process.hpp"

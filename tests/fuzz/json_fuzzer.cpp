@@ -1,7 +1,7 @@
 // Scenario and profile files: any text gives a value or a config::Error, nothing else.
 #include <string>
 
-#include "inslab/data/json/error.hpp"
+#include "inslab/data/json/config_error.hpp"
 #include "inslab/scenario/load.hpp"
 #include "tests/fuzz/memory_file.hpp"
 

@@ -1,7 +1,7 @@
 // Logs: any bytes give messages or an io::ReadError, nothing else.
 #include "inslab/formats/log/log_info.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "tests/fuzz/memory_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "inslab/formats/novatel/novatel_imu.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "tests/fuzz/memory_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "inslab/data/json/error.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/data/json/config_error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/output_place.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "tests/mutations/mutator.hpp"

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "inslab/formats/export/log_export.hpp"
-#include "inslab/formats/export/log_file_export.hpp"
+#include "inslab/formats/exports/log_export.hpp"
+#include "inslab/formats/exports/log_file_export.hpp"
 #include "inslab/formats/mcap/mcap_put.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
 #include "inslab/foundation/files/byte_writer.hpp"

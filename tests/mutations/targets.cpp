@@ -3,16 +3,16 @@
 #include <filesystem>
 
 #include "inslab/data/json/json_text.hpp"
-#include "inslab/formats/export/log_export.hpp"
-#include "inslab/formats/export/log_file_export.hpp"
+#include "inslab/formats/exports/log_export.hpp"
+#include "inslab/formats/exports/log_file_export.hpp"
 #include "inslab/formats/log/log_info.hpp"
 #include "inslab/formats/novatel/novatel_imu.hpp"
 #include "inslab/formats/profile_import/conversion.hpp"
-#include "inslab/formats/text/gnss_text.hpp"
-#include "inslab/formats/text/imu_recording.hpp"
+#include "inslab/formats/recordings/gnss_text.hpp"
+#include "inslab/formats/recordings/imu_recording.hpp"
 #include "inslab/formats/trajectory/trajectory_judge.hpp"
 #include "inslab/formats/trajectory/trajectory_repair.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/models/navigation/parameters_file.hpp"
 #include "inslab/referee/calibrate/profile_file.hpp"
 #include "inslab/referee/navigate/offline_filter.hpp"
@@ -90,9 +90,10 @@ void read_text(const std::string& path, const std::string& what) {
 
 void import(const std::string& path, const std::string& what) {
   const profile_import::ImportOptions options{200.0, ""};
-  const profile_import::ImportedProfile imported = what == "kf-gins"  ? profile_import::import_kf_gins(path, options)
-                                        : what == "gazebo" ? profile_import::import_gazebo(path, options)
-                                                           : profile_import::import_gnss_ins_sim(path, options);
+  const profile_import::ImportedProfile imported = what == "kf-gins" ? profile_import::import_kf_gins(path, options)
+                                                   : what == "gazebo"
+                                                       ? profile_import::import_gazebo(path, options)
+                                                       : profile_import::import_gnss_ins_sim(path, options);
   calibrate::profile_text(imported.profile);
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "inslab/models/gnss/model.hpp"
+#include "inslab/models/gnss/gnss_model.hpp"
 #include "inslab/nav/geodesy.hpp"
 
 namespace inslab::statistical {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "inslab/models/imu/model.hpp"
+#include "inslab/models/imu/imu_model.hpp"
 #include "inslab/noise/allan/allan_stream.hpp"
 #include "inslab/noise/allan/noise_model.hpp"
 

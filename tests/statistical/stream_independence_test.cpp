@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "inslab/models/gnss/model.hpp"
-#include "inslab/models/imu/model.hpp"
+#include "inslab/models/gnss/gnss_model.hpp"
+#include "inslab/models/imu/imu_model.hpp"
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/scenario/load.hpp"
 

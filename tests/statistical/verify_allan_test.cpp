@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "inslab/referee/verify/allan.hpp"
+#include "inslab/referee/verify/allan_block.hpp"
 
 /// The code of `inslab verify allan`, on runs short enough for every day; its whole table is in docs/allan.md.
 namespace inslab::statistical {

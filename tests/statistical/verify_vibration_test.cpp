@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "inslab/foundation/units/units.hpp"
-#include "inslab/referee/verify/vibration.hpp"
+#include "inslab/referee/verify/vibration_block.hpp"
 
 /// The block of `inslab verify vibration`, row by row as the command runs it, and that a wrong figure is seen.
 namespace inslab::statistical {
@@ -12,7 +12,8 @@ namespace verify_vibration_test {
 constexpr double kDt = 5e-3;
 
 TEST(VerifyVibration, EveryRowHolds) {
-  for (const verify::Table& table : verify::vibration_tables(false)) EXPECT_TRUE(table.held()) << verify::to_text(table);
+  for (const verify::Table& table : verify::vibration_tables(false))
+    EXPECT_TRUE(table.held()) << verify::to_text(table);
 }
 
 TEST(VerifyVibration, TheResidualOfTheTwoSampleAlgorithmFallsWithTheFourthPowerOfTheInterval) {

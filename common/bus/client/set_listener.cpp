@@ -61,7 +61,7 @@ std::optional<SimStatus> SetListener::run() const {
 }
 
 std::vector<scenario::ServiceKey> missing_of(const std::vector<scenario::ServiceKey>& expected,
-                                        const std::vector<Heartbeats>& services) {
+                                             const std::vector<Heartbeats>& services) {
   std::vector<scenario::ServiceKey> missing;
   for (const scenario::ServiceKey& key : expected) {
     const bool lives = std::any_of(services.begin(), services.end(), [&key](const Heartbeats& service) {
@@ -81,7 +81,8 @@ std::vector<scenario::ServiceKey> expected_services(const std::string& scenario_
     });
     expected.emplace_back(app::kTruthLogger, 0u);
   } else {
-    for (const scenario::ServiceKey& key : scenario::required_services(scenario::load(scenario_file))) expected.push_back(key);
+    for (const scenario::ServiceKey& key : scenario::required_services(scenario::load(scenario_file)))
+      expected.push_back(key);
   }
   return expected;
 }

@@ -47,7 +47,7 @@ class SetListener {
 
 /// Those of the expected services that are not among the living.
 std::vector<scenario::ServiceKey> missing_of(const std::vector<scenario::ServiceKey>& expected,
-                                        const std::vector<Heartbeats>& services);
+                                             const std::vector<Heartbeats>& services);
 
 /// The services of a scenario's set; of no scenario: one of each. Throws config::Error, io::ReadError.
 std::vector<scenario::ServiceKey> expected_services(const std::string& scenario_file);

@@ -8,7 +8,7 @@
 
 #include "inslab/bus/dds/reader.hpp"
 #include "inslab/bus/dds/seen_numbers.hpp"
-#include "inslab/bus/dds/topics.hpp"
+#include "inslab/bus/dds/typed_topics.hpp"
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/text/shown.hpp"

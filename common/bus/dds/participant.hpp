@@ -11,8 +11,8 @@
 
 #include "inslab/bus/dds/fast_dds.hpp"
 #include "inslab/bus/dds/peers.hpp"
-#include "inslab/bus/dds/topics.hpp"
 #include "inslab/bus/dds/type_adapter.hpp"
+#include "inslab/bus/dds/typed_topics.hpp"
 
 namespace eprosima::fastdds::dds {
 class Publisher;

@@ -1,6 +1,6 @@
 #include "inslab/bus/service/clock_override.hpp"
 
-#include "inslab/data/json/error.hpp"
+#include "inslab/data/json/config_error.hpp"
 
 namespace inslab::service {
 

@@ -7,7 +7,7 @@
 
 #include "inslab/data/json/json_writer.hpp"
 #include "inslab/data/wire/cdr.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 
 namespace inslab::service {
 

@@ -8,8 +8,8 @@
 #include "inslab/bus/service/clock_override.hpp"
 #include "inslab/bus/service/scenario_hash.hpp"
 #include "inslab/bus/service/set_members.hpp"
-#include "inslab/data/json/error.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/data/json/config_error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
@@ -57,7 +57,7 @@ dds::ParticipantOptions participant_options(const NetworkOptions& network, const
 }
 
 streams::Identity identity_of(const std::string& service, const ServiceOptions& options,
-                     const scenario::LoadedScenario& scenario) {
+                              const scenario::LoadedScenario& scenario) {
   streams::Identity identity;
   identity.service = service;
   identity.sensor_number = options.sensor;

@@ -36,7 +36,7 @@ class Context {
 
 /// What this process says of itself, as `service` with what it was given.
 streams::Identity identity_of(const std::string& service, const ServiceOptions& options,
-                     const scenario::LoadedScenario& scenario);
+                              const scenario::LoadedScenario& scenario);
 
 /// The participant options that the command line asks for.
 dds::ParticipantOptions participant_options(const NetworkOptions& network, const std::string& name);

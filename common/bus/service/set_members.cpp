@@ -17,8 +17,8 @@ time::Nanoseconds time_to_hear(const dds::Participant& participant) {
 }
 
 std::string refusal(const streams::Identity& other, const std::string& reason, const std::string& advice) {
-  return streams::words_of(other) + " " + reason + (other.unit.empty() ? "" : " in the unit '" + other.unit + "'") + "; " +
-         advice;
+  return streams::words_of(other) + " " + reason + (other.unit.empty() ? "" : " in the unit '" + other.unit + "'") +
+         "; " + advice;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "inslab/bus/dds/topics.hpp"
+#include "inslab/bus/dds/typed_topics.hpp"
 #include "inslab/bus/dds/writer.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "inslab/bus/service/set_reader.hpp"
@@ -79,7 +79,8 @@ class StreamInput {
     const bool repeat = host::monotonic_now() >= next_credit_;
     const bool moved = lockstep_ && wanted != wanted_;
     // In lockstep the next block follows upon a credit; one that was sent before this process listened is sent again.
-    const bool silent = lockstep_ && pending_.empty() && host::monotonic_now() - came_at_ > std::chrono::milliseconds(400);
+    const bool silent =
+        lockstep_ && pending_.empty() && host::monotonic_now() - came_at_ > std::chrono::milliseconds(400);
     const bool lacks = gap || silent;
     if (moved || (repeat && (lacks || lockstep_))) give_credit(gap ? next_ : wanted, lacks && repeat);
   }

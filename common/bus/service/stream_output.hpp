@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "inslab/bus/dds/topics.hpp"
+#include "inslab/bus/dds/typed_topics.hpp"
 #include "inslab/bus/dds/writer.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "inslab/data/requests/run_control.hpp"
@@ -42,10 +42,10 @@ class StreamOutput {
   }
 
   struct Settings {
-    std::vector<streams::ConsumerKey> consumers;     ///< of ours; each reads the single samples and the blocks
-    bool paced_by_nav_app = false;          ///< the app under test is a consumer too, see TruthFollower
-    std::uint64_t window = kWindowSamples;  ///< lockstep: samples ahead of the slowest credit
-    std::size_t kept = 2 * kWindowSamples;  ///< samples that can be asked for again
+    std::vector<streams::ConsumerKey> consumers;  ///< of ours; each reads the single samples and the blocks
+    bool paced_by_nav_app = false;                ///< the app under test is a consumer too, see TruthFollower
+    std::uint64_t window = kWindowSamples;        ///< lockstep: samples ahead of the slowest credit
+    std::size_t kept = 2 * kWindowSamples;        ///< samples that can be asked for again
   };
 
   StreamOutput(Context& context, const dds::Topic<Sample>& topic, const Settings& settings)

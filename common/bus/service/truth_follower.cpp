@@ -75,7 +75,8 @@ std::string TruthFollower::missing() const {
       status_reader_.matched_writers() == 0) {
     return "waits for the trajectory server";
   }
-  if (nav_reader_ && nav_reader_->matched_writers() == 0) return std::string(scenario::kWaitsForApp) + "a writer of inslab/nav";
+  if (nav_reader_ && nav_reader_->matched_writers() == 0)
+    return std::string(scenario::kWaitsForApp) + "a writer of inslab/nav";
   return consumer_.missing_readers();
 }
 

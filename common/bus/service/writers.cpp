@@ -93,7 +93,8 @@ void Writers::keep_fault(const std::string& words) {
   if (fault_.empty()) fault_ = words;
 }
 
-std::string Writers::objection(const Stream& stream, const scenario::ServiceKey& role, const dds::ParticipantKey& sender,
+std::string Writers::objection(const Stream& stream, const scenario::ServiceKey& role,
+                               const dds::ParticipantKey& sender,
                                const std::optional<streams::Identity>& identity) const {
   const std::string expected = role.first + " " + std::to_string(role.second);
   if (!identity || identity->role() != role || identity->unit != own_.unit) return "only " + expected + " may write it";

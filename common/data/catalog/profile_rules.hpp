@@ -210,7 +210,7 @@ inline std::optional<Violation> violation(const InstallationProfile& profile) {
   }
   if (has_axes(profile.target.kind)) return std::nullopt;
   return samples::detail::zero_violation(Rule::AntennaMounting, "mounting_rpy_deg", profile.mounting_rpy_deg,
-                                "is not 0; an antenna has no axes");
+                                         "is not 0; an antenna has no axes");
 }
 
 inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
@@ -263,7 +263,7 @@ inline std::optional<Violation> violation(const MagnetometerErrorProfile& profil
   if (auto broken = samples::detail::target_violation(profile)) return broken;
   if (auto broken = samples::detail::fade_violation(profile.request)) return broken;
   if (auto broken = samples::detail::correlation_violation("gm_correlation_time_s", "gm_sigma_nt", profile.gm_sigma_nt,
-                                                  profile.gm_correlation_time_s)) {
+                                                           profile.gm_correlation_time_s)) {
     return broken;
   }
   return samples::detail::in_order_violation("currents", profile.currents);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "inslab/data/json/error.hpp"
+#include "inslab/data/json/config_error.hpp"
 #include "inslab/foundation/files/files_read.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
 #include "inslab/foundation/text/shown.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "inslab/data/json/error.hpp"
+#include "inslab/data/json/config_error.hpp"
 #include "inslab/data/json/json_file.hpp"
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/text/nearest.hpp"

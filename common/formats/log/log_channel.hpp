@@ -16,9 +16,9 @@ class LogChannel {
   /// The log must live as long. Throws WriteError.
   LogChannel(mcap::McapWriter& log, std::string_view topic, const mcap::StringMap& metadata = {})
       : log_(&log),
-        id_(log.add_channel(
-            log.add_schema(catalog::WireType<T>::name, "omgidl", catalog::self_contained_idl(catalog::WireType<T>::idl_file)),
-            topic, "cdr", metadata)) {}
+        id_(log.add_channel(log.add_schema(catalog::WireType<T>::name, "omgidl",
+                                           catalog::self_contained_idl(catalog::WireType<T>::idl_file)),
+                            topic, "cdr", metadata)) {}
 
   /// Adds a sample; errors as McapWriter::write().
   void write(const T& sample, std::uint32_t sequence, std::uint64_t log_time_ns, std::uint64_t publish_time_ns) {

@@ -20,11 +20,12 @@ std::set<std::uint16_t> channels_of(const mcap::McapReader& log, const std::stri
   return found;
 }
 
-std::set<std::uint16_t> needed_channels_of(const mcap::McapReader& log, const std::string& topic, std::string_view type) {
+std::set<std::uint16_t> needed_channels_of(const mcap::McapReader& log, const std::string& topic,
+                                           std::string_view type) {
   std::set<std::uint16_t> channels = channels_of(log, topic, type);
   if (!channels.empty()) return channels;
   throw files::ReadError(log.path() + ": has no topic " + topic + " of the type " + std::string(type) + "; it has " +
-                  topics_text(log));
+                         topics_text(log));
 }
 
 std::string topics_text(const mcap::McapReader& log) {

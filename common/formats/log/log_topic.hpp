@@ -7,7 +7,7 @@
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 
 namespace inslab::log {
 
@@ -18,7 +18,8 @@ std::map<std::uint16_t, std::string> channel_types(const mcap::McapReader& log);
 std::set<std::uint16_t> channels_of(const mcap::McapReader& log, const std::string& topic, std::string_view type);
 
 /// The same. Throws ReadError, saying what the log has, when it has none.
-std::set<std::uint16_t> needed_channels_of(const mcap::McapReader& log, const std::string& topic, std::string_view type);
+std::set<std::uint16_t> needed_channels_of(const mcap::McapReader& log, const std::string& topic,
+                                           std::string_view type);
 
 /// The topics of a log with their types, for messages: "inslab/truth (inslab::TruthState), ...".
 std::string topics_text(const mcap::McapReader& log);

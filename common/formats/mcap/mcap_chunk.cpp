@@ -10,20 +10,21 @@
 namespace inslab::mcap {
 namespace {
 
-files::Bytes decompress(const std::string& place, const std::uint8_t* data, std::size_t size, std::size_t expected_size) {
+files::Bytes decompress(const std::string& place, const std::uint8_t* data, std::size_t size,
+                        std::size_t expected_size) {
   // What the frame says of itself is asked first, so that a lying chunk allocates nothing.
   const unsigned long long content = ZSTD_getFrameContentSize(data, size);
   if (content == ZSTD_CONTENTSIZE_ERROR) throw files::ReadError(place + ": expected a zstd frame");
   if (content != ZSTD_CONTENTSIZE_UNKNOWN && content != expected_size) {
     throw files::ReadError(place + ": expected a zstd frame of " + std::to_string(expected_size) + " bytes, found " +
-                    std::to_string(content));
+                           std::to_string(content));
   }
   files::Bytes out(expected_size);
   const std::size_t written = ZSTD_decompress(out.data(), out.size(), data, size);
   if (ZSTD_isError(written) != 0) throw files::ReadError(place + ": zstd: " + ZSTD_getErrorName(written));
   if (written != expected_size) {
-    throw files::ReadError(place + ": expected " + std::to_string(expected_size) + " bytes after decompression, found " +
-                    std::to_string(written));
+    throw files::ReadError(place + ": expected " + std::to_string(expected_size) +
+                           " bytes after decompression, found " + std::to_string(written));
   }
   return out;
 }
@@ -34,7 +35,7 @@ Chunk::Chunk(const files::InputFile& file, std::uint64_t offset, std::uint64_t l
     : offset_(offset), place_(file.path() + ": chunk at byte " + std::to_string(offset)) {
   if (length < kRecordHeadSize || length > max_bytes) {
     throw files::ReadError(place_ + ": expected a length up to " + std::to_string(max_bytes) + ", found " +
-                    std::to_string(length));
+                           std::to_string(length));
   }
   if (offset > file.size() || length > file.size() - offset)
     throw files::ReadError(place_ + ": lies beyond the end of the file");
@@ -43,13 +44,14 @@ Chunk::Chunk(const files::InputFile& file, std::uint64_t offset, std::uint64_t l
   files::ByteReader reader(file.path(), offset, record.data(), record.size());
   if (reader.number<std::uint8_t>("opcode") != kChunk) throw files::ReadError(file.path(), offset, "a chunk");
   if (reader.number<std::uint64_t>("record length") != length - kRecordHeadSize) {
-    throw files::ReadError(file.path(), offset + 1, "a chunk of " + std::to_string(length - kRecordHeadSize) + " bytes");
+    throw files::ReadError(file.path(), offset + 1,
+                           "a chunk of " + std::to_string(length - kRecordHeadSize) + " bytes");
   }
   head_ = parse_chunk_head(reader);
   const std::uint8_t* data = reader.take(head_.compressed_size, "compressed records");
   if (head_.uncompressed_size > max_bytes) {
     throw files::ReadError(place_ + ": expected at most " + std::to_string(max_bytes) + " bytes, found " +
-                    std::to_string(head_.uncompressed_size));
+                           std::to_string(head_.uncompressed_size));
   }
   if (head_.compression == "zstd") {
     records_ = decompress(place_, data, head_.compressed_size, head_.uncompressed_size);
@@ -61,7 +63,7 @@ Chunk::Chunk(const files::InputFile& file, std::uint64_t offset, std::uint64_t l
   const auto crc = static_cast<std::uint32_t>(crc32_z(0, records_.data(), records_.size()));
   if (head_.uncompressed_crc != 0 && head_.uncompressed_crc != crc) {
     throw files::ReadError(place_ + ": expected CRC " + std::to_string(head_.uncompressed_crc) + ", found " +
-                    std::to_string(crc));
+                           std::to_string(crc));
   }
 }
 
@@ -81,7 +83,8 @@ Message Chunk::message_at(std::size_t position) const {
   reader.number<std::uint8_t>("opcode");
   const auto length = reader.number<std::uint64_t>("record length");
   const std::uint64_t offset = reader.file_offset();
-  return parse_message(files::ByteReader(place_, offset, reader.take(length, "message"), static_cast<std::size_t>(length)));
+  return parse_message(
+      files::ByteReader(place_, offset, reader.take(length, "message"), static_cast<std::size_t>(length)));
 }
 
 std::vector<Chunk::Entry> Chunk::messages(const std::set<std::uint16_t>& channels) const {

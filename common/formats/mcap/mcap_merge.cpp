@@ -5,8 +5,9 @@
 
 namespace inslab::mcap {
 
-LogTimeMerge::LogTimeMerge(const files::InputFile& file, std::vector<ChunkIndex> chunks, std::set<std::uint16_t> channels,
-                           std::uint64_t max_chunk_bytes, std::uint64_t max_open_bytes)
+LogTimeMerge::LogTimeMerge(const files::InputFile& file, std::vector<ChunkIndex> chunks,
+                           std::set<std::uint16_t> channels, std::uint64_t max_chunk_bytes,
+                           std::uint64_t max_open_bytes)
     : file_(file),
       chunks_(std::move(chunks)),
       channels_(std::move(channels)),
@@ -47,7 +48,7 @@ void LogTimeMerge::open(const ChunkIndex& index) {
   open_bytes_ += cursor->chunk.size();
   if (open_bytes_ > max_open_bytes_) {
     throw files::ReadError(file_.path(), index.offset,
-                    "chunks that overlap in time by at most " + std::to_string(max_open_bytes_) + " bytes");
+                           "chunks that overlap in time by at most " + std::to_string(max_open_bytes_) + " bytes");
   }
   open_.push(std::move(cursor));
 }

@@ -8,7 +8,7 @@
 
 #include "inslab/formats/mcap/mcap_chunk.hpp"
 #include "inslab/formats/mcap/mcap_merge.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
 
 namespace inslab::mcap {
@@ -65,7 +65,7 @@ McapReader::Record McapReader::record_at(std::uint64_t offset, std::uint64_t end
 std::vector<std::uint8_t> McapReader::content_of(const Record& record) const {
   if (record.length > options_.max_chunk_bytes) {
     throw files::ReadError(path(), record.offset + 1,
-                    "a record of at most " + std::to_string(options_.max_chunk_bytes) + " bytes");
+                           "a record of at most " + std::to_string(options_.max_chunk_bytes) + " bytes");
   }
   std::vector<std::uint8_t> content(record.length);
   file_.read(record.offset + kRecordHeadSize, content.data(), content.size());
@@ -90,7 +90,7 @@ bool McapReader::open_through_summary() {
   if (footer.summary_start == 0) return false;
   if (footer.summary_start < data_begin_ || footer.summary_start > footer_offset) {
     throw files::ReadError(path(), footer_offset + kRecordHeadSize,
-                    "the place of the summary between header and footer");
+                           "the place of the summary between header and footer");
   }
   const std::uint64_t crc_end = file_.size() - magic.size() - 4;
   std::vector<std::uint8_t> piece(std::size_t{1} << 16);
@@ -100,7 +100,8 @@ bool McapReader::open_through_summary() {
     file_.read(at, piece.data(), size);
     crc = static_cast<std::uint32_t>(crc32_z(crc, piece.data(), size));
   }
-  if (crc != footer.summary_crc) throw files::ReadError(path(), footer.summary_start, "a summary with the footer's CRC");
+  if (crc != footer.summary_crc)
+    throw files::ReadError(path(), footer.summary_start, "a summary with the footer's CRC");
   read_summary(footer.summary_start, footer_offset);
   const bool usable = chunks_.size() == statistics_.chunk_count && statistics_.message_count > 0;
   if (!usable) {
@@ -163,8 +164,7 @@ bool McapReader::scan_record(const Record& record) {
     scan_chunk(record);
     return true;
   }
-  const bool wanted =
-      record.opcode == kSchema || record.opcode == kChannel || record.opcode == kMetadata;
+  const bool wanted = record.opcode == kSchema || record.opcode == kChannel || record.opcode == kMetadata;
   if (!wanted) return true;
   const std::vector<std::uint8_t> content = content_of(record);
   const files::ByteReader reader(path(), record.offset + kRecordHeadSize, content.data(), content.size());
@@ -216,7 +216,7 @@ void McapReader::add(Channel channel) {
 const Message& McapReader::known(const Message& message) const {
   if (channels_.count(message.channel_id) == 0) {
     throw files::ReadError(path() + ": a message belongs to channel " + std::to_string(message.channel_id) +
-                    ", which the log does not declare");
+                           ", which the log does not declare");
   }
   return message;
 }

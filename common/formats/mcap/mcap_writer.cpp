@@ -10,7 +10,7 @@
 
 #include "inslab/formats/mcap/mcap_put.hpp"
 #include "inslab/foundation/files/byte_writer.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 
 namespace inslab::mcap {
 namespace {

@@ -23,7 +23,8 @@ class McapWriter {
     std::string library = "inslab";     ///< who wrote it
     std::size_t chunk_bytes = 1 << 20;  ///< before compression; a larger message gets a chunk of its own
     int compression_level = kFastLevel;
-    files::OutputFile::Kind kind = files::OutputFile::Kind::Log;  ///< Result: nothing is there under its name before close()
+    files::OutputFile::Kind kind =
+        files::OutputFile::Kind::Log;  ///< Result: nothing is there under its name before close()
   };
 
   /// The zstd level for logs written at full speed. Where every low bit is noise, level -1 leaves 64 % of the payload's
@@ -106,7 +107,7 @@ class McapWriter {
   std::vector<std::uint8_t> chunk_;  ///< the open chunk, not compressed
   std::size_t chunk_size_ = 0;       ///< of chunk_, bytes in use
   std::uint64_t chunk_messages_ = 0;
-  ChunkIndex open_;             ///< the times of the open chunk
+  ChunkIndex open_;                   ///< the times of the open chunk
   std::vector<std::uint8_t> record_;  ///< what is appended next
   Statistics statistics_;
   std::uint32_t data_crc_ = 0;

@@ -4,7 +4,7 @@
 
 #include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/foundation/fields/limits.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/input_file.hpp"
 
 namespace inslab::profile_import {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "inslab/formats/profile_import/conversion.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
 #include "inslab/foundation/files/text_lines.hpp"
 #include "inslab/foundation/text/shown.hpp"
@@ -86,7 +86,7 @@ class Gazebo {
 
   [[noreturn]] void fail(const Element& element, const std::string& what) const {
     throw files::ReadError(file_ + ": line " + std::to_string(element.GetLineNum()) + ": <" + element.Name() + "> " +
-                        what);
+                           what);
   }
 
   void load() {
@@ -96,7 +96,7 @@ class Gazebo {
         refuse_depth(file_ + ": line " + std::to_string(document_.ErrorLineNum()));
       }
       throw files::ReadError(file_ + ": line " + std::to_string(document_.ErrorLineNum()) +
-                          ": is no XML: " + document_.ErrorName());
+                             ": is no XML: " + document_.ErrorName());
     }
   }
 

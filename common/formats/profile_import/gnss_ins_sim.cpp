@@ -7,7 +7,7 @@
 #include <map>
 
 #include "inslab/formats/profile_import/conversion.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
 #include "inslab/foundation/files/text_lines.hpp"
 #include "inslab/foundation/text/shown.hpp"
@@ -267,7 +267,7 @@ class Conversion {
     if (deviation.isZero(0.0)) return;
     if (!options_.rate_hz) {
       throw files::ReadError(file_ + ": '" + triad + "_b_corr' is missing or infinite, which in gnss-ins-sim makes '" +
-                          stability + "' white noise of that deviation a sample; give its rate with --rate");
+                             stability + "' white noise of that deviation a sample; give its rate with --rate");
     }
     const Vector3 added = deviation / (file_units_per_density * std::sqrt(*options_.rate_hz));
     density = (density.array().square() + added.array().square()).sqrt();

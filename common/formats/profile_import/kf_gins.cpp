@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "inslab/formats/profile_import/conversion.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 
 namespace inslab::profile_import {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "inslab/formats/tables/hdf5_handle.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/output_place.hpp"
 
 namespace inslab::tables {

@@ -230,15 +230,16 @@ class TextReader {
     const double slack = factor == 1.0 ? 0.0 : 1e-9;
     if (!(value >= range.minimum - slack && value <= range.maximum + slack)) {
       fail(Rule::ValueRange, i,
-           std::isfinite(value)
-               ? "is " + inslab::samples::detail::number_text(value) + range.unit_name + "; expected " +
-                     inslab::samples::detail::number_text(range.minimum) + " to " + inslab::samples::detail::number_text(range.maximum)
-               : "is " + std::string(fields_[i]) + "; expected a finite number");
+           std::isfinite(value) ? "is " + inslab::samples::detail::number_text(value) + range.unit_name +
+                                      "; expected " + inslab::samples::detail::number_text(range.minimum) + " to " +
+                                      inslab::samples::detail::number_text(range.maximum)
+                                : "is " + std::string(fields_[i]) + "; expected a finite number");
       return false;
     }
     values_[static_cast<std::size_t>(column.quantity)] = *number * column.scale;
     note_decimals(column.quantity, fields_[i]);
-    if (column.quantity == Quantity::Time) time_ns_ = files::exact_nanoseconds(fields_[i], unit_ns_of(column)).value_or(0);
+    if (column.quantity == Quantity::Time)
+      time_ns_ = files::exact_nanoseconds(fields_[i], unit_ns_of(column)).value_or(0);
     return true;
   }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <type_traits>
 
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 
 namespace inslab::files {
 

@@ -1,6 +1,6 @@
-#include "inslab/foundation/files/error.hpp"
-
 #include <system_error>
+
+#include "inslab/foundation/files/file_error.hpp"
 
 namespace inslab::files {
 

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/files_read.hpp"
 
 namespace inslab::files {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/text_lines.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 

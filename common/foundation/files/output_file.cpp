@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 
 namespace inslab::files {
 

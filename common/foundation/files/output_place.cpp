@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/files_read.hpp"
 #include "inslab/foundation/files/unfinished.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
 
 namespace inslab::files {

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <utility>
 
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 
 namespace inslab::files {
 

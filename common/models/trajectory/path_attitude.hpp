@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "inslab/nav/attitude.hpp"
-#include "inslab/scenario/path_attitude.hpp"
+#include "inslab/scenario/attitude_from_path.hpp"
 
 namespace inslab::trajectory {
 

@@ -2,7 +2,7 @@
 
 #include "inslab/data/samples/trajectory_file.hpp"
 #include "inslab/models/trajectory/smooth_motion.hpp"
-#include "inslab/scenario/path_attitude.hpp"
+#include "inslab/scenario/attitude_from_path.hpp"
 
 namespace inslab::trajectory {
 

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "inslab/data/json/error.hpp"
+#include "inslab/data/json/config_error.hpp"
 #include "inslab/models/trajectory/inverse_mechanization_model.hpp"
 #include "inslab/models/trajectory/live_vehicle_model.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"

@@ -94,7 +94,8 @@ std::vector<random::AllanPoint> random::AllanStream::points() const {
   for (const Level& level : levels_) {
     for (const Sum& sum : level.sums) all[sum.order] = point(sum.m, dt_s_, sum.squares, level.stride, sum.terms);
   }
-  all.erase(std::remove_if(all.begin(), all.end(), [](const random::AllanPoint& p) { return p.terms == 0; }), all.end());
+  all.erase(std::remove_if(all.begin(), all.end(), [](const random::AllanPoint& p) { return p.terms == 0; }),
+            all.end());
   return all;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "inslab/formats/text/imu_recording.hpp"
+#include "inslab/formats/recordings/imu_recording.hpp"
 #include "inslab/noise/allan/allan_stream.hpp"
 #include "inslab/noise/allan/fit.hpp"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <sstream>
 
-#include "inslab/formats/text/imu_recording.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/formats/recordings/imu_recording.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/gravity.hpp"
 
@@ -29,8 +29,8 @@ bool is_novatel(const std::string& path) {
   if (!is_named || (head[0] != '#' && head[0] != '%' && head[0] != '<')) return false;
   if (head[0] == '<') {
     throw files::ReadError(path +
-                        ": line 1 is NovAtel's abbreviated ASCII (<), which has no CRC; expected RAWIMUSXA or "
-                        "RAWIMUXA lines");
+                           ": line 1 is NovAtel's abbreviated ASCII (<), which has no CRC; expected RAWIMUSXA or "
+                           "RAWIMUXA lines");
   }
   files::TextLines lines(path);
   std::string_view line;
@@ -66,8 +66,8 @@ AlignedRecording align_novatel(const std::string& path, const RecordingOptions& 
   while (reader.next(record)) {
     if (sums && record.imu_type != imu_type) {
       throw files::ReadError(path + ": line " + std::to_string(record.line) + " is of IMU type " +
-                          std::to_string(record.imu_type) + "; expected " + std::to_string(imu_type) +
-                          ", as the lines before it");
+                             std::to_string(record.imu_type) + "; expected " + std::to_string(imu_type) +
+                             ", as the lines before it");
     }
     if (!sums) {
       imu_type = record.imu_type;
@@ -108,7 +108,8 @@ AlignedRecording align_recording(const std::string& path, const RecordingOptions
       [&](const recordings::ImuRecordingInfo& info) {
         for (std::size_t axis = 0; axis < recordings::kImuAxes; ++axis) {
           if (!info.has_axis[axis]) {
-            throw files::ReadError(path + ": has no " + recordings::kImuAxisNames[axis] + "; alignment needs all six axes");
+            throw files::ReadError(path + ": has no " + recordings::kImuAxisNames[axis] +
+                                   "; alignment needs all six axes");
           }
         }
         aligned.dt_s = info.dt_s;

@@ -54,7 +54,8 @@ std::string deviations_text(const ImuAnalysis& analysis) {
   const std::vector<CurvePoint>* longest = nullptr;
   std::string text = fmt::format("{:>12}", "tau s");
   for (const AxisAnalysis& axis : analysis.axes) {
-    text += fmt::format("  {:>14}", fmt::format("{} {}", recordings::kImuAxisNames[axis.axis], rate_unit_name(axis.is_gyro())));
+    text += fmt::format("  {:>14}",
+                        fmt::format("{} {}", recordings::kImuAxisNames[axis.axis], rate_unit_name(axis.is_gyro())));
     if (longest == nullptr || axis.curve.size() > longest->size()) longest = &axis.curve;
   }
   text += "\n";
@@ -85,7 +86,8 @@ tables::Panel panel(const ImuAnalysis& analysis, bool is_gyro) {
   for (const AxisAnalysis& axis : analysis.axes) {
     if (axis.is_gyro() != is_gyro || axis.curve.empty()) continue;
     const std::string colour = fmt::format(" linecolor rgb '{}'", kColours[axis.axis % 3]);
-    tables::Curve points{std::string(recordings::kImuAxisNames[axis.axis]), {}, {}, "points pointtype 7 pointsize 0.4" + colour};
+    tables::Curve points{
+        std::string(recordings::kImuAxisNames[axis.axis]), {}, {}, "points pointtype 7 pointsize 0.4" + colour};
     tables::Curve low{"", {}, {}, "lines dashtype 3" + colour}, high = low;
     tables::Curve fitted{"", {}, {}, "lines linewidth 1.5" + colour};
     const auto add = [unit = rate_unit(is_gyro)](tables::Curve& curve, double tau_s, double value) {
@@ -122,8 +124,8 @@ std::string curve_csv(const ImuAnalysis& analysis) {
   std::string text = "axis,tau_s,deviation,low_99,high_99,fitted\n";
   for (const AxisAnalysis& axis : analysis.axes) {
     for (const CurvePoint& point : axis.curve) {
-      text += fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", recordings::kImuAxisNames[axis.axis], point.tau_s,
-                          point.deviation, point.interval.low, point.interval.high, point.fitted);
+      text += fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", recordings::kImuAxisNames[axis.axis],
+                          point.tau_s, point.deviation, point.interval.low, point.interval.high, point.fitted);
     }
   }
   return text;

@@ -5,11 +5,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "inslab/data/json/error.hpp"
+#include "inslab/data/json/config_error.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
 #include "inslab/formats/novatel/novatel_imu.hpp"
-#include "inslab/formats/text/imu_recording.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/formats/recordings/imu_recording.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/files_read.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/models/navigation/app_setup.hpp"
@@ -121,7 +121,7 @@ FileCheck check_novatel(const std::string& file) {
                                 : "; the first: line " + std::to_string(reader.bad_lines().front().line) + ": " +
                                       reader.bad_lines().front().reason;
     throw files::ReadError(fmt::format("{}: is a log of NovAtel lines, none of which can be used: {} are bad{}", file,
-                                    reader.bad_line_count(), why));
+                                       reader.bad_line_count(), why));
   }
   return good(file, fmt::format("log of NovAtel IMU lines: {} samples, {} bad lines, {} lines of other messages",
                                 reader.record_count(), reader.bad_line_count(), reader.other_line_count()));
@@ -133,9 +133,8 @@ FileCheck check_document(const CheckOptions& options, const std::optional<scenar
       json.is_object() && json.contains("name") && json.size() == 1u + json.count("source") + json.count("$schema");
   // What resembles nothing is judged as a scenario, which says what is wrong with it.
   if (!kind && has_name_alone) {
-    throw json::Error(
-        options.file,
-        {Rule::RequiredKey, "", "has nothing but a name, as a profile of each kind may; --kind says which it is"});
+    throw json::Error(options.file, {Rule::RequiredKey, "",
+                                     "has nothing but a name, as a profile of each kind may; --kind says which it is"});
   }
   if (!kind || *kind == scenario::DocumentKind::Scenario) return check_scenario(options);
   if (const auto profile = scenario::profile_of(*kind)) return check_profile(options, *profile);
@@ -143,7 +142,8 @@ FileCheck check_document(const CheckOptions& options, const std::optional<scenar
   if (*kind == scenario::DocumentKind::Schedule) {
     return good(options.file, fmt::format("schedule of {} swaps", scenario::load_schedule(options.file, 1).size()));
   }
-  throw files::ReadError(options.file + ": is a lab's inventory; deploy/lab check says what is wrong with it, or in it");
+  throw files::ReadError(options.file +
+                         ": is a lab's inventory; deploy/lab check says what is wrong with it, or in it");
 }
 
 FileCheck check_rows(const std::string& file) {
@@ -178,8 +178,8 @@ FileCheck check_file(const CheckOptions& options) {
       break;
   }
   throw files::ReadError(options.file +
-                      ": is nothing that is known here; expected a scenario, a profile, a filter's parameters, a "
-                      "schedule, a log (MCAP), a trajectory or a recording of an IMU (docs/formats.md)");
+                         ": is nothing that is known here; expected a scenario, a profile, a filter's parameters, a "
+                         "schedule, a log (MCAP), a trajectory or a recording of an IMU (docs/formats.md)");
 }
 
 }  // namespace inslab::check

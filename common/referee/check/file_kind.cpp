@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "inslab/formats/text/imu_columns.hpp"
+#include "inslab/formats/recordings/imu_columns.hpp"
 #include "inslab/formats/trajectory/rtklib_columns.hpp"
 #include "inslab/formats/trajectory/trajectory_columns.hpp"
 #include "inslab/formats/trajectory/trajectory_nmea.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/input_file.hpp"
 #include "inslab/foundation/files/text_lines.hpp"
 
@@ -51,8 +51,9 @@ std::optional<Form> form_of_names(std::string_view line) {
     const auto imu = recordings::imu_column_named(names[i], i);
     if (imu && imu->axis >= 0) ++axes;
     const auto row = trajectory::column_named(names[i]);
-    const bool is_position = row && (row->quantity == trajectory::Quantity::Latitude ||
-                                     row->quantity == trajectory::Quantity::Longitude || row->quantity == trajectory::Quantity::Height);
+    const bool is_position =
+        row && (row->quantity == trajectory::Quantity::Latitude || row->quantity == trajectory::Quantity::Longitude ||
+                row->quantity == trajectory::Quantity::Height);
     if (is_position) ++positions;
   }
   if (axes == 0 && positions < 2) return std::nullopt;
@@ -90,7 +91,8 @@ Form form_of_text(const std::string& path) {
     files::split(line, line.find(',') == std::string_view::npos ? ' ' : ',', fields);
     const bool is_dated = fields.size() > 2 && fields.front().find('/') != std::string_view::npos;
     if (is_dated) return Form::Trajectory;
-    return std::all_of(fields.begin(), fields.end(), [](std::string_view f) { return files::number_from(f).has_value(); })
+    return std::all_of(fields.begin(), fields.end(),
+                       [](std::string_view f) { return files::number_from(f).has_value(); })
                ? form_of_numbers(fields)
                : Form::Unknown;
   }

@@ -20,7 +20,7 @@ struct FileKind {
   };
   Form form = Form::Unknown;
   std::optional<scenario::DocumentKind> document;  ///< of a JSON file whose keys are known
-  json::Json json;                               ///< of a JSON file
+  json::Json json;                                 ///< of a JSON file
 };
 
 /// Throws config::Error or io::ReadError when the file cannot be read.

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "inslab/data/json/json_reader.hpp"
-#include "inslab/formats/text/nav_text.hpp"
+#include "inslab/formats/recordings/nav_text.hpp"
 
 namespace inslab::check {
 
@@ -64,7 +64,8 @@ void say_problems(std::string& text, const trajectory::TrajectoryProblems& probl
   }
 }
 
-void say_figures(std::string& text, const trajectory::TrajectoryReading& reading, const trajectory::TrajectoryFigures& figures) {
+void say_figures(std::string& text, const trajectory::TrajectoryReading& reading,
+                 const trajectory::TrajectoryFigures& figures) {
   const auto at = [&reading](const trajectory::Worst& worst) {
     return fmt::format("({} {})", reading.is_log() ? "message" : "line", reading.lines.at(worst.row));
   };
@@ -88,7 +89,8 @@ void say_figures(std::string& text, const trajectory::TrajectoryReading& reading
 }
 
 /// Of rows without velocities, where the rounding of their numbers is more than the motion.
-void say_rounding(std::string& text, const trajectory::TrajectoryReading& reading, const trajectory::TrajectoryFigures& figures) {
+void say_rounding(std::string& text, const trajectory::TrajectoryReading& reading,
+                  const trajectory::TrajectoryFigures& figures) {
   constexpr const char* kColumns[] = {"latitudes", "longitudes", "heights"};
   for (int i = 0; i < 3; ++i) {
     if (figures.rounding_m_per_s2[i] == 0.0) continue;
@@ -124,7 +126,8 @@ bool repair(std::string& text, const trajectory::TrajectoryReading& reading, con
   }
   std::vector<trajectory::RepairNote> notes;
   trajectory::TrajectoryReading mended = trajectory::repaired(reading, limits, trajectory::RepairBounds{}, notes);
-  for (const trajectory::RepairNote& note : notes) say(text, "{}: {}\n", note.is_repaired ? "changed" : "left", note.text);
+  for (const trajectory::RepairNote& note : notes)
+    say(text, "{}: {}\n", note.is_repaired ? "changed" : "left", note.text);
   for (const auto& [rule, count] : reading.problems.counts()) {
     if (rule == Rule::FileTime || rule == Rule::ValueType || rule == Rule::ValueRange || rule == Rule::FileColumns) {
       say(text, "changed: {} rows that could not be read were left out ({})\n", count, enum_name(rule));
@@ -141,7 +144,8 @@ bool repair(std::string& text, const trajectory::TrajectoryReading& reading, con
 
 TrajectoryChecked check_trajectory(const TrajectoryCheckOptions& options) {
   const TrajectoryLimits limits = limits_from(options.limits);
-  trajectory::TrajectoryReading reading = trajectory::read_trajectory(options.file, {options.columns, options.topic, false});
+  trajectory::TrajectoryReading reading =
+      trajectory::read_trajectory(options.file, {options.columns, options.topic, false});
   TrajectoryChecked checked;
   say(checked.text, "{}:\n", options.file);
   checked.is_good = judge(checked.text, reading, limits);

@@ -70,8 +70,8 @@ struct LogSummary {
   std::optional<VehicleLink> vehicle_link;       ///< the last report; of a live vehicle only
   std::vector<ProfileAck> acks;
   std::vector<mcap::StringMap> recoveries;  ///< see logger::RunLog
-  std::vector<ProfileInUse> profiles;           ///< what the scenario began with, and the journal in its order
-  ProfileTimeline timeline;                     ///< of these profiles
+  std::vector<ProfileInUse> profiles;       ///< what the scenario began with, and the journal in its order
+  ProfileTimeline timeline;                 ///< of these profiles
 
   /// The profile of that kind and sensor in use for a sample of sim time `t`; null when there is none.
   const AnyProfile* in_use(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const;

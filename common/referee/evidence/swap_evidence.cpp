@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/referee/evidence/evidence_uses.hpp"
 #include "inslab/referee/evidence/imu_promise.hpp"
-#include "inslab/referee/evidence/profile_uses.hpp"
 #include "inslab/referee/evidence/sample_joiner.hpp"
 
 namespace inslab::evidence {

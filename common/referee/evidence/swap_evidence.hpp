@@ -31,7 +31,7 @@ struct SwapEvidence {
   bool first_sample_holds = false;    ///< the first sample with the new revision is the one the ack names
   std::vector<EvidenceLine> lines;    ///< empty where nothing can be measured
   std::string why_nothing;            ///< then the reason; "only 12 samples before it, 30 are needed"
-  std::vector<std::string> left_out;  ///< names of what the profile sets and no line weighs (profile_uses.hpp)
+  std::vector<std::string> left_out;  ///< names of what the profile sets and no line weighs (evidence_uses.hpp)
 
   bool holds() const;
 };

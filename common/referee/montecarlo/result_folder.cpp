@@ -8,7 +8,7 @@
 
 #include "inslab/data/json/json_reader.hpp"
 #include "inslab/data/json/json_writer.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/output_file.hpp"
 #include "inslab/foundation/host/host.hpp"
 
@@ -73,8 +73,9 @@ void ResultFolder::claim(const Study& study) const {
   }
   const Json there = json::read_json_file(name);
   if (there == study.description) return;
-  throw files::ReadError(path_.string() + ": holds the results of another study: " +
-                      first_difference(there, study.description) + "; expected a folder of this study, or a new one");
+  throw files::ReadError(path_.string() +
+                         ": holds the results of another study: " + first_difference(there, study.description) +
+                         "; expected a folder of this study, or a new one");
 }
 
 std::optional<RunResult> ResultFolder::result(std::uint32_t run) const {
@@ -88,7 +89,7 @@ std::optional<RunResult> ResultFolder::result(std::uint32_t run) const {
   }
   if (result.fingerprint == fingerprint_ && result.run == run) return result;
   throw files::ReadError(fmt::format("{}: is run {} of study {}; expected run {} of study {}", name, result.run,
-                                  result.fingerprint, run, fingerprint_));
+                                     result.fingerprint, run, fingerprint_));
 }
 
 void ResultFolder::keep(const RunResult& result) const {

@@ -5,7 +5,7 @@
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/navigation/processes.hpp"
-#include "inslab/referee/score/acceptance.hpp"
+#include "inslab/referee/score/verdict.hpp"
 #include "inslab/sim/drawn_start.hpp"
 #include "inslab/sim/offline_run.hpp"
 

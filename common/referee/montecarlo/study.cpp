@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "inslab/data/json/json_writer.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/noise/random/stream.hpp"
 
 namespace inslab::montecarlo {
@@ -58,7 +58,7 @@ Study load_study(const std::string& scenario_file, const std::string& parameters
   scenario::Scenario& scenario = study.loaded.scenario;
   if (scenario.trajectory.source == scenario::TrajectorySource::VehicleState) {
     throw files::ReadError(scenario_file +
-                        ": trajectory.source is vehicle_state; expected one that needs no live vehicle");
+                           ": trajectory.source is vehicle_state; expected one that needs no live vehicle");
   }
   if (!scenario.reference_nav) {
     if (scenario.imu.empty() || scenario.gnss.empty()) {

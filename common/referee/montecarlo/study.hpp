@@ -9,9 +9,9 @@ namespace inslab::montecarlo {
 struct Study {
   scenario::LoadedScenario loaded;  ///< with the reference navigation app, whether or not its file has it
   navigation::AppSetup app;
-  bool draw_start = false;   ///< begin at the truth plus errors drawn from the filter's initial sigmas
-  json::Json description;  ///< all of the above, the seed of run 0 included, and the program's version
-  std::string fingerprint;   ///< 64 bits drawn from the description, in hexadecimal
+  bool draw_start = false;  ///< begin at the truth plus errors drawn from the filter's initial sigmas
+  json::Json description;   ///< all of the above, the seed of run 0 included, and the program's version
+  std::string fingerprint;  ///< 64 bits drawn from the description, in hexadecimal
 
   /// Run k has the scenario's seed plus k: run 0 is the scenario's own.
   std::uint64_t seed_of(std::uint32_t run) const { return loaded.scenario.seed + run; }

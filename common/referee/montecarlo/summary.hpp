@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "inslab/referee/montecarlo/confidence.hpp"
+#include "inslab/referee/montecarlo/estimate.hpp"
 #include "inslab/referee/montecarlo/run_result.hpp"
 
 namespace inslab::montecarlo {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "inslab/referee/score/acceptance.hpp"
+#include "inslab/referee/score/verdict.hpp"
 
 namespace inslab::montecarlo {
 
@@ -139,9 +139,9 @@ json::Json json_of(const Believed& b) { return {{"rms", json_of(b.rms)}, {"sigma
 
 json::Json json_of(const FigureSummary& f) {
   json::Json json{{"metric", enum_name(f.figure.metric)},
-                    {"phase", enum_name(f.figure.phase)},
-                    {"swap_interval", f.figure.swap_interval},
-                    {"after_s", f.figure.after_s}};
+                  {"phase", enum_name(f.figure.phase)},
+                  {"swap_interval", f.figure.swap_interval},
+                  {"after_s", f.figure.after_s}};
   json.update(json_of(f.over_runs));
   return json;
 }

@@ -2,8 +2,8 @@
 
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/formats/log/log_topic.hpp"
-#include "inslab/formats/text/gnss_text.hpp"
-#include "inslab/formats/text/imu_text.hpp"
+#include "inslab/formats/recordings/gnss_text.hpp"
+#include "inslab/formats/recordings/imu_text.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
 
 namespace inslab::navigate {
@@ -50,10 +50,10 @@ OfflineFilter filter_with_fixes_of(const mcap::McapReader& log, std::uint32_t gn
                                    const navigation::AppSetup& setup) {
   std::vector<GnssFix> fixes;
   log::for_each_sample<GnssFix>(log, catalog::stream_topic<GnssFix>(gnss_number),
-                               [&](const GnssFix& fix, std::uint64_t) {
-                                 fixes.push_back(fix);
-                                 return true;
-                               });
+                                [&](const GnssFix& fix, std::uint64_t) {
+                                  fixes.push_back(fix);
+                                  return true;
+                                });
   return {setup, fixes};
 }
 
@@ -75,7 +75,7 @@ OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const std::stri
   for (recordings::GnssTextRecord record; reader.next(record);) {
     if (fixes.size() == files::kMaxRowsInMemory) {
       throw files::ReadError(gnss_text + ": has more than " + std::to_string(fixes.size()) +
-                          " rows; expected at most that");
+                             " rows; expected at most that");
     }
     fixes.push_back(fix_of(record));
   }
@@ -99,8 +99,9 @@ OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const std::stri
       return std::to_string(static_cast<double>(from_ns) * 1e-9) + " to " +
              std::to_string(static_cast<double>(to_ns) * 1e-9) + " s";
     };
-    throw files::ReadError(gnss_text + ": lasts from " + span(gnss_from_ns, gnss_to_ns) + " of the GPS week, " + imu_text +
-                        " from " + span(imu_from_ns, imu_to_ns) + ": they do not meet; expected one time base in both");
+    throw files::ReadError(gnss_text + ": lasts from " + span(gnss_from_ns, gnss_to_ns) + " of the GPS week, " +
+                           imu_text + " from " + span(imu_from_ns, imu_to_ns) +
+                           ": they do not meet; expected one time base in both");
   }
   return {setup, fixes};
 }

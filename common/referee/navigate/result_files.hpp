@@ -3,7 +3,7 @@
 #include <string>
 
 #include "inslab/data/samples/nav_solution.hpp"
-#include "inslab/formats/text/nav_text.hpp"
+#include "inslab/formats/recordings/nav_text.hpp"
 #include "inslab/foundation/files/text_writer.hpp"
 
 namespace inslab::navigate {

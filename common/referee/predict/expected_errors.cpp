@@ -5,7 +5,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/imu/temperature.hpp"
 #include "inslab/nav/attitude.hpp"
-#include "inslab/referee/predict/profile_uses.hpp"
+#include "inslab/referee/predict/predict_uses.hpp"
 
 namespace inslab::predict {
 namespace {

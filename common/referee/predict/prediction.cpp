@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/sim/offline_run.hpp"

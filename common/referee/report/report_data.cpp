@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "inslab/data/catalog/topics.hpp"
-#include "inslab/formats/text/imu_errors.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/formats/recordings/imu_errors.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/referee/score/score_words.hpp"
 
 namespace inslab::report {

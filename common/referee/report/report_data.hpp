@@ -27,7 +27,7 @@ struct ReportData {
   ErrorRatios between_outages;  ///< measured over expected
   ErrorRatios in_outages;
   std::optional<calibrate::ImuAnalysis> imu_errors;  ///< of the first IMU, its samples less their truth
-  std::string why_no_imu_errors;          ///< empty: the scenario has no IMU, or they were not wanted
+  std::string why_no_imu_errors;                     ///< empty: the scenario has no IMU, or they were not wanted
 };
 
 /// Reads a log twice: what ran, then how well. Throws io::ReadError, config::Error.

@@ -58,7 +58,8 @@ std::optional<std::uint32_t> receiver_of_app(const scenario::Scenario& scenario)
   return scenario.reference_nav ? scenario.reference_nav->gnss : scenario.gnss.front().number;
 }
 
-ExpectationOfLog::ExpectationOfLog(const mcap::McapReader& log, const evidence::LogSummary& summary, std::vector<GnssFix> fixes)
+ExpectationOfLog::ExpectationOfLog(const mcap::McapReader& log, const evidence::LogSummary& summary,
+                                   std::vector<GnssFix> fixes)
     : fixes_(std::move(fixes)) {
   const scenario::Scenario& scenario = summary.scenario;
   if (scenario.imu.empty()) {

@@ -36,7 +36,8 @@ std::vector<tables::Band> between(const std::vector<tables::Band>& bands, double
 
 bool is_drift(Metric metric) { return metric >= Metric::OutageDriftRms && metric <= Metric::OutageVerticalDriftMax; }
 
-std::vector<tables::Band> judged_stretches(const scenario::AcceptanceLimit& limit, const score::LogScore& score, double end_s) {
+std::vector<tables::Band> judged_stretches(const scenario::AcceptanceLimit& limit, const score::LogScore& score,
+                                           double end_s) {
   std::vector<tables::Band> bands{{0.0, end_s}};
   if (limit.phase == Phase::Outages || is_drift(limit.metric)) bands = outages_of(score);
   if (limit.phase == Phase::BetweenOutages) bands = between(outages_of(score), end_s);
@@ -104,7 +105,8 @@ std::string page_id_of(Metric metric) {
   return page_id::kApp;
 }
 
-std::vector<tables::Curve> limit_curves(const std::vector<Metric>& metrics, const score::LogScore& score, double end_s) {
+std::vector<tables::Curve> limit_curves(const std::vector<Metric>& metrics, const score::LogScore& score,
+                                        double end_s) {
   std::vector<tables::Curve> curves;
   for (const score::Verdict& verdict : score.verdicts) {
     const scenario::AcceptanceLimit& limit = verdict.limit;

@@ -22,7 +22,8 @@ std::string page_id_of(scenario::Metric metric);
 
 /// The limits that the scenario sets to any of these metrics, each a level line over the sim times that it judges: of a
 /// phase its stretches, of the whole run [0, end]. A limit whose stretches never came has no line.
-std::vector<tables::Curve> limit_curves(const std::vector<scenario::Metric>& metrics, const score::LogScore& score, double end_s);
+std::vector<tables::Curve> limit_curves(const std::vector<scenario::Metric>& metrics, const score::LogScore& score,
+                                        double end_s);
 
 /// Limits to latencies as upright lines of this height.
 std::vector<tables::Curve> latency_limit_curves(const score::LogScore& score, double height);

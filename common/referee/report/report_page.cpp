@@ -122,7 +122,8 @@ std::string html(const ReportPage& page) {
       "</head>\n<body>\n<main>\n<h1>{}</h1>\n<p>{}</p>\n",
       files::xml_text(page.title), kStyle, files::xml_text(page.title), files::xml_text(page.description));
   if (!page.verdict.empty()) {
-    out += fmt::format("<p class=\"verdict{}\">{}</p>\n", page.accepted ? "" : " failed", files::xml_text(page.verdict));
+    out +=
+        fmt::format("<p class=\"verdict{}\">{}</p>\n", page.accepted ? "" : " failed", files::xml_text(page.verdict));
   }
   if (!page.worst.empty()) {
     out += fmt::format("<p><strong>Worst moment:</strong> {}.</p>\n", files::xml_text(page.worst));

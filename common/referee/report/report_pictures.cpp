@@ -92,8 +92,8 @@ void ErrorCurves::add(const score::ScoredSolution& scored) {
 }
 
 tables::Picture ErrorCurves::errors(std::size_t which, const std::string& title, const std::string& unit,
-                                const score::LogScore& score, const evidence::LogSummary& summary,
-                                const Expectation& expectation) const {
+                                    const score::LogScore& score, const evidence::LogSummary& summary,
+                                    const Expectation& expectation) const {
   tables::Picture picture;
   picture.title = title;
   picture.panel_width_px = 900;
@@ -124,7 +124,7 @@ tables::Picture ErrorCurves::errors(std::size_t which, const std::string& title,
 }
 
 tables::Picture ErrorCurves::position(const score::LogScore& score, const evidence::LogSummary& summary,
-                                  const Expectation& expectation) const {
+                                      const Expectation& expectation) const {
   return errors(0, "Position error", "m", score, summary, expectation);
 }
 
@@ -137,8 +137,9 @@ struct ErrorCurves::Size {
   std::vector<scenario::Metric> metrics;
 };
 
-tables::Picture ErrorCurves::size_panels(const std::string& title, const std::vector<Size>& sizes, const score::LogScore& score,
-                                     const evidence::LogSummary& summary, const Expectation& expectation) const {
+tables::Picture ErrorCurves::size_panels(const std::string& title, const std::vector<Size>& sizes,
+                                         const score::LogScore& score, const evidence::LogSummary& summary,
+                                         const Expectation& expectation) const {
   tables::Picture picture;
   picture.title = title;
   picture.panel_width_px = 900;
@@ -170,7 +171,8 @@ tables::Picture ErrorCurves::size_panels(const std::string& title, const std::ve
   return picture;
 }
 
-tables::Picture ErrorCurves::sizes(const score::LogScore& score, const evidence::LogSummary& summary, const Expectation& expectation) const {
+tables::Picture ErrorCurves::sizes(const score::LogScore& score, const evidence::LogSummary& summary,
+                                   const Expectation& expectation) const {
   using scenario::Metric;
   constexpr double kSmallest_m = 1e-3;
   return size_panels("Size of the position error",
@@ -190,7 +192,7 @@ tables::Picture ErrorCurves::sizes(const score::LogScore& score, const evidence:
 }
 
 tables::Picture ErrorCurves::motion_sizes(const score::LogScore& score, const evidence::LogSummary& summary,
-                                      const Expectation& expectation) const {
+                                          const Expectation& expectation) const {
   using scenario::Metric;
   constexpr double kSmallest = 1e-4;  // m/s, deg
   return size_panels("Size of the velocity and attitude errors",
@@ -231,12 +233,12 @@ tables::Picture ErrorCurves::honesty(const score::LogScore& score, const evidenc
 }
 
 tables::Picture ErrorCurves::velocity(const score::LogScore& score, const evidence::LogSummary& summary,
-                                  const Expectation& expectation) const {
+                                      const Expectation& expectation) const {
   return errors(1, "Velocity error", "m/s", score, summary, expectation);
 }
 
 tables::Picture ErrorCurves::attitude(const score::LogScore& score, const evidence::LogSummary& summary,
-                                  const Expectation& expectation) const {
+                                      const Expectation& expectation) const {
   return errors(2, "Attitude error: rotation vector about north, east, down", "deg", score, summary, expectation);
 }
 

@@ -15,14 +15,19 @@ class ErrorCurves {
   bool empty() const { return points_.empty(); }
 
   /// Errors in NED with three sigmas about 0, reported and expected, outages shaded, swaps marked.
-  tables::Picture position(const score::LogScore& score, const evidence::LogSummary& summary, const Expectation& expectation) const;
-  tables::Picture velocity(const score::LogScore& score, const evidence::LogSummary& summary, const Expectation& expectation) const;
-  tables::Picture attitude(const score::LogScore& score, const evidence::LogSummary& summary, const Expectation& expectation) const;
+  tables::Picture position(const score::LogScore& score, const evidence::LogSummary& summary,
+                           const Expectation& expectation) const;
+  tables::Picture velocity(const score::LogScore& score, const evidence::LogSummary& summary,
+                           const Expectation& expectation) const;
+  tables::Picture attitude(const score::LogScore& score, const evidence::LogSummary& summary,
+                           const Expectation& expectation) const;
   /// Sizes of the errors over time by logarithms, beside one sigma of both kinds and the limits of the acceptance: what
   /// a drift in an outage hides from the eye in position(). First of horizontal and vertical position, then of
   /// velocity, tilt and heading.
-  tables::Picture sizes(const score::LogScore& score, const evidence::LogSummary& summary, const Expectation& expectation) const;
-  tables::Picture motion_sizes(const score::LogScore& score, const evidence::LogSummary& summary, const Expectation& expectation) const;
+  tables::Picture sizes(const score::LogScore& score, const evidence::LogSummary& summary,
+                        const Expectation& expectation) const;
+  tables::Picture motion_sizes(const score::LogScore& score, const evidence::LogSummary& summary,
+                               const Expectation& expectation) const;
   /// Squared error over the reported variance, summed over the axes, of position, velocity and attitude over time
   /// beside the 3 that honest sigmas give, with the limits of the acceptance. Without panels when the app reports no
   /// sigmas.
@@ -43,9 +48,10 @@ class ErrorCurves {
   };
   struct Size;
   tables::Picture size_panels(const std::string& title, const std::vector<Size>& sizes, const score::LogScore& score,
-                          const evidence::LogSummary& summary, const Expectation& expectation) const;
-  tables::Picture errors(std::size_t which, const std::string& title, const std::string& unit, const score::LogScore& score,
-                     const evidence::LogSummary& summary, const Expectation& expectation) const;
+                              const evidence::LogSummary& summary, const Expectation& expectation) const;
+  tables::Picture errors(std::size_t which, const std::string& title, const std::string& unit,
+                         const score::LogScore& score, const evidence::LogSummary& summary,
+                         const Expectation& expectation) const;
 
   double end_s() const { return points_.empty() ? 0.0 : points_.back().t_s; }
 

@@ -8,7 +8,7 @@
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/sim/truth_source.hpp"
 

@@ -84,8 +84,8 @@ LogScore score_log(const mcap::McapReader& log, const evidence::LogSummary& summ
 }
 
 LogScore score_app(const mcap::McapReader& log, const evidence::LogSummary& summary, const OfflineApp& app) {
-  const auto imu =
-      log::needed_channels_of(log, catalog::stream_topic<ImuSample>(app.imu_number), catalog::WireType<ImuSample>::name);
+  const auto imu = log::needed_channels_of(log, catalog::stream_topic<ImuSample>(app.imu_number),
+                                           catalog::WireType<ImuSample>::name);
   Scorer::Options options;
   options.imu_number = app.imu_number;
   options.gnss_number = app.gnss_number;

@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "inslab/referee/evidence/log_summary.hpp"
-#include "inslab/referee/score/acceptance.hpp"
 #include "inslab/referee/score/swap_intervals.hpp"
+#include "inslab/referee/score/verdict.hpp"
 #include "inslab/referee/score/worst_moment.hpp"
 
 namespace inslab::score {

@@ -67,8 +67,10 @@ std::string outages_text(const Scorer& scorer) {
       "\n{} outage{}; largest error in each, RMS over them: horizontal {} m, vertical {} m; worst {} m, "
       "{} m\n",
       scorer.outages().size(), scorer.outages().size() == 1 ? "" : "s",
-      shown(nav::figure(scorer, Metric::OutageDriftRms, {})), shown(nav::figure(scorer, Metric::OutageVerticalDriftRms, {})),
-      shown(nav::figure(scorer, Metric::OutageDriftMax, {})), shown(nav::figure(scorer, Metric::OutageVerticalDriftMax, {})));
+      shown(nav::figure(scorer, Metric::OutageDriftRms, {})),
+      shown(nav::figure(scorer, Metric::OutageVerticalDriftRms, {})),
+      shown(nav::figure(scorer, Metric::OutageDriftMax, {})),
+      shown(nav::figure(scorer, Metric::OutageVerticalDriftMax, {})));
 }
 
 }  // namespace
@@ -125,7 +127,8 @@ std::string junit_xml(const std::string& suite, const std::vector<nav::Verdict>&
       "failures=\"{}\" errors=\"0\">\n",
       files::xml_text(suite), verdicts.size(), failures);
   for (const nav::Verdict& verdict : verdicts) {
-    xml += fmt::format("    <testcase classname=\"acceptance\" name=\"{}\">\n", files::xml_text(nav::words_of(verdict.limit)));
+    xml += fmt::format("    <testcase classname=\"acceptance\" name=\"{}\">\n",
+                       files::xml_text(nav::words_of(verdict.limit)));
     if (!verdict.passed) xml += fmt::format("      <failure message=\"{}\"/>\n", files::xml_text(verdict.why));
     if (verdict.value) xml += fmt::format("      <system-out>{:.9g}</system-out>\n", *verdict.value);
     xml += "    </testcase>\n";

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "inslab/referee/score/acceptance.hpp"
+#include "inslab/referee/score/verdict.hpp"
 
 namespace inslab::score {
 

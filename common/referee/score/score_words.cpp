@@ -77,9 +77,8 @@ std::string unjudged_words(const LogScore& score) {
   const auto& verdicts = score.verdicts;
   if (verdicts.empty()) return "";
   const auto all_of_errors = [&](const auto& holds) {
-    return std::all_of(verdicts.begin(), verdicts.end(), [&](const nav::Verdict& verdict) {
-      return !limits_an_error(verdict) || holds(verdict.limit);
-    });
+    return std::all_of(verdicts.begin(), verdicts.end(),
+                       [&](const nav::Verdict& verdict) { return !limits_an_error(verdict) || holds(verdict.limit); });
   };
   const bool has_drifts = std::any_of(verdicts.begin(), verdicts.end(), limits_a_drift);
   if (!has_drifts && std::none_of(verdicts.begin(), verdicts.end(), limits_an_error)) return "no error is judged";

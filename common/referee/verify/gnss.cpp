@@ -8,7 +8,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/noise/allan/confidence.hpp"
-#include "inslab/referee/verify/allan.hpp"
+#include "inslab/referee/verify/allan_block.hpp"
 #include "inslab/referee/verify/estimates.hpp"
 #include "inslab/sim/offline_run.hpp"
 

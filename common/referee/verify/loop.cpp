@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "inslab/data/samples/nav_state.hpp"
-#include "inslab/models/imu/model.hpp"
+#include "inslab/models/imu/imu_model.hpp"
 #include "inslab/models/trajectory/inverse_mechanization_model.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/referee/verify/run_start.hpp"
@@ -27,9 +27,8 @@ imu::ImuModel perfect_imu(const nav::Gravity& gravity, const time::Rate& rate) {
 
 }  // namespace
 
-std::shared_ptr<const TrajectoryFile> rows_as_written(const scenario::Trajectory& trajectory,
-                                                          const std::string& name, const time::Rate& rate,
-                                                          time::Nanoseconds duration) {
+std::shared_ptr<const TrajectoryFile> rows_as_written(const scenario::Trajectory& trajectory, const std::string& name,
+                                                      const time::Rate& rate, time::Nanoseconds duration) {
   WrittenRows written(name);
   trajectory::MotionTableModel model(trajectory, rate, kStart);
   TruthState truth = model.current();

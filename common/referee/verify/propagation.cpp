@@ -193,8 +193,8 @@ tables::Panel panel_of(const Source& source) {
   const std::vector<ErrorState> run = navigate_at_rest(source.run(), kEvery_s), linear = source.linear();
   // The chain and the model lie on each other: the one wide and light, the other thin upon it.
   tables::Curve whole = curve("whole chain", "lines linewidth 6 linecolor rgb '#a9c4e6'"),
-            model = curve("linear model", "lines linewidth 1.5 linecolor rgb '#1f3f75'"),
-            closed = curve("closed form", "lines dashtype 2 linewidth 1.5 linecolor rgb '#c03020'");
+                model = curve("linear model", "lines linewidth 1.5 linecolor rgb '#1f3f75'"),
+                closed = curve("closed form", "lines dashtype 2 linewidth 1.5 linecolor rgb '#c03020'");
   for (std::size_t k = 0; k < run.size(); k += 6) {
     for (tables::Curve* one : {&whole, &model, &closed}) one->x.push_back(time_of(k) / 3600.0);
     whole.y.push_back(run[k][0]);

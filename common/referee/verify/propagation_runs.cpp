@@ -4,7 +4,7 @@
 
 #include "inslab/data/samples/nav_state.hpp"
 #include "inslab/foundation/units/units.hpp"
-#include "inslab/models/imu/model.hpp"
+#include "inslab/models/imu/imu_model.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/error_model.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "inslab/foundation/time/rate.hpp"
-#include "inslab/referee/verify/closed_loop.hpp"
+#include "inslab/referee/verify/closed_loop_block.hpp"
 
 namespace inslab::verify {
 

@@ -2,7 +2,7 @@
 
 #include <unistd.h>
 
-#include "inslab/data/json/error.hpp"
+#include "inslab/data/json/config_error.hpp"
 #include "inslab/formats/trajectory/trajectory_reader.hpp"
 
 namespace inslab::verify {

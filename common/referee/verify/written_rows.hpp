@@ -5,7 +5,7 @@
 #include <string>
 
 #include "inslab/data/samples/trajectory_file.hpp"
-#include "inslab/formats/text/nav_text.hpp"
+#include "inslab/formats/recordings/nav_text.hpp"
 
 namespace inslab::verify {
 

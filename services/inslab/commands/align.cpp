@@ -28,9 +28,9 @@ int run_align(AlignOptions& options) {
   terminal::tell(stderr, "{}", calibrate::bad_lines_text(aligned));
   terminal::tell("{}", calibrate::report_text(aligned));
   if (!options.picture.empty() && aligned.alignment.seconds.count >= 2) {
-    const std::string bytes =
-        tables::drawn(calibrate::seconds_picture(aligned.alignment, std::filesystem::path(options.file).filename().string()),
-                  tables::PictureFormat::Svg);
+    const std::string bytes = tables::drawn(
+        calibrate::seconds_picture(aligned.alignment, std::filesystem::path(options.file).filename().string()),
+        tables::PictureFormat::Svg);
     files::write_file(options.picture, bytes);
     terminal::tell("{} written\n", options.picture);
   }

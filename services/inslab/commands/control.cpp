@@ -46,7 +46,7 @@ int control(CommandKind kind, const ControlOptions& options) {
     return host::kNotApplied;
   }
   terminal::tell("{} at {:.9f} s of sim time, {} truth samples sent, rate {:g}\n", enum_name(status.state),
-       static_cast<double>(status.sim_time_ns) * 1e-9, status.truth_samples, status.rate);
+                 static_cast<double>(status.sim_time_ns) * 1e-9, status.truth_samples, status.rate);
   return host::kOk;
 }
 

@@ -2,8 +2,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "inslab/formats/export/export_request.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/formats/exports/export_request.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/one_of.hpp"
 #include "inslab/foundation/terminal/tell.hpp"
@@ -50,7 +50,9 @@ void add_export(CLI::App& app, std::function<int()>& action) {
       ->add_option("--topic", options->topics,
                    "only this topic, such as inslab/truth; may be repeated for csv and hdf5")
       ->allow_extra_args(false);
-  command->add_option("--imu-type", options->novatel_imu_type, "novatel: whose counts: " + exports::novatel_imu_types_text())
+  command
+      ->add_option("--imu-type", options->novatel_imu_type,
+                   "novatel: whose counts: " + exports::novatel_imu_types_text())
       ->capture_default_str();
   command->add_option("--axes", *axes, "novatel: of the counts: right-forward-up or forward-right-down")
       ->check(host::one_of({"rfu", "frd"}))

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "inslab/formats/log/log_info_text.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"

@@ -43,16 +43,18 @@ void JudgeOutputs::check(const std::string& log_file) const {
 int judge_log(const std::string& log_file, const std::optional<std::string>& failure, const JudgeOutputs& outputs,
               const std::string& run_id) {
   const report::ReportData data =
-      report::report_data(mcap::McapReader(log_file), outputs.report_folder.empty() ? report::ReportDepth::Verdict : report::ReportDepth::Page);
+      report::report_data(mcap::McapReader(log_file),
+                          outputs.report_folder.empty() ? report::ReportDepth::Verdict : report::ReportDepth::Page);
   const std::string& logged = data.summary.identity.run_id;
   if (!run_id.empty() && logged != run_id) {
     terminal::tell(stderr, "inslab judge: {} is the log of {}, not of run {}\n", log_file,
-         logged.empty() ? "no run" : "run " + logged, run_id);
+                   logged.empty() ? "no run" : "run " + logged, run_id);
     return host::kFailed;
   }
   const report::Judgement judgement = report::judgement_of(data, failure);
   terminal::tell("{}", judgement.text);
-  if (!outputs.report_folder.empty()) terminal::tell("\nreport {}.html\n", report::write_report(data, outputs.report_folder));
+  if (!outputs.report_folder.empty())
+    terminal::tell("\nreport {}.html\n", report::write_report(data, outputs.report_folder));
   if (!outputs.junit.empty()) {
     files::write_file(outputs.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));
   }

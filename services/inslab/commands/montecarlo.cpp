@@ -33,13 +33,14 @@ int do_one(const Study& study, const ResultFolder& folder, std::uint32_t run) {
 void run_open(const study::StudyOptions& options, const Study& study, const ResultFolder& folder,
               const montecarlo::Part& part) {
   const host::OwnEnding ends_them(host::OwnEnding::Then::EndsBySignal);
-  study::StudyPool pool(options.jobs,
-                 {[&options](std::uint32_t run) { return study::study_process(options.arguments_of(run)); },
-                  [&](std::uint32_t run, const std::string& why) { montecarlo::keep_death(folder, study, run, why); },
-                  [&study](std::size_t done, std::size_t all) {
-                    terminal::tell(stderr, "{}: {} of {} runs done\n", study.loaded.scenario.name, done, all);
-                  },
-                  [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); }, host::shutdown_requested});
+  study::StudyPool pool(
+      options.jobs,
+      {[&options](std::uint32_t run) { return study::study_process(options.arguments_of(run)); },
+       [&](std::uint32_t run, const std::string& why) { montecarlo::keep_death(folder, study, run, why); },
+       [&study](std::size_t done, std::size_t all) {
+         terminal::tell(stderr, "{}: {} of {} runs done\n", study.loaded.scenario.name, done, all);
+       },
+       [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); }, host::shutdown_requested});
   pool.run(montecarlo::open_runs(folder, part));
 }
 
@@ -63,8 +64,9 @@ int run_montecarlo(const study::StudyOptions& options) {
   if (!options.summary_only) run_open(options, study, folder, *part);
   const montecarlo::StudyState state = montecarlo::state_of(folder, options.runs, *part);
   if (state.results.size() < options.runs && !options.summary_only) {
-    terminal::tell("{} of {} runs are in {}; {}\n", state.results.size(), options.runs, options.directory,
-         host::shutdown_requested() ? "interrupted: the same command goes on" : "the summary waits for the rest");
+    terminal::tell(
+        "{} of {} runs are in {}; {}\n", state.results.size(), options.runs, options.directory,
+        host::shutdown_requested() ? "interrupted: the same command goes on" : "the summary waits for the rest");
     return state.part_failed ? host::kFailed : host::kOk;
   }
   const montecarlo::Summary summary = montecarlo::summary_of(study.loaded.scenario.name, study.fingerprint,

@@ -15,10 +15,12 @@ int navigate(const navigate::NavigateOptions& options) {
     return host::kBadInput;
   }
   if (options.parameters.empty() && options.scenario.empty()) {
-    terminal::tell(stderr, "inslab navigate: give the filter's --parameters, or the --scenario whose sensors it is to match\n");
+    terminal::tell(stderr,
+                   "inslab navigate: give the filter's --parameters, or the --scenario whose sensors it is to match\n");
     return host::kBadInput;
   }
-  const navigate::Navigated done = options.log.empty() ? navigate::navigate_files(options) : navigate::navigate_log(options);
+  const navigate::Navigated done =
+      options.log.empty() ? navigate::navigate_files(options) : navigate::navigate_log(options);
   if (done.solutions == 0) terminal::tell(stderr, "inslab navigate: no solution: {}\n", done.why_none);
   terminal::tell("{}{}", done.text, done.score);
   return done.solutions > 0 ? host::kOk : host::kFailed;

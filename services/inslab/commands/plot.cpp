@@ -22,9 +22,10 @@ struct PlotOptions {
 int plot(const PlotOptions& options) {
   const std::filesystem::path input = options.input;
   const std::string name = input.stem().string();
-  const report::Track track =
-      input.extension() == ".mcap" ? report::track_of_log(options.input) : report::track_of_scenario(scenario::load(input));
-  const tables::PictureFormat format = options.format == "svg" ? tables::PictureFormat::Svg : tables::PictureFormat::Png;
+  const report::Track track = input.extension() == ".mcap" ? report::track_of_log(options.input)
+                                                           : report::track_of_scenario(scenario::load(input));
+  const tables::PictureFormat format =
+      options.format == "svg" ? tables::PictureFormat::Svg : tables::PictureFormat::Png;
   const std::string bytes = tables::drawn(track.picture(name), format);
   std::filesystem::create_directories(options.directory);
   const std::string path = (std::filesystem::path(options.directory) / (name + "." + options.format)).string();

@@ -20,8 +20,9 @@ namespace {
 using Importer = profile_import::ImportedProfile (*)(const std::string&, const profile_import::ImportOptions&);
 
 const std::map<std::string, Importer>& importers() {
-  static const std::map<std::string, Importer> list{
-      {"kf-gins", profile_import::import_kf_gins}, {"gnss-ins-sim", profile_import::import_gnss_ins_sim}, {"gazebo", profile_import::import_gazebo}};
+  static const std::map<std::string, Importer> list{{"kf-gins", profile_import::import_kf_gins},
+                                                    {"gnss-ins-sim", profile_import::import_gnss_ins_sim},
+                                                    {"gazebo", profile_import::import_gazebo}};
   return list;
 }
 

@@ -26,7 +26,8 @@ struct ReportOptions {
 int report(const ReportOptions& options) {
   if (!options.junit.empty()) files::check_output(options.junit);
   const mcap::McapReader log(options.log);
-  const report::ReportData data = report::report_data(log, options.directory.empty() ? report::ReportDepth::Figures : report::ReportDepth::Page);
+  const report::ReportData data =
+      report::report_data(log, options.directory.empty() ? report::ReportDepth::Figures : report::ReportDepth::Page);
   terminal::tell("{}", options.json ? json::json_text(report::report_json(data)) : report::report_text(data));
   if (!options.junit.empty()) {
     files::write_file(options.junit, score::junit_xml(data.summary.scenario.name, data.score.verdicts));

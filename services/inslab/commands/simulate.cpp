@@ -70,8 +70,8 @@ int simulate(const SimulateOptions& options) {
   if (log) log->close();
 
   const double took_s = time::to_seconds(host::monotonic_now() - begun);
-  terminal::tell("{}: {:.3f} s of sim time in {:.2f} s: {:.0f} x real time\n", loaded.scenario.name, time::to_seconds(reached),
-       took_s, time::to_seconds(reached) / took_s);
+  terminal::tell("{}: {:.3f} s of sim time in {:.2f} s: {:.0f} x real time\n", loaded.scenario.name,
+                 time::to_seconds(reached), took_s, time::to_seconds(reached) / took_s);
   if (log) terminal::tell("log {} ({:.1f} MB)\n", path, static_cast<double>(log->file_size()) * 1e-6);
   return host::kOk;
 }
@@ -82,7 +82,8 @@ void add_simulate(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = app.add_subcommand(kSimulate.name, kSimulate.purpose);
   command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
-  service::add_unit_option(*command, options->unit, "the vehicle's name: it chooses the random streams, as in a live run");
+  service::add_unit_option(*command, options->unit,
+                           "the vehicle's name: it chooses the random streams, as in a live run");
   command->add_option("-o,--output", options->directory, "directory for the log NAME.mcap")->capture_default_str();
   command->add_option("--vehicle", options->vehicle_log, "log of a live run whose vehicle states are used again");
   command->add_flag("--no-log", options->without_log, "write no log");

@@ -21,7 +21,7 @@ int soak(study::SoakOptions options, bool keep_log) {
   const scenario::LoadedScenario loaded = scenario::load(options.run.scenario);
   if (options.hours * 3600.0 > loaded.scenario.duration_s) {
     terminal::tell(stderr, "inslab soak: {} lasts {:g} h; {:g} h were asked for\n", options.run.scenario,
-         loaded.scenario.duration_s / 3600.0, options.hours);
+                   loaded.scenario.duration_s / 3600.0, options.hours);
     return host::kBadInput;
   }
   const std::string name = loaded.scenario.name + "-" + host::utc_text(host::realtime_now());

@@ -26,7 +26,8 @@ struct StatusOptions {
 };
 
 int show_once(const StatusOptions& options, const std::vector<scenario::ServiceKey>& expected) {
-  if (options.wait_s > 2.0) terminal::tell(stderr, "listens for {:g} s on {}\n", options.wait_s, options.network.words());
+  if (options.wait_s > 2.0)
+    terminal::tell(stderr, "listens for {:g} s on {}\n", options.wait_s, options.network.words());
   const client::SetListener listener(options.network);
   const time::Nanoseconds begun = host::monotonic_now();
   client::listen_for(options.wait_s);
@@ -35,7 +36,7 @@ int show_once(const StatusOptions& options, const std::vector<scenario::ServiceK
   const std::vector<client::Heartbeats> services = listener.living(since);
   const std::vector<scenario::ServiceKey> missing = client::missing_of(expected, services);
   terminal::tell("{}{}", client::run_table(listener.run(), listener.vehicle(), options.network.words()),
-       client::service_table(services, missing));
+                 client::service_table(services, missing));
   return missing.empty() ? host::kOk : host::kFailed;
 }
 

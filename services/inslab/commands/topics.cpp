@@ -13,7 +13,8 @@ namespace inslab::commands {
 namespace {
 
 int list(const client::WatchOptions& options) {
-  if (options.seconds > 2.0) terminal::tell(stderr, "listens for {:g} s on {}\n", options.seconds, options.network.words());
+  if (options.seconds > 2.0)
+    terminal::tell(stderr, "listens for {:g} s on {}\n", options.seconds, options.network.words());
   const auto topics = client::topics_on_bus(options.network, options.seconds);
   terminal::tell("{:<36}{:<30}{:>8}{:>8}\n", "topic", "type", "writers", "readers");
   for (const auto& [name, topic] : topics) {
@@ -21,11 +22,12 @@ int list(const client::WatchOptions& options) {
   }
   if (!topics.empty()) return host::kOk;
   terminal::tell(stderr, "nobody was heard in {:g} s on {}: is the set running there?\n", options.seconds,
-       options.network.words());
+                 options.network.words());
   return host::kFailed;
 }
 
-std::uint64_t watch(const client::WatchOptions& options, const std::function<void(const client::WatchedMessage&)>& each) {
+std::uint64_t watch(const client::WatchOptions& options,
+                    const std::function<void(const client::WatchedMessage&)>& each) {
   const host::OwnEnding leaves_the_domain(host::OwnEnding::Then::CodeStands);
   const client::Watched watched = client::watch_topic(options, each);
   if (watched.messages == 0) terminal::tell(stderr, "{}\n", watched.why_nothing);
@@ -45,7 +47,8 @@ int rate(const client::WatchOptions& options) {
   const auto figures = intervals.figures();
   if (!figures) return host::kFailed;
   terminal::tell("{}: {:.3f} Hz over {} intervals; interval min {:.6f} s, max {:.6f} s, standard deviation {:.6f} s\n",
-       options.topic, 1.0 / figures->mean_s, figures->count, figures->least_s, figures->most_s, figures->deviation_s);
+                 options.topic, 1.0 / figures->mean_s, figures->count, figures->least_s, figures->most_s,
+                 figures->deviation_s);
   return host::kOk;
 }
 
@@ -74,8 +77,8 @@ int delay(const client::WatchOptions& options) {
 void add_topics(CLI::App& app, std::function<int()>& action) {
   CLI::App* topics = app.add_subcommand("topics", "Look at what is on the bus");
   topics->require_subcommand(1);
-  const auto add = [&](const char* name, const char* purpose, int (*work)(const client::WatchOptions&), bool of_one_topic,
-                       double seconds) {
+  const auto add = [&](const char* name, const char* purpose, int (*work)(const client::WatchOptions&),
+                       bool of_one_topic, double seconds) {
     auto options = std::make_shared<client::WatchOptions>();
     options->seconds = seconds;
     CLI::App* command = topics->add_subcommand(name, purpose);

@@ -27,8 +27,8 @@ streams::Identity identity_for(const RunOptions& options) {
   service::ServiceOptions own;
   own.network = options.network;
   own.run_id = host::random_run_id();
-  return service::identity_of("inslab-run", own,
-                          scenario::load(options.scenario, options.network.unit, scenario::TrajectoryRows::LeaveOut));
+  return service::identity_of(
+      "inslab-run", own, scenario::load(options.scenario, options.network.unit, scenario::TrajectoryRows::LeaveOut));
 }
 
 bool in_progress(const SimStatus& status) {

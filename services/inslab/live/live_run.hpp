@@ -75,7 +75,7 @@ class LiveRun {
   dds::Participant participant_;
   client::RunClient client_;
   mutable std::mutex mutex_;
-  std::string first_fault_;                       ///< of a service; guarded by mutex_
+  std::string first_fault_;                            ///< of a service; guarded by mutex_
   std::map<scenario::ServiceKey, ServiceState> said_;  ///< what each service said last; guarded by mutex_
   dds::Reader<ServiceStatus> service_status_;
   std::vector<std::string> restarts_;

@@ -103,10 +103,10 @@ std::vector<NavSolution> over_dds(const std::string& scenario_file, const servic
   if (const auto failure = run.failure()) throw std::runtime_error("the run over DDS failed: " + *failure);
   std::vector<NavSolution> solutions;
   log::for_each_sample<NavSolution>(mcap::McapReader(options.log_file), catalog::kNav.name,
-                                   [&](const NavSolution& solution, std::uint64_t) {
-                                     solutions.push_back(solution);
-                                     return true;
-                                   });
+                                    [&](const NavSolution& solution, std::uint64_t) {
+                                      solutions.push_back(solution);
+                                      return true;
+                                    });
   return solutions;
 }
 

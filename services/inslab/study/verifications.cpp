@@ -2,15 +2,15 @@
 
 #include <spdlog/spdlog.h>
 
-#include "inslab/referee/verify/alignment.hpp"
-#include "inslab/referee/verify/allan.hpp"
-#include "inslab/referee/verify/closed_loop.hpp"
+#include "inslab/referee/verify/alignment_block.hpp"
+#include "inslab/referee/verify/allan_block.hpp"
+#include "inslab/referee/verify/closed_loop_block.hpp"
 #include "inslab/referee/verify/gnss.hpp"
-#include "inslab/referee/verify/increments.hpp"
+#include "inslab/referee/verify/increments_block.hpp"
 #include "inslab/referee/verify/navigation.hpp"
 #include "inslab/referee/verify/propagation.hpp"
-#include "inslab/referee/verify/trajectory.hpp"
-#include "inslab/referee/verify/vibration.hpp"
+#include "inslab/referee/verify/trajectory_block.hpp"
+#include "inslab/referee/verify/vibration_block.hpp"
 #include "inslab/services/inslab/study/outages_over_dds.hpp"
 
 namespace inslab::study {

@@ -12,12 +12,12 @@ namespace inslab::study {
 
 /// What is wanted of a block.
 struct VerifyRequest {
-  bool full = false;               ///< all seeds
-  std::vector<std::string> files;  ///< the user's own, to be shown too
-  verify::OutageTimes outages;     ///< of `navigation`
-  bool over_dds = false;           ///< through the real processes, too
-  service::NetworkOptions network;     ///< of these
-  std::string picture;             ///< where the block's picture goes; empty: nowhere
+  bool full = false;                ///< all seeds
+  std::vector<std::string> files;   ///< the user's own, to be shown too
+  verify::OutageTimes outages;      ///< of `navigation`
+  bool over_dds = false;            ///< through the real processes, too
+  service::NetworkOptions network;  ///< of these
+  std::string picture;              ///< where the block's picture goes; empty: nowhere
 };
 
 /// One block of the verification: its name on the command line, what it shows, and the work.

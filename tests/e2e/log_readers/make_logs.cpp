@@ -11,10 +11,10 @@
 #include <filesystem>
 #include <string>
 
-#include "inslab/formats/export/log_export.hpp"
+#include "inslab/formats/exports/log_export.hpp"
 #include "inslab/formats/log/log_channel.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
-#include "tests/unit/formats/text/random_sample.hpp"
+#include "tests/unit/formats/recordings/random_sample.hpp"
 
 namespace {
 
@@ -24,7 +24,8 @@ constexpr std::uint32_t kStreamSamples = 3000;
 constexpr std::uint32_t kOtherSamples = 100;
 
 template <class T>
-void write_samples(mcap::McapWriter& log, const std::string& topic, std::uint32_t count, recordings::test::RandomFields& random) {
+void write_samples(mcap::McapWriter& log, const std::string& topic, std::uint32_t count,
+                   recordings::test::RandomFields& random) {
   log::LogChannel<T> channel(log, topic);
   for (std::uint32_t k = 0; k < count; ++k) channel.write(random.make<T>(), k, k * 5'000'000ULL, k * 5'000'000ULL + 1);
 }

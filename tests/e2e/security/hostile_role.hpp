@@ -11,7 +11,7 @@
 
 #include "inslab/bus/dds/participant.hpp"
 #include "inslab/bus/dds/qos.hpp"
-#include "inslab/bus/dds/topics.hpp"
+#include "inslab/bus/dds/typed_topics.hpp"
 
 namespace inslab::e2e {
 

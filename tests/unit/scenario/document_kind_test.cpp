@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "inslab/data/json/error.hpp"
+#include "inslab/data/json/config_error.hpp"
 #include "inslab/models/navigation/parameters_file.hpp"
 #include "inslab/scenario/load.hpp"
 

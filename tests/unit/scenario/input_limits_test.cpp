@@ -27,8 +27,10 @@ TEST(InputLimits, AreThoseOfTheDocumentation) {
   const std::vector<std::string> rows{
       "results) | " + mebibytes(files::kMaxJsonBytes) + ", " + with_commas(files::kMaxJsonValues) + " values, " +
           std::to_string(files::kMaxJsonLevels) + " levels;",
-      "import`) | " + mebibytes(files::kMaxImportBytes) + ", " + std::to_string(files::kMaxImportLevels) + " levels (of YAML 500",
-      "lines) | " + with_commas(files::kMaxLineBytes) + " bytes in a line; " + with_commas(files::kMaxRowsInMemory) + " rows",
+      "import`) | " + mebibytes(files::kMaxImportBytes) + ", " + std::to_string(files::kMaxImportLevels) +
+          " levels (of YAML 500",
+      "lines) | " + with_commas(files::kMaxLineBytes) + " bytes in a line; " + with_commas(files::kMaxRowsInMemory) +
+          " rows",
       "(MCAP) | " + mebibytes(files::kMaxLogRecordBytes) + " for a record",
       "; " + std::to_string(files::kMaxOpenLogBytes >> 30) + " GiB of chunks that overlap in time |"};
   for (const std::string& row : rows) EXPECT_THAT(docs, testing::HasSubstr(row));

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "inslab/data/json/error.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "inslab/data/json/config_error.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::scenario {
 namespace motion_matrix_test {

@@ -23,8 +23,7 @@ template <class T>
 class RoundTrip : public testing::Test {};
 
 using Files =
-    Applied<testing::Types,
-            Joined<Types<Scenario>, catalog::ProfileKinds, Types<navigation::NavigationParameters>>>;
+    Applied<testing::Types, Joined<Types<Scenario>, catalog::ProfileKinds, Types<navigation::NavigationParameters>>>;
 TYPED_TEST_SUITE(RoundTrip, Files, );
 
 TYPED_TEST(RoundTrip, ThroughJsonTextKeepsEveryBitOfRandomValues) {

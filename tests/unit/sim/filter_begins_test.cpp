@@ -178,8 +178,8 @@ void expect_honest(const std::vector<std::unique_ptr<Unit>>& units) {
 }
 
 /// The unit with another initial attitude than the scenario's, run until its filter is known.
-std::unique_ptr<Unit> begun_with(const Unit& unit, navigation::InitialAttitude attitude,
-                                 const nav::RollPitchYaw& rpy, double longest_s) {
+std::unique_ptr<Unit> begun_with(const Unit& unit, navigation::InitialAttitude attitude, const nav::RollPitchYaw& rpy,
+                                 double longest_s) {
   navigation::AppSetup told = navigation::setup_for(unit.loaded, *unit.loaded.scenario.reference_nav);
   told.parameters.initial.attitude = attitude;
   told.parameters.initial.rpy_deg = Vector3(rpy.roll_rad, rpy.pitch_rad, rpy.yaw_rad) / units::kDeg;

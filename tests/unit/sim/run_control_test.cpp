@@ -1,8 +1,8 @@
-#include "inslab/sim/run_control.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "inslab/sim/run_gate.hpp"
 
 namespace inslab::sim {
 namespace run_control_test {

@@ -4,7 +4,7 @@
 
 #include "inslab/data/json/json_reader.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 #include "tests/unit/foundation/fields/field_bits.hpp"
 #include "tests/unit/foundation/fields/number_fields.hpp"
 

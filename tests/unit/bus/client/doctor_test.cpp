@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::client {
 namespace doctor_test {
@@ -57,7 +57,8 @@ TEST_F(Doctor, FindsAndCleansSegmentsThatNobodyHolds) {
   EXPECT_EQ(found.to_cure(), 1u) << mcap::words_of(found);
   EXPECT_EQ(found.found[0].cure, "inslab doctor --clean");
   EXPECT_THAT(mcap::words_of(mcap::examine_shared_memory(path(""), true)), HasSubstr("removed 1 stale segments of 1"));
-  EXPECT_THAT(mcap::words_of(mcap::examine_shared_memory(path(""), false)), HasSubstr("0 segments of Fast DDS, all in use"));
+  EXPECT_THAT(mcap::words_of(mcap::examine_shared_memory(path(""), false)),
+              HasSubstr("0 segments of Fast DDS, all in use"));
 }
 
 TEST_F(Doctor, SaysThatNobodyWasHeardOrThatAllMatch) {

@@ -25,7 +25,8 @@ class WritersOfAStream : public testing::Test {
     one.scenario_hash = "1";
     return one;
   }
-  dds::ParticipantKey joins(std::uint8_t number, const std::optional<streams::Identity>& who, const char* name = "someone") {
+  dds::ParticipantKey joins(std::uint8_t number, const std::optional<streams::Identity>& who,
+                            const char* name = "someone") {
     dds::ParticipantKey key{};
     key.fill(number);
     peers_.note({key, name, "10.0.0.9", who ? streams::announced(*who) : std::vector<std::uint8_t>{}});
@@ -159,7 +160,8 @@ TEST_F(WritersOfAStream, WhereTheProcessIsSeenToLiveNobodyTakesItsPlace) {
 TEST_F(WritersOfAStream, TopicsAndClaimsHaveTheirServices) {
   EXPECT_EQ(writer_of_topic<TruthState>("inslab/truth"), (scenario::ServiceKey{kTrajectoryServer, 0u}));
   EXPECT_EQ(writer_of_topic<ImuSample>("inslab/imu/12"), (scenario::ServiceKey{catalog::Imu::service, 12u}));
-  EXPECT_EQ(writer_of_topic<Block<ImuTruth>>("inslab/block/imu_truth/3"), (scenario::ServiceKey{catalog::Imu::service, 3u}));
+  EXPECT_EQ(writer_of_topic<Block<ImuTruth>>("inslab/block/imu_truth/3"),
+            (scenario::ServiceKey{catalog::Imu::service, 3u}));
   EXPECT_EQ(writer_of_topic<GnssFix>("inslab/gnss/1"), (scenario::ServiceKey{catalog::Gnss::service, 1u}));
   EXPECT_EQ(writer_of_topic<SimStatus>("inslab/sim/status"), (scenario::ServiceKey{kTrajectoryServer, 0u}));
   ProfileAck ack;

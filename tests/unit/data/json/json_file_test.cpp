@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "inslab/data/json/error.hpp"
+#include "inslab/data/json/config_error.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
 #include "inslab/foundation/text/shown.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::json {
 namespace json_file_test {

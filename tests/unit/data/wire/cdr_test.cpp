@@ -5,7 +5,7 @@
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/foundation/fields/limits.hpp"
 #include "tests/unit/data/wire/earlier_version.hpp"
-#include "tests/unit/formats/text/random_sample.hpp"
+#include "tests/unit/formats/recordings/random_sample.hpp"
 #include "tests/unit/foundation/fields/field_bits.hpp"
 #include "tests/unit/foundation/fields/spoiled_fields.hpp"
 

@@ -22,7 +22,9 @@ TEST(SelfContainedIdl, HasNoPreprocessorLineAndTheTypesItNeeds) {
   EXPECT_LT(header, sample);
 }
 
-TEST(SelfContainedIdl, RefusesAFileThatIsNotThere) { EXPECT_THROW(catalog::self_contained_idl("no.idl"), std::out_of_range); }
+TEST(SelfContainedIdl, RefusesAFileThatIsNotThere) {
+  EXPECT_THROW(catalog::self_contained_idl("no.idl"), std::out_of_range);
+}
 
 /// FNV-1a, 64 bits.
 std::uint64_t hash_of(const std::string& text) {
@@ -53,7 +55,8 @@ TEST(WireVersion, GoesUpWhenAStructOrAnEnumerationChanges) {
   for (const char* file : {"block.idl", "control.idl", "vehicle.idl"}) all += declarations_of(file);
   ASSERT_EQ(versions.count(std::string(catalog::kModule)), 1u);
   EXPECT_EQ(hash_of(all), versions.at(std::string(catalog::kModule)))
-      << "the types are not those of " << catalog::kModule << ". Give idl/ and wire_type.hpp the next version, add it here with "
+      << "the types are not those of " << catalog::kModule
+      << ". Give idl/ and wire_type.hpp the next version, add it here with "
       << "this hash, and keep logs of the versions before readable (present_name())";
 }
 
@@ -76,7 +79,8 @@ TEST(PresentName, IsThatOfTheSameTypeInAnEarlierLog) {
   EXPECT_EQ(catalog::present_name("inslab::TruthState"), catalog::WireType<TruthState>::name);
   EXPECT_EQ(catalog::present_name("inslab::v1::TruthState"), catalog::WireType<TruthState>::name);
   EXPECT_EQ(catalog::present_name("inslab::v2::TruthState"), catalog::WireType<TruthState>::name);
-  EXPECT_EQ(catalog::present_name("inslab::v7::TruthState"), "inslab::v7::TruthState");  // read as one it would be read wrong
+  EXPECT_EQ(catalog::present_name("inslab::v7::TruthState"),
+            "inslab::v7::TruthState");  // read as one it would be read wrong
   EXPECT_EQ(catalog::present_name("sensor_msgs::msg::Imu"), "sensor_msgs::msg::Imu");
 }
 

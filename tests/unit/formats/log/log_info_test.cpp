@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "inslab/formats/log/log_channel.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::log {
 namespace log_info_test {

@@ -6,7 +6,7 @@
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/formats/log/log_channel.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::log {
 namespace log_walk_test {

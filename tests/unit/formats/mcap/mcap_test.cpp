@@ -7,8 +7,8 @@
 
 #include "inslab/formats/mcap/mcap_reader.hpp"
 #include "inslab/formats/mcap/mcap_writer.hpp"
-#include "inslab/foundation/files/error.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "inslab/foundation/files/file_error.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::mcap {
 namespace mcap_test {

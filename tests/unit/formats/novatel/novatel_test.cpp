@@ -6,7 +6,7 @@
 
 #include "inslab/formats/novatel/novatel_imu.hpp"
 #include "inslab/foundation/units/units.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::novatel {
 namespace novatel_test {

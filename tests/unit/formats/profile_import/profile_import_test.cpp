@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "inslab/formats/profile_import/conversion.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/units/units.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::profile_import {
 namespace profile_import_test {

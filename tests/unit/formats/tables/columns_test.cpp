@@ -11,7 +11,7 @@
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/log/log_types.hpp"
-#include "tests/unit/formats/text/random_sample.hpp"
+#include "tests/unit/formats/recordings/random_sample.hpp"
 
 namespace inslab::tables {
 namespace columns_test {

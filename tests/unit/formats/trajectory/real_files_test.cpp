@@ -2,14 +2,14 @@
 
 #include <gmock/gmock.h>
 
-#include "inslab/formats/text/gnss_text.hpp"
-#include "inslab/formats/text/imu_recording.hpp"
-#include "inslab/formats/text/imu_text.hpp"
+#include "inslab/formats/recordings/gnss_text.hpp"
+#include "inslab/formats/recordings/imu_recording.hpp"
+#include "inslab/formats/recordings/imu_text.hpp"
 #include "inslab/formats/trajectory/trajectory_judge.hpp"
 #include "inslab/formats/trajectory/trajectory_reader.hpp"
 #include "inslab/foundation/files/calendar_time.hpp"
 #include "inslab/foundation/files/decimal_time.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::trajectory {
 namespace real_files_test {
@@ -116,7 +116,8 @@ TEST_F(RealFiles, ColumnsAreLeftAsideByNameOrByADash) {
 }
 
 TEST_F(RealFiles, SecondsOfWeekGoOnPastTheEndOfTheWeek) {
-  recordings::ImuTextReader reader(file("604798 0 0 0 0 0 -9.8\n604799 0 0 0 0 0 -9.8\n0 0 0 0 0 0 -9.8\n1 0 0 0 0 0 -9.8\n"));
+  recordings::ImuTextReader reader(
+      file("604798 0 0 0 0 0 -9.8\n604799 0 0 0 0 0 -9.8\n0 0 0 0 0 0 -9.8\n1 0 0 0 0 0 -9.8\n"));
   recordings::ImuTextRecord record;
   std::vector<double> seconds;
   while (reader.next(record)) seconds.push_back(time::to_seconds(record.in_week));
@@ -138,7 +139,7 @@ TEST_F(RealFiles, AFixWithoutASigmaIsRefusedWithItsPlace) {
   ASSERT_TRUE(reader.next(record));
   EXPECT_THAT([&] { reader.next(record); },
               ThrowsMessage<files::ReadError>(testing::AllOf(HasSubstr("file.txt: line 2, column 5: is 0"),
-                                                      HasSubstr("columns 5 to 7"), HasSubstr("above 0 m"))));
+                                                             HasSubstr("columns 5 to 7"), HasSubstr("above 0 m"))));
 }
 
 class ImuFiles : public RealFiles {
@@ -176,13 +177,13 @@ TEST_F(ImuFiles, SevenColumnsWithoutNamesAreRefusedWhereTheyCannotBeSecondsOrInc
     milliseconds += std::to_string(20 * k) + " 0 0 0 0 0 -0.2\n";
     rates += std::to_string(0.005 * k) + " 0 0 0 0 0 -9.81\n";
   }
-  EXPECT_THAT(
-      [&] { read(nanoseconds); },
-      ThrowsMessage<files::ReadError>(HasSubstr("expected a time in seconds; milli-, micro- and nanoseconds need a name")));
+  EXPECT_THAT([&] { read(nanoseconds); },
+              ThrowsMessage<files::ReadError>(
+                  HasSubstr("expected a time in seconds; milli-, micro- and nanoseconds need a name")));
   EXPECT_THAT([&] { read(milliseconds); },
               ThrowsMessage<files::ReadError>(testing::AllOf(HasSubstr("which no IMU has"), HasSubstr("time_ns"))));
-  EXPECT_THAT([&] { read(rates); },
-              ThrowsMessage<files::ReadError>(testing::AllOf(HasSubstr("gravity as a rate"), HasSubstr("name the columns"))));
+  EXPECT_THAT([&] { read(rates); }, ThrowsMessage<files::ReadError>(
+                                        testing::AllOf(HasSubstr("gravity as a rate"), HasSubstr("name the columns"))));
 }
 
 }  // namespace real_files_test

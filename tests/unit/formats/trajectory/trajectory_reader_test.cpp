@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "inslab/formats/log/log_channel.hpp"
-#include "inslab/formats/text/nav_text.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/formats/recordings/nav_text.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/units/units.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::trajectory {
 namespace trajectory_reader_test {

@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "inslab/formats/tables/hdf5_writer.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/input_file.hpp"
 #include "inslab/foundation/files/output_file.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::files {
 namespace output_place_test {

@@ -10,7 +10,7 @@
 
 #include "inslab/formats/tables/csv_writer.hpp"
 #include "inslab/foundation/files/output_file.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 extern char** environ;
 

@@ -1,5 +1,3 @@
-#include "inslab/models/gnss/model.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/models/gnss/gnss_model.hpp"
 #include "inslab/nav/wgs84.hpp"
 #include "tests/unit/models/gnss/receiver.hpp"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "inslab/foundation/units/units.hpp"
-#include "inslab/models/gnss/model.hpp"
+#include "inslab/models/gnss/gnss_model.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/geodesy.hpp"
 

@@ -62,7 +62,8 @@ TEST(Installation, LeverArmGivesTheSpecificForceIntegratedAtTheImuItself) {
     const TruthState truth = motion.truth(k, kPeriodNs, kGravity);
     const Increments out = installation.increments(truth, installation.at(before), installation.at(truth));
     const double t = seconds(k);
-    const Vector3 expected = imu::test::integral([&](double s) { return motion.f_v(s, arm_v, kGravity); }, t - kPeriodS, t);
+    const Vector3 expected =
+        imu::test::integral([&](double s) { return motion.f_v(s, arm_v, kGravity); }, t - kPeriodS, t);
     EXPECT_LT((out.dv - expected).norm() / kPeriodS, 3e-9) << k;
   }
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "inslab/models/imu/model.hpp"
+#include "inslab/models/imu/imu_model.hpp"
 #include "tests/unit/models/imu/analytic_motion.hpp"
 
 /// Every term at once, and the limits of the sensor, as the whole model puts them out.

@@ -1,9 +1,8 @@
-#include "inslab/models/imu/model.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "inslab/models/imu/imu_model.hpp"
 #include "tests/unit/models/imu/analytic_motion.hpp"
 
 namespace inslab::imu {

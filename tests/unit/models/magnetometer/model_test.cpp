@@ -1,5 +1,3 @@
-#include "inslab/models/magnetometer/model.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/models/magnetometer/magnetometer_model.hpp"
 #include "inslab/nav/attitude.hpp"
 
 namespace inslab::magnetometer {
@@ -35,7 +34,8 @@ TruthState truth_at(std::uint64_t k, const nav::RollPitchYaw& rpy = {0.0, 0.0, 0
 
 Vector3 earth_n_nt() {
   const TruthState truth = truth_at(1);
-  return commands::EarthField(time::decimal_year({2446, 0})).B_n_nt({truth.latitude_rad, truth.longitude_rad, truth.height_m});
+  return commands::EarthField(time::decimal_year({2446, 0}))
+      .B_n_nt({truth.latitude_rad, truth.longitude_rad, truth.height_m});
 }
 
 FaultProfile fault(const std::function<void(FaultProfile&)>& change) {

@@ -67,12 +67,14 @@ TEST(CoarseAlignment, FindsAttitudesAllAroundAndUpToGimbalLock) {
 // the second is their square, 1e-8 and less.
 TEST(CoarseAlignment, BiasesTiltAndTurnAsTheirFormulasSayInAnyAttitude) {
   const double horizontal_rad_per_s = nav::omega_ie_n(kLatitude_rad).x();
-  for (const nav::RollPitchYaw rpy : {nav::RollPitchYaw{0.0, 0.0, 0.0}, {1.0, -0.5, 4.0}, {-2.0, 1.5, 2.0}, {3.0, -1.57, 5.0}}) {
+  for (const nav::RollPitchYaw rpy :
+       {nav::RollPitchYaw{0.0, 0.0, 0.0}, {1.0, -0.5, 4.0}, {-2.0, 1.5, 2.0}, {3.0, -1.57, 5.0}}) {
     const nav::Matrix3 C_nb = nav::matrix_from_rpy(rpy);
     nav::StaticMeans means = perfect_means(C_nb);
     means.f_b += C_nb.transpose() * nav::Vector3(1e-4, 0.0, 0.0) * gravity_m_per_s2();
     means.omega_ib_b += C_nb.transpose() * nav::Vector3(0.0, 1e-4 * horizontal_rad_per_s, 0.0);
-    const nav::Matrix3 found = std::get<nav::Matrix3>(nav::coarse_alignment(means, kLatitude_rad, gravity_m_per_s2(), {}));
+    const nav::Matrix3 found =
+        std::get<nav::Matrix3>(nav::coarse_alignment(means, kLatitude_rad, gravity_m_per_s2(), {}));
     const nav::Matrix3 error = found * C_nb.transpose();  // exp(-phi)
     // North force of 1e-4 g: the specific force leans by 1e-4 about east, and the computed level with it.
     EXPECT_NEAR(std::abs(error(0, 2)), 1e-4, 1e-7);

@@ -22,8 +22,7 @@ TrajectoryFile driving(double rate_hz = 200.0) {
   return rows_of(table, rate_hz, 60.0);
 }
 
-InverseMechanizationModel model_of(const TrajectoryFile& file,
-                                   const InverseMechanizationModel::Options& options = {}) {
+InverseMechanizationModel model_of(const TrajectoryFile& file, const InverseMechanizationModel::Options& options = {}) {
   return InverseMechanizationModel(std::make_shared<TrajectoryFile>(file), nav::Gravity(), options, kRate, kStart);
 }
 

@@ -33,7 +33,8 @@ std::set<std::string> fields_of(scenario::MotionType type) {
 TEST(MotionFields, AreThoseOfTheTypeAlone) {
   using Names = std::set<std::string>;
   EXPECT_EQ(fields_of(scenario::MotionType::Uniform), (Names{"type"}));
-  EXPECT_EQ(fields_of(scenario::MotionType::TargetSpeed), (Names{"type", "axis", "final_speed_m_per_s", "ramp_fraction"}));
+  EXPECT_EQ(fields_of(scenario::MotionType::TargetSpeed),
+            (Names{"type", "axis", "final_speed_m_per_s", "ramp_fraction"}));
   EXPECT_EQ(fields_of(scenario::MotionType::SineAccel), (Names{"type", "axis", "amplitude_m_per_s2", "period_s"}));
   EXPECT_EQ(fields_of(scenario::MotionType::CosineRate), (Names{"type", "axis", "amplitude_deg_per_s", "period_s"}));
   EXPECT_EQ(fields_of(scenario::MotionType::Turn), (Names{"type", "axis", "angle_deg", "ramp_fraction"}));

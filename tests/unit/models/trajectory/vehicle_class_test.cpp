@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "inslab/data/json/error.hpp"
+#include "inslab/data/json/config_error.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/trajectory/smooth_model.hpp"
 #include "inslab/models/trajectory/truth_model.hpp"

@@ -5,12 +5,12 @@
 
 #include "inslab/data/catalog/profile_rules.hpp"
 #include "inslab/data/json/json_reader.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/referee/calibrate/fitted_profile.hpp"
 #include "inslab/referee/calibrate/profile_file.hpp"
 #include "inslab/referee/calibrate/report.hpp"
 #include "inslab/sim/log_sink.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 /// "Record a sensor, get its twin": a profile makes a log, the log a fit, the fit a profile.
 namespace inslab::calibrate {

@@ -2,11 +2,11 @@
 
 #include <gmock/gmock.h>
 
-#include "inslab/data/json/error.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/data/json/config_error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/referee/check/file_kind.hpp"
 #include "inslab/referee/check/trajectory_check.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 
 namespace inslab::check {
 namespace file_check_test {

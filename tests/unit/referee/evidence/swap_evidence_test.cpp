@@ -11,7 +11,7 @@
 #include "inslab/referee/evidence/filter_response.hpp"
 #include "inslab/referee/evidence/swap_window.hpp"
 #include "inslab/sim/log_sink.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 #include "tests/unit/sim/journal_of_faults.hpp"
 
 namespace inslab::evidence {

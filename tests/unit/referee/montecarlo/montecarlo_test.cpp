@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "inslab/data/json/json_writer.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/noise/random/stream.hpp"
 #include "inslab/referee/montecarlo/result_folder.hpp"

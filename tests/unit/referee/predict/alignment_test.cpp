@@ -1,15 +1,14 @@
-#include "inslab/referee/verify/alignment.hpp"
-
 #include <gmock/gmock.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "inslab/formats/novatel/novatel_imu.hpp"
-#include "inslab/foundation/files/error.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/gravity.hpp"
 #include "inslab/referee/calibrate/recording.hpp"
+#include "inslab/referee/verify/alignment_block.hpp"
 #include "tests/unit/referee/verify/rows_held.hpp"
 
 namespace inslab::predict {

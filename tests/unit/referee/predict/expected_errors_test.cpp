@@ -6,7 +6,7 @@
 
 #include "inslab/data/samples/nav_state.hpp"
 #include "inslab/foundation/units/units.hpp"
-#include "inslab/models/imu/model.hpp"
+#include "inslab/models/imu/imu_model.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"
 #include "inslab/models/navigation/navigation_filter.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"

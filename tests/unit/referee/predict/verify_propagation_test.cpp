@@ -17,14 +17,16 @@ TEST(VerifyPropagation, FourSourcesFollowTheClosedFormAndTheLinearModel) {
 
 TEST(VerifyPropagation, FreeHeightFollowsTheClosedForm) { EXPECT_TRUE(verify::every_row_held(verify::height_table())); }
 
-TEST(VerifyPropagation, NavigationGradeDriftsAsPredicted) { EXPECT_TRUE(verify::every_row_held(verify::drift_table(24))); }
+TEST(VerifyPropagation, NavigationGradeDriftsAsPredicted) {
+  EXPECT_TRUE(verify::every_row_held(verify::drift_table(24)));
+}
 
 TEST(ErrorGrowth, OfAConstantBiasIsTheLinearModel) {
   verify::RestingRun run;
   run.errors.accel.bias_constant_mgal.x() = 10.0;
-  const verify::ErrorState linear = verify::propagate_linearly(run.start, nav::Vector3::Zero(), {1e-4, 0.0, 0.0}, run.vertical,
-                                               run.duration_s, run.duration_s)
-                                .back();
+  const verify::ErrorState linear = verify::propagate_linearly(run.start, nav::Vector3::Zero(), {1e-4, 0.0, 0.0},
+                                                               run.vertical, run.duration_s, run.duration_s)
+                                        .back();
   // Steps of a second, second order in each: (omega_s 1 s)^2 / 6 an hour, far below.
   EXPECT_NEAR(verify::predict_at_rest(run).position_n_m.x(), std::abs(linear[0]), 1e-5 * std::abs(linear[0]));
   EXPECT_EQ(verify::predict_at_rest(run).position_n_m.z(), 0.0);

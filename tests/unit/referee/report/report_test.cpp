@@ -14,7 +14,7 @@
 #include "inslab/referee/score/score_words.hpp"
 #include "inslab/referee/score/swap_intervals.hpp"
 #include "inslab/sim/run_log.hpp"
-#include "tests/unit/formats/text/temporary_folder.hpp"
+#include "tests/unit/formats/recordings/temporary_folder.hpp"
 #include "tests/unit/sim/run_recorder.hpp"
 
 /// The report of a log that is written here: a car's ten seconds with an outage and a swap, and an app that is off by a

@@ -1,9 +1,8 @@
-#include "inslab/referee/score/acceptance.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "inslab/referee/score/score_text.hpp"
+#include "inslab/referee/score/verdict.hpp"
 #include "tests/unit/referee/score/straight_run.hpp"
 
 namespace inslab::score {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "inslab/referee/score/acceptance.hpp"
+#include "inslab/referee/score/verdict.hpp"
 #include "inslab/sim/offline_run.hpp"
 
 /// The scorer's true pose of an IMU is the one that the IMU's own model publishes.

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "inslab/nav/geodesy.hpp"
-#include "inslab/referee/score/acceptance.hpp"
+#include "inslab/referee/score/verdict.hpp"
 
 namespace inslab::score {
 

@@ -47,12 +47,13 @@ TEST_P(EcefReference, AgreesToAMicrometre) {
   EXPECT_LE(rms.dtheta_rad, 1e-14L);
 }
 
-INSTANTIATE_TEST_SUITE_P(Tables, EcefReference,
-                         testing::Values(Case{"basic", from_segment(trajectory::tables::basic(), 1, 0.0), 90.0},
-                                         Case{"vehicle", from_segment(trajectory::tables::vehicle(), 1, 0.0), 90.0},
-                                         Case{"aircraft", from_segment(trajectory::tables::aircraft(), 6, 200.0), 110.0},
-                                         Case{"ship", trajectory::tables::ship(), 60.0}, Case{"rocket", trajectory::tables::rocket(), 60.0}),
-                         [](const auto& table) { return table.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Tables, EcefReference,
+    testing::Values(Case{"basic", from_segment(trajectory::tables::basic(), 1, 0.0), 90.0},
+                    Case{"vehicle", from_segment(trajectory::tables::vehicle(), 1, 0.0), 90.0},
+                    Case{"aircraft", from_segment(trajectory::tables::aircraft(), 6, 200.0), 110.0},
+                    Case{"ship", trajectory::tables::ship(), 60.0}, Case{"rocket", trajectory::tables::rocket(), 60.0}),
+    [](const auto& table) { return table.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
     Places, EcefReference,

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <random>
 
-#include "inslab/data/json/error.hpp"
-#include "inslab/referee/verify/closed_loop.hpp"
+#include "inslab/data/json/config_error.hpp"
+#include "inslab/referee/verify/closed_loop_block.hpp"
 #include "inslab/referee/verify/deviation.hpp"
-#include "inslab/referee/verify/increments.hpp"
+#include "inslab/referee/verify/increments_block.hpp"
 #include "inslab/referee/verify/spline_loop.hpp"
 #include "tests/unit/models/trajectory/tables.hpp"
 #include "tests/unit/referee/verify/rows_held.hpp"
