@@ -16,7 +16,7 @@ template <class Profile>
 Profile read_profile(const std::filesystem::path& file, const SensorAddress& target) {
   auto profile = read_document<Profile>(file, document_of(Profile::kind));
   profile.target = target;
-  if (auto broken = violation(profile)) throw json::Error(file.string(), *broken);
+  if (auto broken = catalog::violation(profile)) throw json::Error(file.string(), *broken);
   return profile;
 }
 
@@ -137,9 +137,8 @@ void check_rows_cover_run(const LoadedScenario& loaded) {
   if (last_sample <= last_row) return;
   throw json::Error(loaded.file.string(),
                     {Rule::FileCoversRun, "duration_s",
-                     "is " + inslab::samples::detail::number_text(loaded.scenario.duration_s) +
-                         "; the rows of the trajectory's file reach to " +
-                         inslab::samples::detail::number_text(time::to_seconds(last_row)) + " s"});
+                     "is " + number_text(loaded.scenario.duration_s) + "; the rows of the trajectory's file reach to " +
+                         number_text(time::to_seconds(last_row)) + " s"});
 }
 
 /// Afterwards the scenario says all by itself: what is logged with a run needs no other file.
@@ -151,8 +150,8 @@ void take_segments_from_file(Trajectory& trajectory, const std::filesystem::path
 
 }  // namespace
 
-AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target) {
-  AnyProfile profile;
+catalog::AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target) {
+  catalog::AnyProfile profile;
   catalog::with_profile(kind, [&](auto tag) { profile = read_profile<typename decltype(tag)::type>(file, target); });
   return profile;
 }
@@ -181,12 +180,13 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit, 
   return loaded;
 }
 
-std::vector<AnyProfile> load_swaps(const std::vector<ScheduledSwap>& swaps, const std::filesystem::path& folder,
-                                   std::uint64_t first_request_id) {
-  std::vector<AnyProfile> requests;
+std::vector<catalog::AnyProfile> load_swaps(const std::vector<ScheduledSwap>& swaps,
+                                            const std::filesystem::path& folder, std::uint64_t first_request_id) {
+  std::vector<catalog::AnyProfile> requests;
   for (const ScheduledSwap& swap : swaps) {
-    AnyProfile request = load_profile(folder / swap.profile, swap.kind, {swap.sensor_kind, swap.sensor_number});
-    ProfileRequest& head = request_of(request);
+    catalog::AnyProfile request =
+        load_profile(folder / swap.profile, swap.kind, {swap.sensor_kind, swap.sensor_number});
+    ProfileRequest& head = catalog::request_of(request);
     head.request_id = first_request_id + requests.size();
     head.apply_at_ns = time::from_seconds(swap.at_s).count();
     head.continuity = swap.continuity;
@@ -196,7 +196,7 @@ std::vector<AnyProfile> load_swaps(const std::vector<ScheduledSwap>& swaps, cons
   return requests;
 }
 
-std::vector<AnyProfile> load_schedule(const std::filesystem::path& file, std::uint64_t first_request_id) {
+std::vector<catalog::AnyProfile> load_schedule(const std::filesystem::path& file, std::uint64_t first_request_id) {
   const auto schedule = read_document<Schedule>(file, DocumentKind::Schedule);
   if (auto broken = violation(schedule)) throw json::Error(file.string(), *broken);
   NamedFiles files(file.parent_path());

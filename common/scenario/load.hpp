@@ -52,8 +52,8 @@ struct LoadedScenario {
   std::vector<LoadedImu> imus;
   std::vector<LoadedGnss> gnss;
   std::vector<LoadedMagnetometer> magnetometers;
-  std::vector<AnyProfile> swaps;  ///< requests in order: target and request are filled in
-  std::string unit;               ///< the vehicle's name on the network; empty: it has none
+  std::vector<catalog::AnyProfile> swaps;  ///< requests in order: target and request are filled in
+  std::string unit;                        ///< the vehicle's name on the network; empty: it has none
 
   /// When the truth has samples: at its own rate, and at every instant of a sensor.
   time::Grid truth_grid() const;
@@ -64,7 +64,7 @@ struct LoadedScenario {
   std::uint64_t stream_seed() const;
   /// The gravity that the scenario's options describe.
   nav::Gravity gravity() const;
-  /// The sensor of that kind and number. Throws config::Error when the scenario has no such sensor.
+  /// The sensor of that kind and number. Throws json::Error when the scenario has no such sensor.
   template <class Kind>
   const auto& sensor(std::uint32_t number) const;
 
@@ -149,20 +149,20 @@ const auto& LoadedScenario::sensor(std::uint32_t number) const {
 /// The rows of a trajectory file: hours of them take hundreds of megabytes, and only who makes the truth needs them.
 enum class TrajectoryRows { Read, LeaveOut };
 
-/// Reads a scenario and everything it names, for the vehicle called `unit`. Throws config::Error naming file, path in
+/// Reads a scenario and everything it names, for the vehicle called `unit`. Throws json::Error naming file, path in
 /// it and reason.
 LoadedScenario load(const std::filesystem::path& file, const std::string& unit = {},
                     TrajectoryRows rows = TrajectoryRows::Read);
 
-/// Reads a profile file of that kind, checks its limits and rules for the given target. Throws config::Error.
-AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target);
+/// Reads a profile file of that kind, checks its limits and rules for the given target. Throws json::Error.
+catalog::AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target);
 
 /// The requests of a list of swaps, in order, numbered from `first_request_id`; profile files relative to `folder`.
-/// Throws config::Error as load_profile() does.
-std::vector<AnyProfile> load_swaps(const std::vector<ScheduledSwap>& swaps, const std::filesystem::path& folder,
-                                   std::uint64_t first_request_id);
+/// Throws json::Error as load_profile() does.
+std::vector<catalog::AnyProfile> load_swaps(const std::vector<ScheduledSwap>& swaps,
+                                            const std::filesystem::path& folder, std::uint64_t first_request_id);
 
-/// Reads a schedule of swaps and everything it names. Throws config::Error naming file, path in it and reason.
-std::vector<AnyProfile> load_schedule(const std::filesystem::path& file, std::uint64_t first_request_id);
+/// Reads a schedule of swaps and everything it names. Throws json::Error naming file, path in it and reason.
+std::vector<catalog::AnyProfile> load_schedule(const std::filesystem::path& file, std::uint64_t first_request_id);
 
 }  // namespace inslab::scenario

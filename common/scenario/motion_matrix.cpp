@@ -113,16 +113,15 @@ class Line {
     if (found && static_cast<double>(whole) == number) return *found;
     std::string known;
     for (const auto one : EnumNames<MotionType>::numbers) known += (known.empty() ? "" : ", ") + std::to_string(one);
-    fail(Rule::MotionMatrix,
-         "column 1 is " + samples::detail::number_text(number) + "; expected one of the types " + known);
+    fail(Rule::MotionMatrix, "column 1 is " + number_text(number) + "; expected one of the types " + known);
   }
 
   void set(Motion& motion, double Motion::*parameter, double value, int column) const {
     if (parameter != nullptr) {
       motion.*parameter = value;
     } else if (value != 0.0) {
-      fail(Rule::MotionMatrix, "column " + std::to_string(column) + " is " + samples::detail::number_text(value) +
-                                   "; " + std::string(enum_name(motion.type)) + " has no parameter there: expected 0");
+      fail(Rule::MotionMatrix, "column " + std::to_string(column) + " is " + number_text(value) + "; " +
+                                   std::string(enum_name(motion.type)) + " has no parameter there: expected 0");
     }
   }
 
@@ -151,7 +150,7 @@ std::vector<Segment> read_segments(const std::string& file) {
   return segments;
 }
 
-/// A reader's message without the file at its beginning, which config::Error names itself.
+/// A reader's message without the file at its beginning, which json::Error names itself.
 std::string without_file(const std::string& message, const std::string& file) {
   const std::string prefix = file + ": ";
   return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : message;

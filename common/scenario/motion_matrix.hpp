@@ -17,7 +17,7 @@ namespace inslab::scenario {
 ///   9,  20,  5,   2      sine rate: period s, amplitude deg/s, the other way round
 ///
 /// Columns that a type does not use are 0. Accelerations act along x_v, rates about z_v, ramps take a quarter of the
-/// duration. Blank lines and lines that begin with # are skipped. Throws config::Error naming file and line.
+/// duration. Blank lines and lines that begin with # are skipped. Throws json::Error naming file and line.
 std::vector<Segment> read_motion_matrix(const std::filesystem::path& file);
 
 }  // namespace inslab::scenario

@@ -5,7 +5,7 @@
 
 namespace inslab::scenario {
 
-/// Reads a document of one kind. Throws config::Error; one that is of another kind, and cannot be read for that, is
+/// Reads a document of one kind. Throws json::Error; one that is of another kind, and cannot be read for that, is
 /// called what it is.
 template <class T>
 T read_document(const std::filesystem::path& file, DocumentKind expected) {

@@ -33,13 +33,11 @@ std::optional<Violation> rate_violation(const NamedRate& rate, const std::vector
     const double apart_ns = time::least_distance_ns(time::Rate(rate.hz), time::Rate(other.hz));
     const auto least_ns = static_cast<double>(time::Grid::kLeastApart.count());
     if (apart_ns >= least_ns) continue;
-    const std::string hz = inslab::samples::detail::number_text(rate.hz),
-                      other_hz = inslab::samples::detail::number_text(other.hz);
+    const std::string hz = number_text(rate.hz), other_hz = number_text(other.hz);
     return Violation{Rule::SensorInstants, rate.path,
-                     "is " + hz + ", and its instants come within " +
-                         inslab::samples::detail::number_text(std::round(10.0 * apart_ns) / 10.0) + " ns of those of " +
-                         other.path + ", " + other_hz + ", without meeting them: the truth has " +
-                         "a sample at each; expected at least " + inslab::samples::detail::number_text(least_ns) +
+                     "is " + hz + ", and its instants come within " + number_text(std::round(10.0 * apart_ns) / 10.0) +
+                         " ns of those of " + other.path + ", " + other_hz + ", without meeting them: the truth has " +
+                         "a sample at each; expected at least " + number_text(least_ns) +
                          " ns: choose one rate for both, a whole multiple, or fewer digits"};
   }
   return std::nullopt;
@@ -156,9 +154,9 @@ std::optional<Violation> swaps_violation(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.swaps.size(); ++i) {
     const ScheduledSwap& swap = scenario.swaps[i];
     if (!has_sensor(scenario, {swap.sensor_kind, swap.sensor_number})) {
-      return Violation{
-          Rule::SensorExists, at("swaps", i, "sensor_number"),
-          "names " + sensor_name({swap.sensor_kind, swap.sensor_number}) + ", which the scenario does not have"};
+      return Violation{Rule::SensorExists, at("swaps", i, "sensor_number"),
+                       "names " + catalog::sensor_name({swap.sensor_kind, swap.sensor_number}) +
+                           ", which the scenario does not have"};
     }
     if (swap.at_s >= scenario.duration_s) {
       return Violation{Rule::SwapBeforeEnd, at("swaps", i, "at_s"), "lies at or after the end of the scenario"};
@@ -176,7 +174,7 @@ std::optional<Violation> reference_nav_violation(const Scenario& scenario) {
     const auto number = sensor_of_the_app<Kind>(*scenario.reference_nav);
     if (missing || !number || has_sensor(scenario, {Kind::kind, *number})) return;
     missing = Violation{Rule::SensorExists, "reference_nav." + std::string(Kind::name),
-                        "names " + sensor_name({Kind::kind, *number}) + ", which the scenario does not have"};
+                        "names " + catalog::sensor_name({Kind::kind, *number}) + ", which the scenario does not have"};
   });
   if (missing) return missing;
   if (!scenario.require_nav_app) return std::nullopt;
@@ -230,8 +228,7 @@ std::optional<Violation> magnetic_date_violation(const Scenario& scenario) {
     if (scenario.magnetometer[i].field != MagneticModel::Wmm2025) continue;
     return Violation{Rule::MagneticModelDate, "magnetometer[" + std::to_string(i) + "].field",
                      "is wmm2025, which is valid from 2025 to the end of 2029, and the run begins in " +
-                         samples::detail::number_text(std::floor(year)) +
-                         "; expected a start in these years, or wmm2025_extrapolated"};
+                         number_text(std::floor(year)) + "; expected a start in these years, or wmm2025_extrapolated"};
   }
   return std::nullopt;
 }

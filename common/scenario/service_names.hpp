@@ -11,9 +11,6 @@ namespace inslab::scenario {
 
 using ServiceKey = std::pair<std::string, std::uint32_t>;  // service, sensor number
 
-using catalog::kReferenceNav;
-using catalog::kTrajectoryServer;
-using catalog::kTruthLogger;
 /// The app under test, in credits: it is not ours and need not know of them.
 inline constexpr const char* kNavApp = "navigation app";
 /// What the message of a service begins with that was told to stop in mid-run: its going is no fault of the run's.
@@ -28,24 +25,24 @@ inline std::vector<ServiceKey> truth_consumers(const LoadedScenario& scenario) {
   for_each_sensor(scenario, [&services](auto kind, const auto& sensor) {
     services.emplace_back(decltype(kind)::type::service, sensor.number);
   });
-  services.emplace_back(kTruthLogger, 0u);
+  services.emplace_back(catalog::kTruthLogger, 0u);
   return services;
 }
 
 /// Those that must be ready before the first sample.
 inline std::vector<ServiceKey> required_services(const LoadedScenario& scenario) {
   std::vector<ServiceKey> services = truth_consumers(scenario);
-  if (scenario.scenario.reference_nav) services.emplace_back(kReferenceNav, 0u);
+  if (scenario.scenario.reference_nav) services.emplace_back(catalog::kReferenceNav, 0u);
   return services;
 }
 
 /// Our consumers of a stream of sensor `number`: the logger, and the reference navigation app where it navigates by it.
 template <class Kind>
 std::vector<ServiceKey> stream_consumers(const Scenario& scenario, catalog::Audience audience, std::uint32_t number) {
-  std::vector<ServiceKey> services{{kTruthLogger, 0u}};
+  std::vector<ServiceKey> services{{catalog::kTruthLogger, 0u}};
   const auto& app = scenario.reference_nav;
   if (audience == catalog::Audience::App && app && sensor_of_the_app<Kind>(*app) == number) {
-    services.emplace_back(kReferenceNav, 0u);
+    services.emplace_back(catalog::kReferenceNav, 0u);
   }
   return services;
 }

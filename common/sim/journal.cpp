@@ -10,13 +10,13 @@
 
 namespace inslab::sim {
 
-ProfileAck rejected(const AnyProfile& request, const std::string& field, const std::string& reason) {
+ProfileAck rejected(const catalog::AnyProfile& request, const std::string& field, const std::string& reason) {
   ProfileAck ack;
-  ack.request_id = request_of(request).request_id;
-  ack.kind = kind_of(request);
-  ack.target = target_of(request);
+  ack.request_id = catalog::request_of(request).request_id;
+  ack.kind = catalog::kind_of(request);
+  ack.target = catalog::target_of(request);
   ack.outcome = AckOutcome::Rejected;
-  ack.requested_time_ns = request_of(request).apply_at_ns;
+  ack.requested_time_ns = catalog::request_of(request).apply_at_ns;
   // Bounds of the wire: a path or reason that does not fit would make the ack itself unsendable.
   ack.field = text::cut(text::shown(field), 128);
   ack.reason = text::cut(text::shown(reason), 256);
@@ -26,13 +26,13 @@ ProfileAck rejected(const AnyProfile& request, const std::string& field, const s
 Journal::Journal(std::vector<SensorAddress> sensors, time::Grid truth_grid, time::Nanoseconds end)
     : sensors_(std::move(sensors)), truth_grid_(std::move(truth_grid)), end_(end) {}
 
-std::optional<Violation> Journal::rejection_of(const AnyProfile& request, time::Nanoseconds now) const {
-  if (auto broken = broken_rule(request)) return broken;
-  if (std::find(sensors_.begin(), sensors_.end(), target_of(request)) == sensors_.end()) {
+std::optional<Violation> Journal::rejection_of(const catalog::AnyProfile& request, time::Nanoseconds now) const {
+  if (auto broken = catalog::broken_rule(request)) return broken;
+  if (std::find(sensors_.begin(), sensors_.end(), catalog::target_of(request)) == sensors_.end()) {
     return Violation{Rule::SensorExists, "target_number",
-                     "names " + sensor_name(target_of(request)) + ", which this unit does not have"};
+                     "names " + catalog::sensor_name(catalog::target_of(request)) + ", which this unit does not have"};
   }
-  if (std::max(request_of(request).apply_at_ns, now.count()) >= end_.count()) {
+  if (std::max(catalog::request_of(request).apply_at_ns, now.count()) >= end_.count()) {
     char text[128];
     std::snprintf(text, sizeof text, "lies at or after the end of the run at %.3f s: no sample would come out under it",
                   time::to_seconds(end_));
@@ -41,9 +41,9 @@ std::optional<Violation> Journal::rejection_of(const AnyProfile& request, time::
   return std::nullopt;
 }
 
-std::variant<AnyProfile, ProfileAck> Journal::submit(AnyProfile request, time::Nanoseconds now) {
+std::variant<catalog::AnyProfile, ProfileAck> Journal::submit(catalog::AnyProfile request, time::Nanoseconds now) {
   if (const auto broken = rejection_of(request, now)) return rejected(request, broken->path, broken->reason);
-  ProfileRequest& head = request_of(request);
+  ProfileRequest& head = catalog::request_of(request);
   head.requested_at_ns = head.apply_at_ns;
   head.requested_in_the_past = head.apply_at_ns >= 0 && head.apply_at_ns < now.count();
   const std::int64_t earliest = std::max(head.apply_at_ns, now.count());

@@ -12,7 +12,7 @@
 namespace inslab::sim {
 
 /// The answer to a request that changes nothing, with the field at fault and why.
-ProfileAck rejected(const AnyProfile& request, const std::string& field, const std::string& reason);
+ProfileAck rejected(const catalog::AnyProfile& request, const std::string& field, const std::string& reason);
 
 /// The one order of all accepted swaps. Its owner, the trajectory server, is its only writer; every service obeys it.
 ///
@@ -27,7 +27,7 @@ class Journal {
   /// Judges a request when the last truth sample sent was that of sim time `now`. Gives the numbered entry with its
   /// apply time settled (a past or negative one becomes `now`, one between two grid points the later of them), or the
   /// rejection, which changes nothing and names the offending field.
-  std::variant<AnyProfile, ProfileAck> submit(AnyProfile request, time::Nanoseconds now);
+  std::variant<catalog::AnyProfile, ProfileAck> submit(catalog::AnyProfile request, time::Nanoseconds now);
 
   /// How many entries are in effect for a sample of sim time `t`.
   std::uint32_t in_effect(time::Nanoseconds t) const;
@@ -38,7 +38,7 @@ class Journal {
   std::uint32_t size() const { return static_cast<std::uint32_t>(apply_times_.size()); }
 
  private:
-  std::optional<Violation> rejection_of(const AnyProfile& request, time::Nanoseconds now) const;
+  std::optional<Violation> rejection_of(const catalog::AnyProfile& request, time::Nanoseconds now) const;
 
   std::vector<SensorAddress> sensors_;
   time::Grid truth_grid_;

@@ -37,7 +37,7 @@ void LogSink::write(log::LogChannel<T>& channel, const T& sample, const StreamHe
   channel.write(sample, static_cast<std::uint32_t>(header.sequence_number), latest_utc_ns_, latest_utc_ns_);
 }
 
-void LogSink::journal(const AnyProfile& entry) {
+void LogSink::journal(const catalog::AnyProfile& entry) {
   log_.add_profile(entry);
   std::visit(
       [this](const auto& profile) {

@@ -12,10 +12,10 @@ namespace inslab::sim {
 /// Writes an offline run to the same log as the truth logger does; log times are the GPS time of validity, as UTC.
 class LogSink : public RunSink {
  public:
-  /// Throws io::WriteError, as all its functions do.
+  /// Throws files::WriteError, as all its functions do.
   LogSink(const std::string& path, const scenario::LoadedScenario& scenario, const time::GpsTime& start);
 
-  void journal(const AnyProfile& entry) override;
+  void journal(const catalog::AnyProfile& entry) override;
   void vehicle_state(const UsedVehicleState& used) override;
   void truth(const TruthState& truth) override;
   void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override;

@@ -37,7 +37,7 @@ class Watcher final : public RunSink {
     app_ = app;
   }
 
-  void journal(const AnyProfile& entry) override {
+  void journal(const catalog::AnyProfile& entry) override {
     if (const auto* errors = std::get_if<ImuErrorProfile>(&entry)) swaps_.push_back(*errors);
   }
 
@@ -144,7 +144,7 @@ bool has_limit(const ImuErrorProfile& errors) {
 /// Whether an IMU can put out less than what acts on it, now or after a swap.
 bool can_saturate(const scenario::LoadedScenario& scenario, const scenario::LoadedImu& imu) {
   return has_limit(imu.errors) ||
-         std::any_of(scenario.swaps.begin(), scenario.swaps.end(), [&](const AnyProfile& swap) {
+         std::any_of(scenario.swaps.begin(), scenario.swaps.end(), [&](const catalog::AnyProfile& swap) {
            const auto* errors = std::get_if<ImuErrorProfile>(&swap);
            return errors != nullptr && errors->target.number == imu.number && has_limit(*errors);
          });

@@ -17,13 +17,13 @@ OfflineRun::OfflineRun(const scenario::LoadedScenario& scenario, const time::Gps
     navigator_.emplace(setup.parameters, setup.gravity);
     app_ = app;
   }
-  for (const AnyProfile& request : scenario.swaps) {
+  for (const catalog::AnyProfile& request : scenario.swaps) {
     auto verdict = source_.submit(request);
     if (const auto* rejection = std::get_if<ProfileAck>(&verdict)) {
       sink_.ack(*rejection);
       continue;
     }
-    const AnyProfile& entry = std::get<AnyProfile>(verdict);
+    const catalog::AnyProfile& entry = std::get<catalog::AnyProfile>(verdict);
     sink_.journal(entry);
     for_each_of(sensors_, [&entry](auto& of_a_kind) {
       for (auto& sensor : of_a_kind) sensor.add(entry);

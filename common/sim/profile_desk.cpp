@@ -9,7 +9,7 @@ namespace inslab::sim {
 namespace {
 
 /// What makes two profiles the same: everything but the request.
-std::vector<std::uint8_t> parameters_of(const AnyProfile& profile) {
+std::vector<std::uint8_t> parameters_of(const catalog::AnyProfile& profile) {
   return std::visit(
       [](auto copy) {
         copy.request = {};
@@ -22,19 +22,19 @@ std::vector<std::uint8_t> parameters_of(const AnyProfile& profile) {
 
 }  // namespace
 
-ProfileDesk::ProfileDesk(SensorAddress sensor, std::string service, const std::vector<AnyProfile>& in_use)
+ProfileDesk::ProfileDesk(SensorAddress sensor, std::string service, const std::vector<catalog::AnyProfile>& in_use)
     : sensor_(sensor), service_(std::move(service)) {
-  for (const AnyProfile& profile : in_use) {
-    parameters_in_use_.at(static_cast<std::size_t>(kind_of(profile))) = parameters_of(profile);
+  for (const catalog::AnyProfile& profile : in_use) {
+    parameters_in_use_.at(static_cast<std::size_t>(catalog::kind_of(profile))) = parameters_of(profile);
   }
 }
 
-void ProfileDesk::add(const AnyProfile& entry) {
-  const ProfileRequest& head = request_of(entry);
+void ProfileDesk::add(const catalog::AnyProfile& entry) {
+  const ProfileRequest& head = catalog::request_of(entry);
   // Of the entries before that, each had come when they were taken.
   if (head.apply_at_ns < taken_until_ns_) return;
   const Place place(head.apply_at_ns, head.journal_number);
-  if (ahead_.insert(place).second && target_of(entry) == sensor_) waiting_.emplace(place, entry);
+  if (ahead_.insert(place).second && catalog::target_of(entry) == sensor_) waiting_.emplace(place, entry);
 }
 
 bool ProfileDesk::complete_for(const TruthState& truth) const {
@@ -51,12 +51,12 @@ void ProfileDesk::forget_taken() {
   while (!waiting_.empty() && waiting_.begin()->first.first < taken_until_ns_) waiting_.erase(waiting_.begin());
 }
 
-ProfileAck ProfileDesk::ack_of(const AnyProfile& entry, AckOutcome outcome) const {
-  const ProfileRequest& head = request_of(entry);
+ProfileAck ProfileDesk::ack_of(const catalog::AnyProfile& entry, AckOutcome outcome) const {
+  const ProfileRequest& head = catalog::request_of(entry);
   ProfileAck ack;
   ack.request_id = head.request_id;
-  ack.kind = kind_of(entry);
-  ack.target = target_of(entry);
+  ack.kind = catalog::kind_of(entry);
+  ack.target = catalog::target_of(entry);
   ack.journal_number = head.journal_number;
   ack.outcome = outcome;
   ack.service = service_;
@@ -66,29 +66,29 @@ ProfileAck ProfileDesk::ack_of(const AnyProfile& entry, AckOutcome outcome) cons
   return ack;
 }
 
-std::vector<AnyProfile> ProfileDesk::take_due(std::int64_t sim_time_ns) {
+std::vector<catalog::AnyProfile> ProfileDesk::take_due(std::int64_t sim_time_ns) {
   taken_until_ns_ = sim_time_ns;
   while (!ahead_.empty() && ahead_.begin()->first < sim_time_ns) {
     ahead_.erase(ahead_.begin());
     ++taken_;
   }
-  std::map<ProfileKind, AnyProfile> latest;
+  std::map<ProfileKind, catalog::AnyProfile> latest;
   while (!waiting_.empty() && waiting_.begin()->first.first < sim_time_ns) {
-    const AnyProfile entry = waiting_.begin()->second;
+    const catalog::AnyProfile entry = waiting_.begin()->second;
     waiting_.erase(waiting_.begin());
-    const auto earlier = latest.find(kind_of(entry));
+    const auto earlier = latest.find(catalog::kind_of(entry));
     if (earlier != latest.end()) {
       to_acknowledge_.push_back(ack_of(earlier->second, AckOutcome::Superseded));
       latest.erase(earlier);
     }
-    latest.emplace(kind_of(entry), entry);
+    latest.emplace(catalog::kind_of(entry), entry);
   }
-  std::vector<AnyProfile> due;
+  std::vector<catalog::AnyProfile> due;
   for (const auto& [kind, entry] : latest) {
     std::vector<std::uint8_t> parameters = parameters_of(entry);
     std::vector<std::uint8_t>& in_use = parameters_in_use_.at(static_cast<std::size_t>(kind));
     // Asked to reset or redraw, the same parameters still change the states.
-    const bool unchanged = parameters == in_use && request_of(entry).continuity == Continuity::Keep;
+    const bool unchanged = parameters == in_use && catalog::request_of(entry).continuity == Continuity::Keep;
     // No sample came out under what took effect before this and waits still, as from a receiver without a fix.
     for (ProfileAck& waiting : to_acknowledge_) {
       if (!unchanged && waiting.kind == kind) waiting.outcome = AckOutcome::Superseded;
@@ -121,7 +121,7 @@ std::vector<ProfileAck> ProfileDesk::close(const RunId& run) {
     if (ack.outcome == AckOutcome::Superseded) continue;
     ack.outcome = AckOutcome::Rejected;
     ack.field = "request.apply_at_ns";
-    ack.reason = "the run ended before " + sensor_name(sensor_) + " put out a sample under it";
+    ack.reason = "the run ended before " + catalog::sensor_name(sensor_) + " put out a sample under it";
   }
   return acks;
 }

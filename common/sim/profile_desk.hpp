@@ -21,17 +21,17 @@ namespace inslab::sim {
 class ProfileDesk {
  public:
   /// `in_use` holds the profiles the sensor began with.
-  ProfileDesk(SensorAddress sensor, std::string service, const std::vector<AnyProfile>& in_use);
+  ProfileDesk(SensorAddress sensor, std::string service, const std::vector<catalog::AnyProfile>& in_use);
 
   /// Takes an entry of the journal, of any sensor; one that is known already is ignored.
-  void add(const AnyProfile& entry);
+  void add(const catalog::AnyProfile& entry);
 
   /// Whether every entry that is in effect for this sample has arrived.
   bool complete_for(const TruthState& truth) const;
 
   /// The entries of this sensor that take effect before the sample of sim time `sim_time_ns`, in order: at most one of
   /// each kind, since a later one supersedes an earlier one of the same instant. Call once for every sample.
-  std::vector<AnyProfile> take_due(std::int64_t sim_time_ns);
+  std::vector<catalog::AnyProfile> take_due(std::int64_t sim_time_ns);
 
   /// The acknowledgements that wait for the first sample under the new profiles, which is the one with this header.
   std::vector<ProfileAck> acknowledge(const StreamHeader& first_sample);
@@ -49,7 +49,7 @@ class ProfileDesk {
 
  private:
   void forget_taken();
-  ProfileAck ack_of(const AnyProfile& entry, AckOutcome outcome) const;
+  ProfileAck ack_of(const catalog::AnyProfile& entry, AckOutcome outcome) const;
 
   SensorAddress sensor_;
   std::string service_;
@@ -57,7 +57,7 @@ class ProfileDesk {
   std::int64_t taken_until_ns_ = std::numeric_limits<std::int64_t>::min();  // entries before it have been taken
   std::uint64_t taken_ = 0;                                                 // how many that are, of all sensors
   std::set<Place> ahead_;                                                   // the others that are known, of all sensors
-  std::map<Place, AnyProfile> waiting_;                                     // those of this sensor
+  std::map<Place, catalog::AnyProfile> waiting_;                            // those of this sensor
   std::array<std::vector<std::uint8_t>, catalog::ProfileKinds::size>
       parameters_in_use_;  // by kind, CDR without the request
   std::vector<ProfileAck> to_acknowledge_;

@@ -19,7 +19,8 @@ mcap::McapWriter::Options log_options(std::size_t chunk_bytes, files::OutputFile
 }  // namespace
 
 std::string profile_record(ProfileKind kind, const SensorAddress& sensor, std::uint32_t journal_number) {
-  return "profile/" + std::string(enum_name(kind)) + "/" + sensor_name(sensor) + "/" + std::to_string(journal_number);
+  return "profile/" + std::string(enum_name(kind)) + "/" + catalog::sensor_name(sensor) + "/" +
+         std::to_string(journal_number);
 }
 
 RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario, const std::string& cpu_features,
@@ -53,12 +54,12 @@ void RunLog::add_recovery(const std::string& what, const mcap::StringMap& detail
   file_.metadata("recovery/" + std::to_string(++recoveries_), record);
 }
 
-void RunLog::add_profile(const AnyProfile& entry) {
-  const ProfileRequest& request = request_of(entry);
-  const std::string record = profile_record(kind_of(entry), target_of(entry), request.journal_number);
+void RunLog::add_profile(const catalog::AnyProfile& entry) {
+  const ProfileRequest& request = catalog::request_of(entry);
+  const std::string record = profile_record(catalog::kind_of(entry), catalog::target_of(entry), request.journal_number);
   if (!profiles_.insert(record).second) return;
   file_.metadata(record,
-                 {{"name", name_of(entry)},
+                 {{"name", catalog::name_of(entry)},
                   {"journal_number", std::to_string(request.journal_number)},
                   {"apply_at_ns", std::to_string(request.apply_at_ns)},
                   {"json", std::visit([](const auto& profile) { return json::to_json(profile).dump(2); }, entry)}});

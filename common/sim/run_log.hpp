@@ -17,11 +17,11 @@ namespace inslab::sim {
 /// process was started again, and how).
 class RunLog {
  public:
-  /// Creates the file and describes the scenario in it. Throws io::WriteError.
+  /// Creates the file and describes the scenario in it. Throws files::WriteError.
   RunLog(const std::string& path, const scenario::LoadedScenario& scenario, const std::string& cpu_features,
          std::size_t chunk_bytes = kChunkBytes, files::OutputFile::Kind kind = files::OutputFile::Kind::Log);
 
-  /// Goes on with the log that a killed process left. Throws io::ReadError, io::WriteError.
+  /// Goes on with the log that a killed process left. Throws files::ReadError, files::WriteError.
   RunLog(const std::string& path, std::size_t chunk_bytes);
 
   static constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
@@ -30,7 +30,7 @@ class RunLog {
   const std::string& path() const { return path_; }
 
   /// Keeps an entry of the journal as JSON, once.
-  void add_profile(const AnyProfile& entry);
+  void add_profile(const catalog::AnyProfile& entry);
   /// Keeps an acknowledgement as JSON.
   void add_ack(const ProfileAck& ack);
 

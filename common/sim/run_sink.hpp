@@ -16,7 +16,7 @@ namespace inslab::sim {
 class RunSink {
  public:
   virtual ~RunSink() = default;
-  virtual void journal(const AnyProfile& entry) = 0;
+  virtual void journal(const catalog::AnyProfile& entry) = 0;
   virtual void vehicle_state(const UsedVehicleState&) {}  ///< of a live vehicle only
   virtual void truth(const TruthState& truth) = 0;
   virtual void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) = 0;

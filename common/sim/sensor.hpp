@@ -37,7 +37,7 @@ class Sensor {
         model_(Wiring::setup(scenario, sensor)),
         desk_({Kind::kind, sensor.number}, Kind::service, begins_with(sensor)) {}
 
-  void add(const AnyProfile& entry) { desk_.add(entry); }
+  void add(const catalog::AnyProfile& entry) { desk_.add(entry); }
   bool ready_for(const TruthState& truth) const { return desk_.complete_for(truth); }
 
   /// Truth samples come in order, each once, when ready_for() says so.
@@ -62,14 +62,14 @@ class Sensor {
   }
 
  private:
-  static std::vector<AnyProfile> begins_with(const scenario::Loaded<Kind>& sensor) {
-    std::vector<AnyProfile> profiles;
+  static std::vector<catalog::AnyProfile> begins_with(const scenario::Loaded<Kind>& sensor) {
+    std::vector<catalog::AnyProfile> profiles;
     for_each_profile(Tag<Kind>{}, sensor, [&profiles](const auto& profile) { profiles.emplace_back(profile); });
     return profiles;
   }
   /// The journal lets pass only what sensors of this kind take.
-  void apply(const std::vector<AnyProfile>& entries) {
-    for (const AnyProfile& entry : entries) {
+  void apply(const std::vector<catalog::AnyProfile>& entries) {
+    for (const catalog::AnyProfile& entry : entries) {
       std::visit(
           [this](const auto& profile) {
             if constexpr (catalog::takes<Kind, std::decay_t<decltype(profile)>>) model_.apply(profile);

@@ -26,7 +26,7 @@ TruthSource::TruthSource(const scenario::LoadedScenario& scenario, const time::G
       journal_(sensors_of(scenario), grid_, grid_.at(samples_ == 0 ? 0 : samples_ - 1)),
       next_(model_->current()) {}
 
-std::variant<AnyProfile, ProfileAck> TruthSource::submit(const AnyProfile& request) {
+std::variant<catalog::AnyProfile, ProfileAck> TruthSource::submit(const catalog::AnyProfile& request) {
   return journal_.submit(request, last_time_);
 }
 

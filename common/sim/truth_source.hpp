@@ -15,8 +15,8 @@ class TruthSource {
  public:
   TruthSource(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id);
 
-  /// Judges a request; see swap::Journal::submit.
-  std::variant<AnyProfile, ProfileAck> submit(const AnyProfile& request);
+  /// Judges a request; see sim::Journal::submit.
+  std::variant<catalog::AnyProfile, ProfileAck> submit(const catalog::AnyProfile& request);
 
   /// Takes a state of a live vehicle into account from the next sample on. Nothing when it is of no use: see
   /// LiveVehicleModel::receive(). Throws std::logic_error when the scenario has no live vehicle.

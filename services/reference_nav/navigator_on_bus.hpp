@@ -22,7 +22,7 @@ namespace inslab::reference_nav {
 /// of an offline run, bit for bit.
 class NavigatorOnBus {
  public:
-  /// Throws config::Error when what the app is told is not good.
+  /// Throws json::Error when what the app is told is not good.
   NavigatorOnBus(service::Context& context, const scenario::ReferenceNav& app);
 
   /// Returns the exit code.

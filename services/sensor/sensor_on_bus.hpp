@@ -18,7 +18,7 @@ class SensorOnBus : public service::TruthConsumer {
         acks_(context.participant(), dds::topics::profile_ack()) {}
 
   void begin_run(const RunId& run, ClockMode clock) override { outputs_.begin_run(run, clock); }
-  void add(const AnyProfile& entry) override { sensor_.add(entry); }
+  void add(const catalog::AnyProfile& entry) override { sensor_.add(entry); }
   bool ready_for(const TruthState& truth) const override { return sensor_.ready_for(truth); }
   bool has_room() const override { return outputs_.has_room(); }
   std::string paced_by_nav_app() const override { return paced_by_nav_app_ ? outputs_.topic() : ""; }

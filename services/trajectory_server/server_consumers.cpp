@@ -54,7 +54,7 @@ void ServerOnBus::serve_stragglers(time::Nanoseconds deadline) {
     if (status_.clock == ClockMode::Lockstep && truth_.lowest_wanted() < source_->taken()) return false;
     if (!truth_.is_logged()) return false;
     for (const auto& [service, number] : scenario::required_services(scenario_)) {
-      if (service == app::kTruthLogger) continue;  // it ends after this service
+      if (service == catalog::kTruthLogger) continue;  // it ends after this service
       const auto found = services_.find({service, number});
       if (found == services_.end()) continue;  // the run had not begun
       if (found->second.state != ServiceState::Finished && found->second.state != ServiceState::Fault) return false;

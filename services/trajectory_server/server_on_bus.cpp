@@ -75,32 +75,33 @@ ServerOnBus::ServerOnBus(service::Context& context)
 template <class Profile>
 void ServerOnBus::open_profile_topics(dds::Participant& participant) {
   auto journal = std::make_shared<dds::Writer<Profile>>(participant, dds::topics::journal<Profile>());
-  write_journal_[Profile::kind] = [journal](const AnyProfile& entry) {
+  write_journal_[Profile::kind] = [journal](const catalog::AnyProfile& entry) {
     if (!journal->write(std::get<Profile>(entry))) spdlog::error("a journal entry could not be sent");
   };
   entities_.push_back(journal);
   entities_.push_back(std::make_shared<dds::OpenReader<Profile>>(
       participant, dds::topics::request<Profile>(),
-      [this](const Profile& request, const dds::SampleOrigin&) { mailbox_.put(AnyProfile(request)); }));
+      [this](const Profile& request, const dds::SampleOrigin&) { mailbox_.put(catalog::AnyProfile(request)); }));
 }
 
-void ServerOnBus::judge(const AnyProfile& request) {
+void ServerOnBus::judge(const catalog::AnyProfile& request) {
   auto verdict = has_ended(status_.state) ? sim::rejected(request, "request.apply_at_ns", "the run has ended")
                                           : source_->submit(request);
-  if (const auto* entry = std::get_if<AnyProfile>(&verdict)) {
-    write_journal_[kind_of(*entry)](*entry);
+  if (const auto* entry = std::get_if<catalog::AnyProfile>(&verdict)) {
+    write_journal_[catalog::kind_of(*entry)](*entry);
     status_.journal_entries = source_->journal_size();
-    spdlog::info("journal {}: {} '{}' for {} from {:.3f} s on", request_of(*entry).journal_number,
-                 enum_name(kind_of(*entry)), name_of(*entry), sensor_name(target_of(*entry)),
-                 static_cast<double>(request_of(*entry).apply_at_ns) * 1e-9);
+    spdlog::info("journal {}: {} '{}' for {} from {:.3f} s on", catalog::request_of(*entry).journal_number,
+                 enum_name(catalog::kind_of(*entry)), catalog::name_of(*entry),
+                 catalog::sensor_name(catalog::target_of(*entry)),
+                 static_cast<double>(catalog::request_of(*entry).apply_at_ns) * 1e-9);
     return;
   }
   auto& rejection = std::get<ProfileAck>(verdict);
   rejection.run_id = run_id_;
   rejection.service = context_.service();
   acks_.write(rejection);
-  spdlog::warn("rejected {} for {}: {}: {}", enum_name(rejection.kind), sensor_name(rejection.target), rejection.field,
-               rejection.reason);
+  spdlog::warn("rejected {} for {}: {}: {}", enum_name(rejection.kind), catalog::sensor_name(rejection.target),
+               rejection.field, rejection.reason);
 }
 
 /// What became of a command stands in the status at once.
@@ -127,7 +128,7 @@ void ServerOnBus::obey(const SimCommand& command) {
 /// Takes what has arrived; waits up to `patience` for the first.
 void ServerOnBus::handle_messages(time::Nanoseconds patience) {
   for (auto message = mailbox_.take(patience); message; message = mailbox_.take(time::Nanoseconds(0))) {
-    if (const auto* request = std::get_if<AnyProfile>(&*message)) {
+    if (const auto* request = std::get_if<catalog::AnyProfile>(&*message)) {
       judge(*request);
     } else if (const auto* command = std::get_if<SimCommand>(&*message)) {
       obey(*command);

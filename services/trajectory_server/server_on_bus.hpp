@@ -37,7 +37,7 @@ class ServerOnBus {
   int run();
 
  private:
-  using Message = std::variant<AnyProfile, SimCommand, ServiceStatus, Credit, VehicleState>;
+  using Message = std::variant<catalog::AnyProfile, SimCommand, ServiceStatus, Credit, VehicleState>;
   struct Heard {
     ServiceState state;
     std::string message;
@@ -47,7 +47,7 @@ class ServerOnBus {
   template <class Profile>
   void open_profile_topics(dds::Participant& participant);
   void handle_messages(time::Nanoseconds patience);
-  void judge(const AnyProfile& request);
+  void judge(const catalog::AnyProfile& request);
   void obey(const SimCommand& command);
   std::string missing_services() const;
   std::string missing_apps() const;
@@ -102,7 +102,7 @@ class ServerOnBus {
   dds::Writer<TimeMark> time_mark_;
   dds::Writer<ProfileAck> acks_;
   std::vector<std::shared_ptr<void>> entities_;  ///< request readers and journal writers of every kind
-  std::map<ProfileKind, std::function<void(const AnyProfile&)>> write_journal_;
+  std::map<ProfileKind, std::function<void(const catalog::AnyProfile&)>> write_journal_;
   dds::OpenReader<SimCommand> commands_;
   service::SetReader<ServiceStatus> service_status_;
   service::SetReader<Credit> credits_;

@@ -115,7 +115,7 @@ std::string LoggerOnBus::missing() const {
 std::string LoggerOnBus::unfinished_services() const {
   std::string names;
   for (const auto& [service, number] : scenario::required_services(context_.scenario())) {
-    if (service == app::kTruthLogger) continue;
+    if (service == catalog::kTruthLogger) continue;
     const auto found = services_.find({service, number});
     const bool ended = found != services_.end() &&
                        (found->second.state == ServiceState::Finished || found->second.state == ServiceState::Fault);
@@ -130,7 +130,7 @@ bool LoggerOnBus::all_services_ended() const {
   constexpr time::Nanoseconds kSilence = seconds(15);
   for (const auto& [service, heard] : services_) {
     const bool ended = heard.state == ServiceState::Finished || heard.state == ServiceState::Fault;
-    if (service.first != app::kTruthLogger && !ended && host::monotonic_now() - heard.at < kSilence) return false;
+    if (service.first != catalog::kTruthLogger && !ended && host::monotonic_now() - heard.at < kSilence) return false;
   }
   return true;
 }

@@ -45,6 +45,6 @@ int write_log(service::Context& context) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return service::run_service(app::kTruthLogger, "Writes everything it hears to an MCAP log", {false, true}, argc, argv,
-                              write_log);
+  return service::run_service(catalog::kTruthLogger, "Writes everything it hears to an MCAP log", {false, true}, argc,
+                              argv, write_log);
 }

@@ -15,6 +15,9 @@ CATALOG = "common/data/catalog"
 LITERAL = re.compile(r'//.*|/\*.*?\*/|R"(\w*)\((?s:.*?)\)\1"|"((?:[^"\\\n]|\\.)*)"|\'(?:[^\'\\]|\\.)\'')
 SERVICE = re.compile(r'\* service = "([^"]+)"|\* k\w+ = "(inslab-[^"]+)"')
 MOST_LINES_OF_A_COMMAND = 100
+# What everybody speaks of: declared in inslab itself.
+COMMON_WORDS = ("data/samples", "data/profiles", "data/requests", "foundation/fields")
+NAMESPACE = re.compile(r"namespace (inslab(?:::\w+)*) \{")
 FAST_DDS = re.compile(r"(fastdds|fastcdr|fastrtps)/|\w+PubSubTypes\.h")
 
 
@@ -90,6 +93,27 @@ def breach(folder, target, order):
     return None
 
 
+def misnamed_namespaces(path, folder):
+    """A folder's namespace has its name. Besides, what is declared in inslab itself may be specialized there."""
+    expected = "inslab" if folder in COMMON_WORDS else "inslab::" + folder.split("/")[-1]
+    lines = path.read_text(encoding="utf-8").splitlines()
+    for number, line in enumerate(lines, 1):
+        found = NAMESPACE.match(line)
+        if not found or found.group(1) == expected or found.group(1).startswith(expected + "::"):
+            continue
+        inside = next((text for text in lines[number:] if text and not text.startswith("//")), "")
+        if found.group(1) != "inslab" or not inside.startswith("template <>"):
+            yield number, f"{found.group(1)}: the namespace of this folder is {expected}"
+
+
+def names_twice(tree):
+    """Headers of one basename in two folders: a reader cannot tell which is meant."""
+    first = {}
+    for path in sources(tree):
+        if path.suffix == ".hpp" and first.setdefault(path.name, path) != path:
+            yield path.relative_to(tree), f"{first[path.name].relative_to(tree)} has that name already"
+
+
 def is_command(folder):
     return folder == "services/inslab/commands"
 
@@ -115,6 +139,7 @@ def check(tree):
             continue
         if not place.is_relative_to(CATALOG):
             findings += [f"{place}:{number}: {why}" for number, why in named_outside_the_catalogue(path, services)]
+        findings += [f"{place}:{number}: {why}" for number, why in misnamed_namespaces(path, folder)]
         lines = len(path.read_text(encoding="utf-8").splitlines())
         if is_command(folder) and lines > MOST_LINES_OF_A_COMMAND:
             findings.append(f"{place}:{MOST_LINES_OF_A_COMMAND + 1}: a command is options and printing, at most "
@@ -138,6 +163,7 @@ def check(tree):
                     findings.append(f"{where}{name}: {why}")
             elif floor(folder) in ("noise", "nav") and "/" in name and not name.startswith(("Eigen/", "unsupported/Eigen/")):
                 findings.append(f"{where}{name}: nav and noise include Eigen and foundation alone")
+    findings += [f"{place}:1: {why}" for place, why in names_twice(tree)]
     return findings
 
 

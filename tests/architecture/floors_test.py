@@ -103,6 +103,37 @@ class Floors(unittest.TestCase):
         self.assertTrue(found[0].startswith("services/inslab/commands/run.cpp:101: "), found)
         self.assertIn("at most 100 lines", found[0])
 
+    def text(self, path, text):
+        tree = self.tree()
+        (tree / path).parent.mkdir(parents=True, exist_ok=True)
+        (tree / path).write_text(text)
+        return floors.check(tree)
+
+    def test_finds_a_namespace_that_is_not_the_folder(self):
+        for path, namespace in {
+            "common/nav/strapdown.cpp": "inslab::trajectory",
+            "common/formats/recordings/nmea.cpp": "inslab",
+            "services/inslab/live/live_run.cpp": "inslab::inslab",
+        }.items():
+            with self.subTest(path):
+                found = self.text(path, f"\nnamespace {namespace} {{\nint x;\n}}\n")
+                self.assertEqual(len(found), 1, found)
+                self.assertTrue(found[0].startswith(f"{path}:2: "), found)
+                self.assertIn("the namespace of this folder is", found[0])
+
+    def test_takes_a_specialization_of_what_is_declared_in_inslab_itself(self):
+        specialization = "\nnamespace inslab {\n// of ours\ntemplate <>\nstruct EnumNames<nav::Kind> {};\n}\n"
+        self.assertEqual(self.text("common/nav/kind.hpp", specialization), [])
+        self.assertEqual(self.text("common/nav/detail.hpp", "namespace inslab::nav::detail {\n}\n"), [])
+
+    def test_finds_two_headers_of_one_name(self):
+        tree = self.tree()
+        for path in ("common/nav/alignment.hpp", "common/referee/verify/alignment.hpp"):
+            (tree / path).parent.mkdir(parents=True, exist_ok=True)
+            (tree / path).write_text("#pragma once\n")
+        found = floors.check(tree)
+        self.assertEqual(found, ["common/referee/verify/alignment.hpp:1: common/nav/alignment.hpp has that name already"])
+
     def test_takes_what_keeps_to_the_floors(self):
         for path, include in {
             "common/nav/strapdown.cpp": "<Eigen/Core>",

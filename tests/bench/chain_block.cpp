@@ -116,16 +116,16 @@ ChainServices::ChainServices(const ChainSettings& settings) {
       "--transport", settings.transport, "--log-level", "warn"};
   for (const auto& [service, sensor] : scenario::required_services(scenario::load(scenario_file))) {
     std::vector<std::string> arguments = common;
-    if (service == app::kTruthLogger) {
+    if (service == catalog::kTruthLogger) {
       arguments.insert(arguments.end(), {"--log", settings.folder + "/chain.mcap", "--overwrite"});
-    } else if (service != app::kReferenceNav) {
+    } else if (service != catalog::kReferenceNav) {
       arguments.insert(arguments.end(), {"--sensor", std::to_string(sensor)});
     }
-    const bool copies = settings.copying && service != app::kTruthLogger;
+    const bool copies = settings.copying && service != catalog::kTruthLogger;
     if (copies) arguments.insert(arguments.begin(), service);
     processes_.push_back(std::make_unique<Process>(copies ? "bench_copying_service" : service, arguments));
   }
-  processes_.push_back(std::make_unique<Process>(app::kTrajectoryServer, common));
+  processes_.push_back(std::make_unique<Process>(catalog::kTrajectoryServer, common));
   if (settings.nav_app == NavApp::ClientOnBlocks || settings.nav_app == NavApp::ClientOnSingles) {
     setenv("FASTRTPS_DEFAULT_PROFILES_FILE", INSLAB_SOURCE_DIR "/config/dds/loopback.xml", 1);
     nav_app_ = std::make_unique<Process>(

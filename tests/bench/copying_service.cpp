@@ -17,17 +17,17 @@ namespace inslab::bench {
 namespace {
 
 /// What both have in common: no journal, no checkpoint, no acknowledgements.
-class Copier : public app::TruthConsumer {
+class Copier : public service::TruthConsumer {
  public:
-  void add(const AnyProfile&) override {}
+  void add(const catalog::AnyProfile&) override {}
   bool ready_for(const TruthState&) const override { return true; }
-  void save(recovery::StateWriter&) const override {}
-  void load(recovery::StateReader&) override {}
+  void save(state::StateWriter&) const override {}
+  void load(state::StateReader&) override {}
 };
 
 class CopyingInjector : public Copier {
  public:
-  CopyingInjector(app::Context& context, const scenario::LoadedImu& imu)
+  CopyingInjector(service::Context& context, const scenario::LoadedImu& imu)
       : number_(imu.number), outputs_(context, imu, false) {}
 
   void begin_run(const RunId& run, ClockMode clock) override { outputs_.begin_run(run, clock); }
@@ -65,11 +65,11 @@ class CopyingInjector : public Copier {
 
 class CopyingEmulator : public Copier {
  public:
-  CopyingEmulator(app::Context& context, const scenario::LoadedGnss& gnss)
+  CopyingEmulator(service::Context& context, const scenario::LoadedGnss& gnss)
       : number_(gnss.number),
         period_ns_(gnss.rate.period().count()),
         fixes_(context, dds::topics::stream<GnssFix>(gnss.number, 1.0 / gnss.rate.period_s()),
-               {{{app::kTruthLogger, 0u}}}) {}
+               {{{catalog::kTruthLogger, 0u}}}) {}
 
   void begin_run(const RunId& run, ClockMode clock) override { fixes_.begin_run(run, clock); }
   bool has_room() const override { return fixes_.has_room(); }
@@ -100,7 +100,7 @@ class CopyingEmulator : public Copier {
  private:
   std::uint32_t number_;
   std::int64_t period_ns_;
-  app::StreamOutput<GnssFix> fixes_;
+  service::StreamOutput<GnssFix> fixes_;
   std::uint64_t next_ = 0;
 };
 
@@ -111,17 +111,17 @@ int main(int argc, char** argv) {
   using namespace inslab;
   const std::string service = argc > 1 ? argv[1] : "";
   if (service == catalog::Imu::service) {
-    return app::run_service(catalog::Imu::service, "Copies truth to an IMU's topics", {true, false}, argc - 1, argv + 1,
-                            [](app::Context& context) {
-                              const std::uint32_t sensor = context.options().sensor;
-                              bench::CopyingInjector bus(context, context.scenario().sensor<catalog::Imu>(sensor));
-                              return app::TruthFollower(context, sensor, bus).run();
-                            });
+    return service::run_service(catalog::Imu::service, "Copies truth to an IMU's topics", {true, false}, argc - 1,
+                                argv + 1, [](service::Context& context) {
+                                  const std::uint32_t sensor = context.options().sensor;
+                                  bench::CopyingInjector bus(context, context.scenario().sensor<catalog::Imu>(sensor));
+                                  return service::TruthFollower(context, sensor, bus).run();
+                                });
   }
-  return app::run_service(catalog::Gnss::service, "Copies truth to a receiver's topic", {true, false}, argc - 1,
-                          argv + 1, [](app::Context& context) {
-                            const std::uint32_t sensor = context.options().sensor;
-                            bench::CopyingEmulator bus(context, context.scenario().sensor<catalog::Gnss>(sensor));
-                            return app::TruthFollower(context, sensor, bus).run();
-                          });
+  return service::run_service(catalog::Gnss::service, "Copies truth to a receiver's topic", {true, false}, argc - 1,
+                              argv + 1, [](service::Context& context) {
+                                const std::uint32_t sensor = context.options().sensor;
+                                bench::CopyingEmulator bus(context, context.scenario().sensor<catalog::Gnss>(sensor));
+                                return service::TruthFollower(context, sensor, bus).run();
+                              });
 }

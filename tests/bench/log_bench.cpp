@@ -12,6 +12,7 @@
 
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/wire/cdr.hpp"
+#include "inslab/data/wire/idl_text.hpp"
 #include "inslab/formats/mcap/mcap_writer.hpp"
 
 namespace {
@@ -86,8 +87,8 @@ std::vector<Step> make_steps() {
 
 template <class T>
 std::uint16_t add(mcap::McapWriter& writer, const std::string& topic) {
-  const auto schema = writer.add_schema(catalog::WireType<T>::name, "omgidl",
-                                        catalog::self_contained_idl(catalog::WireType<T>::idl_file));
+  const auto schema =
+      writer.add_schema(catalog::WireType<T>::name, "omgidl", wire::self_contained_idl(catalog::WireType<T>::idl_file));
   return writer.add_channel(schema, topic, "cdr");
 }
 

@@ -19,7 +19,7 @@ namespace {
 /// Counts and forgets.
 class NoSink : public sim::RunSink {
  public:
-  void journal(const AnyProfile&) override {}
+  void journal(const catalog::AnyProfile&) override {}
   void truth(const TruthState&) override {}
   void imu(std::size_t, const ImuSample& sample, const ImuTruth&) override {
     Vector3 dv_b = sample.dv_b;  // newer versions of the library take nothing that is const

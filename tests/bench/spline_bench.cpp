@@ -13,8 +13,8 @@ namespace inslab::bench {
 namespace {
 
 /// A vehicle that weaves to and fro over rolling ground at up to 15 m/s, with attitude.
-io::TrajectoryFile weaving(double rate_hz, double seconds) {
-  io::TrajectoryFile file;
+TrajectoryFile weaving(double rate_hz, double seconds) {
+  TrajectoryFile file;
   file.name = "weaving";
   const nav::Geodetic start{0.53, 2.0, 20.0};
   const auto rows = static_cast<std::int64_t>(seconds * rate_hz) + 1;
@@ -52,7 +52,7 @@ void Waypoints(benchmark::State& state) {
 
 /// Rows to curves, once for a file: linear in the rows.
 void MakeCurves(benchmark::State& state) {
-  const io::TrajectoryFile file = weaving(1.0, static_cast<double>(state.range(0)));
+  const TrajectoryFile file = weaving(1.0, static_cast<double>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(motion_through(file, {}).path.get());
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }

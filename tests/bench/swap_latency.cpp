@@ -35,7 +35,7 @@ std::vector<double> measure_swap_latency(const ChainSettings& settings, int coun
   if (!client::wait_for(host::monotonic_now() + seconds(30), running, "the set"))
     throw std::runtime_error("the set did not start");
 
-  std::vector<AnyProfile> profiles;
+  std::vector<catalog::AnyProfile> profiles;
   for (const char* name : {"mems_automotive", "stim300"}) {
     profiles.push_back(scenario::load_profile(std::string(INSLAB_SOURCE_DIR "/config/profiles/imu/") + name + ".json",
                                               ProfileKind::ImuError, {SensorKind::Imu, 0}));
@@ -44,8 +44,8 @@ std::vector<double> measure_swap_latency(const ChainSettings& settings, int coun
   std::vector<double> waits_s;
   for (int i = 0; i < count; ++i) {
     std::this_thread::sleep_for(std::chrono::microseconds(10'000 + random() % 30'000));
-    AnyProfile& profile = profiles[static_cast<std::size_t>(i) % 2];
-    request_of(profile).request_id = static_cast<std::uint64_t>(i) + 1;
+    catalog::AnyProfile& profile = profiles[static_cast<std::size_t>(i) % 2];
+    catalog::request_of(profile).request_id = static_cast<std::uint64_t>(i) + 1;
     const std::uint32_t before = revision;
     const time::Nanoseconds sent_at = host::monotonic_now();
     if (!client.send(profile)) throw std::runtime_error("a swap could not be sent");

@@ -59,8 +59,8 @@ streams::Identity identity_of(const char* service) {
 TEST(RunClient, IsConnectedOnlyOnceTheTrajectoryServerItselfHearsEveryKindOfRequest) {
   service::NetworkOptions network;
   network.domain = 40 + static_cast<std::uint32_t>(getpid() % 150);
-  Participant of_logger(service::participant_options(network, identity_of(app::kTruthLogger)));
-  Participant of_server(service::participant_options(network, identity_of(app::kTrajectoryServer)));
+  Participant of_logger(service::participant_options(network, identity_of(catalog::kTruthLogger)));
+  Participant of_server(service::participant_options(network, identity_of(catalog::kTrajectoryServer)));
   Participant own(service::participant_options(network, "inslab-follow"));
   const RequestReaders logger(of_logger);
   const OpenReader<SimCommand> commands(of_server, dds::topics::sim_command(),
@@ -75,7 +75,7 @@ TEST(RunClient, IsConnectedOnlyOnceTheTrajectoryServerItselfHearsEveryKindOfRequ
 
   const RequestReaders server(of_server);
   ASSERT_TRUE(eventually([&] { return client.connected(); }));
-  ASSERT_TRUE(client.send(AnyProfile(InstallationProfile())));
+  ASSERT_TRUE(client.send(catalog::AnyProfile(InstallationProfile())));
   EXPECT_TRUE(eventually([&] { return server.came == 1 && logger.came == 1; }));
 }
 

@@ -32,7 +32,7 @@ std::vector<Row> table() {
   std::vector<Row> rows;
   topics::for_each(kSensor, [&rows](const auto& topic) {
     using T = typename std::decay_t<decltype(topic)>::Type;
-    rows.push_back({topic.name, std::string(wire::WireType<T>::name)});
+    rows.push_back({topic.name, std::string(catalog::WireType<T>::name)});
   });
   return rows;
 }
@@ -130,7 +130,7 @@ TEST_F(TopicTable, HasEveryNameThatTheCodeKnows) {
 TEST_F(TopicTable, HasEveryTypeOfTheWire) {
   std::set<std::string> types;
   for (const Row& row : table()) types.insert(row.type);
-  for (const io::LogType& type : io::log_types()) EXPECT_EQ(types.count(std::string(type.name)), 1U) << type.name;
+  for (const log::LogType& type : log::log_types()) EXPECT_EQ(types.count(std::string(type.name)), 1U) << type.name;
 }
 
 TEST_F(TopicTable, HasATapForEachButTheBlocks) {
@@ -139,7 +139,7 @@ TEST_F(TopicTable, HasATapForEachButTheBlocks) {
   options.domain = 40 + static_cast<std::uint32_t>(getpid() % 150);
   Participant participant(options);
   for (const Row& row : table()) {
-    const auto tap = [&] { const cli::TopicTap opened(participant, row.name, [](const cli::TappedMessage&) {}); };
+    const auto tap = [&] { const client::TopicTap opened(participant, row.name, [](const client::TappedMessage&) {}); };
     if (is_block(row)) {
       EXPECT_THROW(tap(), std::invalid_argument) << row.name;
     } else {

@@ -37,9 +37,9 @@ Answer inslab(std::vector<std::string> words) {
 }
 
 dds::ParticipantOptions network(const char* name) {
-  app::NetworkOptions options;
+  service::NetworkOptions options;
   options.domain = static_cast<std::uint32_t>(std::stoul(own_domain()));
-  return app::participant_options(options, name);
+  return service::participant_options(options, name);
 }
 
 /// A set that runs for as long as the tests of this suite need it.

@@ -268,7 +268,7 @@ TEST_F(OneSet, AJournalEntryIsJudgedWhereItIsObeyed) {
   service::ServiceOptions options;
   options.network = network();
   scenario::LoadedScenario loaded = scenario::load(scenario());
-  const streams::Identity identity = service::identity_of(app::kTrajectoryServer, options, loaded);
+  const streams::Identity identity = service::identity_of(catalog::kTrajectoryServer, options, loaded);
   service::Context server(identity, options, std::move(loaded));
   dds::Writer<ImuErrorProfile> journal(server.participant(), dds::topics::journal<ImuErrorProfile>());
   ASSERT_TRUE(eventually([&] { return journal.matched_readers() > 0; }, seconds(20))) << injector->output();

@@ -41,13 +41,13 @@ dds::ParticipantOptions network(const char* name) {
 /// The profiles that the storm hurls about, a different one each time.
 class Profiles {
  public:
-  const AnyProfile& next() { return profiles_[next_++ % profiles_.size()]; }
+  const catalog::AnyProfile& next() { return profiles_[next_++ % profiles_.size()]; }
 
  private:
-  static AnyProfile load(const std::string& path, ProfileKind kind, const SensorAddress& target) {
+  static catalog::AnyProfile load(const std::string& path, ProfileKind kind, const SensorAddress& target) {
     return scenario::load_profile(source("config/profiles/" + path), kind, target);
   }
-  std::vector<AnyProfile> profiles_{
+  std::vector<catalog::AnyProfile> profiles_{
       load("imu/mems_automotive.json", ProfileKind::ImuError, kImu),
       load("vibration/car.json", ProfileKind::Vibration, kImu),
       load("installation/imu_trunk_tilted.json", ProfileKind::Installation, kImu),
@@ -69,8 +69,8 @@ class Bench {
   Bench(const char* name, std::uint64_t first_id) : participant_(network(name)), client_(participant_), id_(first_id) {}
 
   bool connected() const { return client_.connected(); }
-  void swap(AnyProfile profile) {
-    request_of(profile).request_id = id_;
+  void swap(catalog::AnyProfile profile) {
+    catalog::request_of(profile).request_id = id_;
     ASSERT_TRUE(client_.send(profile));
     sent_.push_back(id_++);
   }
@@ -111,7 +111,7 @@ class Hostile {
                                1e300};
     profile.gyro.arw_deg_per_sqrt_h[static_cast<int>(attacks_ % 3)] = kBad[attacks_ % 4];
     profile.request.request_id = kFirstId + attacks_++;
-    ASSERT_TRUE(client_.send(AnyProfile(profile)));
+    ASSERT_TRUE(client_.send(catalog::AnyProfile(profile)));
   }
   std::uint64_t attacks() const { return attacks_; }
   std::vector<ProfileAck> answer(std::uint64_t attack) const { return client_.acks(kFirstId + attack); }

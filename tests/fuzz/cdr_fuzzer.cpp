@@ -38,6 +38,6 @@ struct Decoders {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  wire::EveryWireType<Decoders>::choose(data[0], data + 1, size - 1);
+  catalog::EveryWireType<Decoders>::choose(data[0], data + 1, size - 1);
   return 0;
 }

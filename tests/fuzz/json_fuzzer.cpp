@@ -1,4 +1,4 @@
-// Scenario and profile files: any text gives a value or a config::Error, nothing else.
+// Scenario and profile files: any text gives a value or a json::Error, nothing else.
 #include <string>
 
 #include "inslab/data/json/config_error.hpp"
@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         scenario::load_profile(file.path(), ProfileKind::Fault, kImu);
         break;
     }
-  } catch (const config::Error&) {
+  } catch (const json::Error&) {
   }
   return 0;
 }

@@ -9,12 +9,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace inslab;
   const fuzz::MemoryFile file(data, size, "fuzz.asc");
   try {
-    io::NovatelImuReader reader(file.path());
-    io::NovatelImuRecord record;
+    novatel::NovatelImuReader reader(file.path());
+    novatel::NovatelImuRecord record;
     while (reader.next(record)) {
       if (!record.dtheta_b.allFinite() || !record.dv_b.allFinite()) std::abort();  // a good line has numbers
     }
-  } catch (const io::ReadError&) {
+  } catch (const files::ReadError&) {
   }
   return 0;
 }

@@ -10,8 +10,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace inslab;
   const fuzz::MemoryFile file(data, size, "fuzz.nav");
   try {
-    io::read_trajectory(file.path());
-  } catch (const io::ReadError&) {
+    trajectory::read_trajectory(file.path());
+  } catch (const files::ReadError&) {
   }
   return 0;
 }

@@ -119,10 +119,10 @@ class Hunt {
     try {
       mutations::read(path, seed, folder_);
       ++accepted_;
-    } catch (const config::Error& error) {
+    } catch (const json::Error& error) {
       message = error.what();
       fault = fault_of(message, folder_);
-    } catch (const io::ReadError& error) {
+    } catch (const files::ReadError& error) {
       message = error.what();
       fault = fault_of(message, folder_);
     } catch (const std::domain_error& error) {  // a motion that leaves its domain while it runs
@@ -201,6 +201,6 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed, "of the mutations")->capture_default_str();
   app.add_option("--minutes", options.minutes, "for so long in all, instead of a count");
   CLI11_PARSE(app, argc, argv);
-  io::set_output_rule(io::OutputRule::ReplaceResults);
+  files::set_output_rule(files::OutputRule::ReplaceResults);
   return hunt(options);
 }

@@ -29,7 +29,7 @@ namespace {
 /// Takes what comes and forgets it.
 class Nothing : public sim::RunSink {
  public:
-  void journal(const AnyProfile&) override {}
+  void journal(const catalog::AnyProfile&) override {}
   void truth(const TruthState&) override {}
   void imu(std::size_t, const ImuSample&, const ImuTruth&) override {}
   void gnss(std::size_t, const GnssFix&) override {}

@@ -72,7 +72,7 @@ bool RunClient::connected() const {
   return requests_.least_readers_of(server) >= kOfTheServer && command_.matched_readers_of(server) >= kOfTheServer;
 }
 
-bool RunClient::send(const AnyProfile& request) {
+bool RunClient::send(const catalog::AnyProfile& request) {
   return std::visit([this](const auto& one) { return requests_.send(one); }, request);
 }
 

@@ -28,7 +28,7 @@ class RunClient : public RunLink {
   RunClient(dds::Participant& participant, const streams::Identity& own);
 
   bool connected() const override;
-  bool send(const AnyProfile& request) override;
+  bool send(const catalog::AnyProfile& request) override;
   bool send(const SimCommand& command) override;
   std::optional<SimStatus> status() const override;
   std::uint64_t statuses() const override;

@@ -21,7 +21,7 @@ class RunLink {
   /// Whether a trajectory server listens to requests.
   virtual bool connected() const = 0;
   /// False when the request could not be sent.
-  virtual bool send(const AnyProfile& request) = 0;
+  virtual bool send(const catalog::AnyProfile& request) = 0;
   /// False when the command could not be sent; what becomes of it stands in the status.
   virtual bool send(const SimCommand& command) = 0;
 

@@ -73,13 +73,13 @@ std::vector<scenario::ServiceKey> missing_of(const std::vector<scenario::Service
 }
 
 std::vector<scenario::ServiceKey> expected_services(const std::string& scenario_file) {
-  std::vector<scenario::ServiceKey> expected{{app::kTrajectoryServer, 0u}};
+  std::vector<scenario::ServiceKey> expected{{catalog::kTrajectoryServer, 0u}};
   if (scenario_file.empty()) {
     for_each(catalog::SensorKinds{}, [&expected](auto kind) {
       using Kind = typename decltype(kind)::type;
       if (Kind::in_every_set) expected.emplace_back(Kind::service, 0u);
     });
-    expected.emplace_back(app::kTruthLogger, 0u);
+    expected.emplace_back(catalog::kTruthLogger, 0u);
   } else {
     for (const scenario::ServiceKey& key : scenario::required_services(scenario::load(scenario_file)))
       expected.push_back(key);

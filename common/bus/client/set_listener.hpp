@@ -49,7 +49,7 @@ class SetListener {
 std::vector<scenario::ServiceKey> missing_of(const std::vector<scenario::ServiceKey>& expected,
                                              const std::vector<Heartbeats>& services);
 
-/// The services of a scenario's set; of no scenario: one of each. Throws config::Error, io::ReadError.
+/// The services of a scenario's set; of no scenario: one of each. Throws json::Error, files::ReadError.
 std::vector<scenario::ServiceKey> expected_services(const std::string& scenario_file);
 
 }  // namespace inslab::client

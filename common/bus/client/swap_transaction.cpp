@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kBeyond_s = 10.0;  // the last word of a run
 
-std::string words_of_wait(const AnyProfile& swap, const RunLink& link) {
-  const std::int64_t at_ns = request_of(swap).apply_at_ns;
-  std::string words = "the first sample of " + sensor_name(target_of(swap)) + " under the swap";
+std::string words_of_wait(const catalog::AnyProfile& swap, const RunLink& link) {
+  const std::int64_t at_ns = catalog::request_of(swap).apply_at_ns;
+  std::string words = "the first sample of " + catalog::sensor_name(catalog::target_of(swap)) + " under the swap";
   if (at_ns >= 0) words += fmt::format(" at {:g} s", static_cast<double>(at_ns) * 1e-9);
   if (const auto status = link.status()) {
     words += fmt::format("; the run is {} at {:.1f} s", enum_name(status->state),
@@ -28,8 +28,9 @@ std::string words_of_wait(const AnyProfile& swap, const RunLink& link) {
 }
 
 /// Waits for what becomes of a swap; nothing when patience ends or the wait is interrupted.
-std::optional<ProfileAck> awaited(const AnyProfile& swap, const RunLink& link, Patience& patience, const Pace& pace) {
-  const std::uint64_t id = request_of(swap).request_id;
+std::optional<ProfileAck> awaited(const catalog::AnyProfile& swap, const RunLink& link, Patience& patience,
+                                  const Pace& pace) {
+  const std::uint64_t id = catalog::request_of(swap).request_id;
   LongWait wait;
   for (auto acks = link.acks(id);; acks = link.acks(id)) {
     if (!acks.empty()) return acks.front();
@@ -73,16 +74,16 @@ Pace pace_of_this_process() {
           host::shutdown_requested};
 }
 
-SwapsPlayed play_swaps(RunLink& link, const std::vector<AnyProfile>& swaps, std::optional<double> timeout_s,
+SwapsPlayed play_swaps(RunLink& link, const std::vector<catalog::AnyProfile>& swaps, std::optional<double> timeout_s,
                        const std::string& where, const std::function<void(const ProfileAck&)>& told, const Pace& pace) {
   Patience patience(timeout_s, pace.now());
   const std::string server = "a trajectory server on " + where;
   if (!is_found(link, server, patience, pace)) return {false, server + " was not found"};
-  for (const AnyProfile& swap : swaps) {
+  for (const catalog::AnyProfile& swap : swaps) {
     if (!link.send(swap)) return {false, "a request could not be sent"};
   }
   bool in_effect = true;
-  for (const AnyProfile& swap : swaps) {
+  for (const catalog::AnyProfile& swap : swaps) {
     const auto ack = awaited(swap, link, patience, pace);
     if (!ack) return {false, "not acknowledged: " + words_of_wait(swap, link) + " did not come"};
     told(*ack);

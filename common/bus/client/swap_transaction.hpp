@@ -49,7 +49,7 @@ struct SwapsPlayed {
 
 /// Sends swaps to a running set and waits for what becomes of each; `told` hears each answer as it comes, in the order
 /// of the swaps. `where` names the place in which a trajectory server is looked for.
-SwapsPlayed play_swaps(RunLink& link, const std::vector<AnyProfile>& swaps, std::optional<double> timeout_s,
+SwapsPlayed play_swaps(RunLink& link, const std::vector<catalog::AnyProfile>& swaps, std::optional<double> timeout_s,
                        const std::string& where, const std::function<void(const ProfileAck&)>& told,
                        const Pace& pace = pace_of_this_process());
 

@@ -51,7 +51,7 @@ void for_each_file(const fs::path& folder, const std::function<void(const fs::pa
   }
 }
 
-/// Whether the process that a file belongs to lives: it holds the lock (recovery::MappedFile).
+/// Whether the process that a file belongs to lives: it holds the lock (files::MappedFile).
 bool is_in_use(const fs::path& file) {
   const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
   if (descriptor < 0) return true;

@@ -62,7 +62,7 @@ class Checkpoint {
     }
   }
 
-  /// The state as bytes for keep(); `save` appends to a recovery::StateWriter.
+  /// The state as bytes for keep(); `save` appends to a state::StateWriter.
   template <class Save>
   std::vector<std::uint8_t> state(const Save& save) const {
     std::vector<std::uint8_t> bytes;

@@ -5,7 +5,7 @@
 
 namespace inslab::service {
 
-/// Gives a scenario the clock that the command line asks for. Throws config::Error when its rules forbid that.
+/// Gives a scenario the clock that the command line asks for. Throws json::Error when its rules forbid that.
 void override_clock(const ClockOptions& options, scenario::LoadedScenario& loaded);
 
 }  // namespace inslab::service

@@ -66,7 +66,7 @@ std::string scenario_hash(const scenario::LoadedScenario& loaded) {
     for_each_profile(kind, sensor, [&hash](const auto& profile) { hash.add_profile(profile); });
     hash.add_profile(sensor.nominal_installation);
   });
-  for (const AnyProfile& swap : loaded.swaps) {
+  for (const catalog::AnyProfile& swap : loaded.swaps) {
     std::visit([&hash](const auto& profile) { hash.add_profile(profile); }, swap);
   }
   const scenario::Trajectory& trajectory = loaded.scenario.trajectory;

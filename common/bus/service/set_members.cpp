@@ -54,7 +54,7 @@ void look_around(const dds::Participant& participant, const streams::Identity& o
 void look_around(const dds::Participant& participant, const streams::Identity& own) {
   look_around(participant, own, [&own](const streams::Identity& other) {
     if (other.role() == own.role()) return true;
-    if (other.service != kTrajectoryServer) return false;
+    if (other.service != catalog::kTrajectoryServer) return false;
     const std::string why = streams::difference(own, other);
     if (why.empty()) return false;
     throw PlaceTaken(refusal(other, "runs another set than this " + own.service + ": " + why,

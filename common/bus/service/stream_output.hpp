@@ -129,7 +129,7 @@ class StreamOutput {
   /// The least sample that a consumer may still ask for.
   std::uint64_t lowest_wanted() const { return ledger_.lowest().value_or(next_); }
   /// Whether the logger has said that it has everything.
-  bool is_logged() const { return ledger_.has_all_before(next_, {kTruthLogger, 0u}); }
+  bool is_logged() const { return ledger_.has_all_before(next_, {catalog::kTruthLogger, 0u}); }
   std::string slowest_consumer() const { return ledger_.slowest(); }
   int foreign_readers() const { return samples_.matched_readers() - own_readers_; }
   /// Which readers are missing of our own and of the foreign ones that the scenario demands; empty when none.

@@ -62,7 +62,7 @@ template <class Profile>
 void TruthFollower::read_journal(Context& context) {
   auto reader = std::make_shared<SetReader<Profile>>(
       context, dds::topics::journal<Profile>(),
-      [this](const Profile& entry, const dds::SampleOrigin&) { mailbox_.put(AnyProfile(entry)); });
+      [this](const Profile& entry, const dds::SampleOrigin&) { mailbox_.put(catalog::AnyProfile(entry)); });
   journal_readers_.push_back({reader, [reader] { return reader->matched_writers() > 0; }});
 }
 
@@ -83,7 +83,7 @@ std::string TruthFollower::missing() const {
 void TruthFollower::handle(Message message) {
   if (const auto* arrived = std::get_if<Arrived>(&message)) {
     add_truth(*arrived);
-  } else if (const auto* entry = std::get_if<AnyProfile>(&message)) {
+  } else if (const auto* entry = std::get_if<catalog::AnyProfile>(&message)) {
     obey(*entry);
     waiting_since_ = host::monotonic_now();
   } else if (auto* credit = std::get_if<Credit>(&message)) {
@@ -95,10 +95,10 @@ void TruthFollower::handle(Message message) {
 }
 
 /// An entry is judged where it is obeyed too: whoever wrote it, what breaks a rule never reaches a model.
-void TruthFollower::obey(const AnyProfile& entry) {
-  const auto broken = broken_rule(entry);
+void TruthFollower::obey(const catalog::AnyProfile& entry) {
+  const auto broken = catalog::broken_rule(entry);
   if (!broken) return consumer_.add(entry);
-  context_.writers().note_fault("entry " + std::to_string(request_of(entry).journal_number) +
+  context_.writers().note_fault("entry " + std::to_string(catalog::request_of(entry).journal_number) +
                                 " of the journal is not obeyed: " + broken->path + ": " + broken->reason);
 }
 

@@ -27,7 +27,7 @@ class TruthConsumer {
   /// The run that the next truth samples belong to, and what sets its pace.
   virtual void begin_run(const RunId& run, ClockMode clock) = 0;
   /// An entry of the journal, of any sensor.
-  virtual void add(const AnyProfile& entry) = 0;
+  virtual void add(const catalog::AnyProfile& entry) = 0;
   /// Whether all entries in effect for this sample have come.
   virtual bool ready_for(const TruthState& truth) const = 0;
   /// Whether the outputs may take what follows from another truth sample; always in real time.
@@ -79,7 +79,7 @@ class TruthFollower {
     std::vector<TruthState> samples;
     std::int64_t received_realtime_ns;
   };
-  using Message = std::variant<Arrived, AnyProfile, SimStatus, Credit>;
+  using Message = std::variant<Arrived, catalog::AnyProfile, SimStatus, Credit>;
   struct Pending {
     TruthState state;
     bool ends_block;
@@ -95,7 +95,7 @@ class TruthFollower {
   void read_journal(Context& context);
   void handle(Message message);
   void handle(const SimStatus& status);
-  void obey(const AnyProfile& entry);
+  void obey(const catalog::AnyProfile& entry);
   void begin_run(const SimStatus& status);
   bool resume();
   std::vector<std::uint8_t> checkpoint() const;

@@ -20,7 +20,7 @@ inline constexpr bool names_its_writer =
 inline scenario::ServiceKey writer_of(const ServiceStatus& status) { return {status.service, status.sensor_number}; }
 inline scenario::ServiceKey writer_of(const Credit& credit) { return {credit.consumer, credit.consumer_number}; }
 inline scenario::ServiceKey writer_of(const ProfileAck& ack) {
-  return {ack.service, ack.service == kTrajectoryServer ? 0u : ack.target.number};
+  return {ack.service, ack.service == catalog::kTrajectoryServer ? 0u : ack.target.number};
 }
 
 namespace detail {
@@ -42,7 +42,7 @@ scenario::ServiceKey writer_of_topic(const std::string& topic) {
     return {catalog::SourceOf<Sample>::service,
             static_cast<std::uint32_t>(std::stoul(topic.substr(topic.rfind('/') + 1)))};
   } else {
-    return {kTrajectoryServer, 0u};
+    return {catalog::kTrajectoryServer, 0u};
   }
 }
 

@@ -49,7 +49,7 @@ class Writers {
   auto only_the_app(const std::string& topic, bool is_reference_nav, const Callback& callback) {
     return [this, topic, is_reference_nav, callback](const auto& sample, const dds::SampleOrigin& origin) {
       const dds::ParticipantKey sender = dds::participant_of(origin);
-      if (is_reference_nav ? admit(topic, {kReferenceNav, 0u}, sender) : admit_app(topic, sender)) {
+      if (is_reference_nav ? admit(topic, {catalog::kReferenceNav, 0u}, sender) : admit_app(topic, sender)) {
         callback(sample, origin);
       }
     };

@@ -6,7 +6,6 @@
 #include "inslab/data/catalog/profile_kinds.hpp"
 
 namespace inslab::catalog {
-inline namespace samples {
 
 /// One profile of any kind: a request, or an entry of the journal.
 using AnyProfile = Applied<std::variant, ProfileKinds>;
@@ -32,5 +31,4 @@ inline std::string sensor_name(const SensorAddress& sensor) {
   return std::string(enum_name(sensor.kind)) + std::to_string(sensor.number);
 }
 
-}  // namespace samples
 }  // namespace inslab::catalog

@@ -11,7 +11,6 @@
 /// Rules of profiles that span several fields; the limits of single fields stand in their declarations. Each function
 /// returns the first rule broken, or nothing.
 namespace inslab::catalog {
-inline namespace samples {
 
 inline constexpr double kMaxLeverArmM = 1000.0;
 inline constexpr double kMaxMotionM = 0.05;     ///< of a mount against the vehicle
@@ -188,39 +187,39 @@ inline std::optional<Violation> zero_violation(Rule rule, const char* path, cons
 }  // namespace detail
 
 inline std::optional<Violation> violation(const ImuErrorProfile& profile) {
-  if (auto broken = samples::detail::target_violation(profile)) return broken;
-  if (auto broken = samples::detail::fade_violation(profile.request)) return broken;
-  if (auto broken = samples::detail::gyro_violation(profile.gyro)) return broken;
-  if (auto broken = samples::detail::accel_violation(profile.accel)) return broken;
-  return samples::detail::in_order_violation("temperature", profile.temperature);
+  if (auto broken = detail::target_violation(profile)) return broken;
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::gyro_violation(profile.gyro)) return broken;
+  if (auto broken = detail::accel_violation(profile.accel)) return broken;
+  return detail::in_order_violation("temperature", profile.temperature);
 }
 
 inline std::optional<Violation> violation(const VibrationProfile& profile) {
-  if (auto broken = samples::detail::target_violation(profile)) return broken;
-  if (auto broken = samples::detail::random_table_violation("linear_random", profile.linear_random)) return broken;
-  if (auto broken = samples::detail::random_table_violation("angular_random", profile.angular_random)) return broken;
-  return profile.domain == VibrationDomain::Motion ? samples::detail::mount_violation(profile) : std::nullopt;
+  if (auto broken = detail::target_violation(profile)) return broken;
+  if (auto broken = detail::random_table_violation("linear_random", profile.linear_random)) return broken;
+  if (auto broken = detail::random_table_violation("angular_random", profile.angular_random)) return broken;
+  return profile.domain == VibrationDomain::Motion ? detail::mount_violation(profile) : std::nullopt;
 }
 
 inline std::optional<Violation> violation(const InstallationProfile& profile) {
-  if (auto broken = samples::detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
   if (!(profile.lever_arm_v_m.norm() <= kMaxLeverArmM)) {
     return Violation{Rule::LeverArmLength, "lever_arm_v_m",
                      "is " + std::to_string(profile.lever_arm_v_m.norm()) + " m long; a lever arm has at most 1000 m"};
   }
   if (has_axes(profile.target.kind)) return std::nullopt;
-  return samples::detail::zero_violation(Rule::AntennaMounting, "mounting_rpy_deg", profile.mounting_rpy_deg,
-                                         "is not 0; an antenna has no axes");
+  return detail::zero_violation(Rule::AntennaMounting, "mounting_rpy_deg", profile.mounting_rpy_deg,
+                                "is not 0; an antenna has no axes");
 }
 
 inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
-  if (auto broken = samples::detail::target_violation(profile)) return broken;
-  if (auto broken = samples::detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::target_violation(profile)) return broken;
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
   if (profile.fix_type == FixType::None) {
     return Violation{Rule::FixTypeGiven, "fix_type", "is none; a receiver without a fix is the fault 'outage'"};
   }
-  if (auto broken = samples::detail::solution_violation("", profile)) return broken;
-  return samples::detail::ladder_violation(profile);
+  if (auto broken = detail::solution_violation("", profile)) return broken;
+  return detail::ladder_violation(profile);
 }
 
 namespace detail {
@@ -253,20 +252,20 @@ class FaultFits {
 }  // namespace detail
 
 inline std::optional<Violation> violation(const FaultProfile& profile) {
-  if (auto broken = samples::detail::fade_violation(profile.request)) return broken;
-  samples::detail::FaultFits fits(profile.target.kind);
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  detail::FaultFits fits(profile.target.kind);
   FaultProfile::fields(profile, fits);
   return fits.found;
 }
 
 inline std::optional<Violation> violation(const MagnetometerErrorProfile& profile) {
-  if (auto broken = samples::detail::target_violation(profile)) return broken;
-  if (auto broken = samples::detail::fade_violation(profile.request)) return broken;
-  if (auto broken = samples::detail::correlation_violation("gm_correlation_time_s", "gm_sigma_nt", profile.gm_sigma_nt,
-                                                           profile.gm_correlation_time_s)) {
+  if (auto broken = detail::target_violation(profile)) return broken;
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::correlation_violation("gm_correlation_time_s", "gm_sigma_nt", profile.gm_sigma_nt,
+                                                  profile.gm_correlation_time_s)) {
     return broken;
   }
-  return samples::detail::in_order_violation("currents", profile.currents);
+  return detail::in_order_violation("currents", profile.currents);
 }
 
 /// The first limit or rule that a profile of any kind breaks.
@@ -279,5 +278,4 @@ inline std::optional<Violation> broken_rule(const AnyProfile& profile) {
       profile);
 }
 
-}  // namespace samples
 }  // namespace inslab::catalog

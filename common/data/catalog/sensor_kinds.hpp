@@ -119,7 +119,7 @@ template <class List>
 struct AllSamples;
 template <class... Kind>
 struct AllSamples<Types<Kind...>> {
-  using type = Joined<SamplesOf<Kind>...>;
+  using type = Joined<catalog::SamplesOf<Kind>...>;
 };
 }  // namespace detail
 

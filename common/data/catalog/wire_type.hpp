@@ -13,10 +13,6 @@ namespace inslab::catalog {
 #define INSLAB_WIRE_MODULE "inslab::v2::"
 inline constexpr std::string_view kModule = INSLAB_WIRE_MODULE;
 
-/// The present name of a type that a log may call by an earlier one; any other name as it is. Before the types had a
-/// version, version 1 was `inslab::TruthState` and so on.
-std::string present_name(std::string_view type);
-
 /// The IDL name of every struct that travels as a topic, and the file of idl/ that declares it.
 template <class T>
 struct WireType;
@@ -77,9 +73,5 @@ using WireTypes = Joined<Types<TruthState>, SensorSamples, Types<NavSolution>, P
                                UsedVehicleState, VehicleLink, Credit>>;
 template <template <class...> class Of>
 using EveryWireType = Applied<Of, WireTypes>;
-
-/// The product's own text of one file of idl/, with the files it includes put before it and no preprocessor line left:
-/// what a reader needs to decode the types in it. Throws std::out_of_range for a name that is not in idl/.
-std::string self_contained_idl(std::string_view idl_file);
 
 }  // namespace inslab::catalog

@@ -5,6 +5,7 @@
 
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/wire/cdr.hpp"
+#include "inslab/data/wire/idl_text.hpp"
 #include "inslab/formats/mcap/mcap_writer.hpp"
 
 namespace inslab::log {
@@ -17,7 +18,7 @@ class LogChannel {
   LogChannel(mcap::McapWriter& log, std::string_view topic, const mcap::StringMap& metadata = {})
       : log_(&log),
         id_(log.add_channel(log.add_schema(catalog::WireType<T>::name, "omgidl",
-                                           catalog::self_contained_idl(catalog::WireType<T>::idl_file)),
+                                           wire::self_contained_idl(catalog::WireType<T>::idl_file)),
                             topic, "cdr", metadata)) {}
 
   /// Adds a sample; errors as McapWriter::write().

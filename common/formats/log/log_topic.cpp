@@ -1,12 +1,14 @@
 #include "inslab/formats/log/log_topic.hpp"
 
+#include "inslab/data/wire/idl_text.hpp"
+
 namespace inslab::log {
 
 std::map<std::uint16_t, std::string> channel_types(const mcap::McapReader& log) {
   std::map<std::uint16_t, std::string> types;
   for (const auto& [id, channel] : log.channels()) {
     const auto schema = log.schemas().find(channel.schema_id);
-    types[id] = schema == log.schemas().end() ? "" : catalog::present_name(schema->second.name);
+    types[id] = schema == log.schemas().end() ? "" : wire::present_name(schema->second.name);
   }
   return types;
 }

@@ -5,6 +5,7 @@
 
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/wire/cdr.hpp"
+#include "inslab/data/wire/idl_text.hpp"
 
 namespace inslab::log {
 namespace {
@@ -64,7 +65,7 @@ const LogType* find_log_type(std::string_view schema_name) {
   const std::vector<LogType>& types = log_types();
   const auto found =
       std::find_if(types.begin(), types.end(),
-                   [name = catalog::present_name(schema_name)](const LogType& type) { return type.name == name; });
+                   [name = wire::present_name(schema_name)](const LogType& type) { return type.name == name; });
   return found == types.end() ? nullptr : &*found;
 }
 

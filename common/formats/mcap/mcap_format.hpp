@@ -11,12 +11,11 @@
 /// (8 bytes) and that many bytes; all numbers are little endian.
 namespace inslab::mcap {
 
-namespace mcap {
-
 inline constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
 inline constexpr std::size_t kRecordHeadSize = 9;
 inline constexpr std::size_t kMessageHeadSize = 22;  // channel, sequence, log time, publish time
 inline constexpr std::size_t kFooterSize = 20;
+inline constexpr std::size_t kIndexEntrySize = 16;  // of a MessageIndex: log time, offset
 
 enum Opcode : std::uint8_t {
   kHeader = 0x01,
@@ -98,5 +97,4 @@ struct MetadataIndex {
   std::string name;
 };
 
-}  // namespace mcap
 }  // namespace inslab::mcap

@@ -11,7 +11,6 @@
 namespace inslab::mcap {
 namespace {
 
-constexpr std::size_t kIndexEntrySize = 16;
 constexpr std::size_t kChunkHeadAtMost = 256;  // three numbers, a CRC, the name of the compression, a number
 
 class Scan {

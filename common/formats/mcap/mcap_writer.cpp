@@ -15,10 +15,8 @@
 namespace inslab::mcap {
 namespace {
 
-constexpr std::string_view kCompression = kCompression;
 // Chunk: three 8-byte numbers, CRC, compression, length of the records.
 constexpr std::size_t kChunkHeadSize = kRecordHeadSize + 3 * 8 + 4 + 4 + kCompression.size() + 8;
-constexpr std::size_t kIndexEntrySize = 16;
 
 std::uint32_t crc(std::uint32_t before, const std::uint8_t* data, std::size_t size) {
   return static_cast<std::uint32_t>(crc32_z(before, data, size));

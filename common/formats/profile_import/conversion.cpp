@@ -39,7 +39,7 @@ std::string conversion_line(const std::string& from, const Vector3& from_value, 
 
 void check_imported(const std::string& file, const ImuErrorProfile& profile) {
   auto broken = limit_violation(profile);
-  if (!broken) broken = violation(profile);
+  if (!broken) broken = catalog::violation(profile);
   if (broken) throw files::ReadError(file + ": makes no profile: " + broken->path + " " + broken->reason);
 }
 

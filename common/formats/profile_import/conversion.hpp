@@ -23,21 +23,21 @@ struct ImportedProfile {
   std::vector<std::string> lines;  ///< for people: each conversion, and what was left out
 };
 
-/// The text of a file that a profile is made from. Throws io::ReadError when it cannot be read or is larger than such a
-/// file may be (config/input_limits.hpp).
+/// The text of a file that a profile is made from. Throws files::ReadError when it cannot be read or is larger than
+/// such a file may be (config/input_limits.hpp).
 std::string import_text(const std::string& file);
 
-/// Throws io::ReadError: at `place` the file has more in each other than an import may have.
+/// Throws files::ReadError: at `place` the file has more in each other than an import may have.
 [[noreturn]] void refuse_depth(const std::string& place, std::size_t levels = files::kMaxImportLevels);
 
 /// "gbstd [0.027 0.027 0.027] deg/h -> gyro.bias_gm_sigma_deg_per_h [...]: the same".
 std::string conversion_line(const std::string& from, const Vector3& from_value, const std::string& from_unit,
                             const std::string& to, const Vector3& to_value, const std::string& how);
 
-/// Holds the finished profile to its limits and rules. Throws io::ReadError naming the file and the field at fault.
+/// Holds the finished profile to its limits and rules. Throws files::ReadError naming the file and the field at fault.
 void check_imported(const std::string& file, const ImuErrorProfile& profile);
 
-/// Each throws io::ReadError naming the file, the line, and what was expected.
+/// Each throws files::ReadError naming the file, the line, and what was expected.
 ///
 /// KF-GINS's configuration (YAML): `imunoise`. Its filter drives a bias with 2 sigma^2/T, so gbstd, abstd, gsstd and
 /// asstd are steady-state sigmas, all with the one corrtime.

@@ -21,7 +21,7 @@ double number_of(const std::string& file, const std::string& key, const YAML::No
   return value;
 }
 
-/// The section's value of that key. Throws io::ReadError when it is missing.
+/// The section's value of that key. Throws files::ReadError when it is missing.
 YAML::Node member(const std::string& file, const YAML::Node& section, const std::string& key) {
   const YAML::Node node = section[key];
   if (!node) throw files::ReadError(place(file, section.Mark()) + "imunoise has no " + key);

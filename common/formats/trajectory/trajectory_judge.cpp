@@ -91,9 +91,7 @@ class Judge {
   }
 
   /// As many digits as a person needs.
-  static std::string rounded(double value) {
-    return inslab::samples::detail::number_text(std::round(value * 1e4) / 1e4);
-  }
+  static std::string rounded(double value) { return number_text(std::round(value * 1e4) / 1e4); }
 
   Quantity clock() const { return reading_.columns.has(Quantity::Time) ? Quantity::Time : Quantity::SecondOfWeek; }
 

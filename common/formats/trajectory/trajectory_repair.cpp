@@ -11,7 +11,7 @@ namespace inslab::trajectory {
 
 namespace {
 
-std::string rounded(double value) { return inslab::samples::detail::number_text(std::round(value * 1e3) / 1e3); }
+std::string rounded(double value) { return number_text(std::round(value * 1e3) / 1e3); }
 
 class Repair {
  public:

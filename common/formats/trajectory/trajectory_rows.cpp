@@ -28,7 +28,7 @@ void TrajectoryRows::add(std::uint64_t line, time::Nanoseconds time, const time:
   if (row.time > before) return;
   const Quantity clock = reading_->columns.has(Quantity::Time) ? Quantity::Time : Quantity::SecondOfWeek;
   reading_->problems.add({Rule::FileTime, reading_->place(last, clock),
-                          "lies " + inslab::samples::detail::number_text(time::to_seconds(before - row.time)) +
+                          "lies " + number_text(time::to_seconds(before - row.time)) +
                               " s before the row above it; expected time to increase"});
   file.rows.pop_back();
   reading_->lines.pop_back();

@@ -230,9 +230,8 @@ class TextReader {
     const double slack = factor == 1.0 ? 0.0 : 1e-9;
     if (!(value >= range.minimum - slack && value <= range.maximum + slack)) {
       fail(Rule::ValueRange, i,
-           std::isfinite(value) ? "is " + inslab::samples::detail::number_text(value) + range.unit_name +
-                                      "; expected " + inslab::samples::detail::number_text(range.minimum) + " to " +
-                                      inslab::samples::detail::number_text(range.maximum)
+           std::isfinite(value) ? "is " + number_text(value) + range.unit_name + "; expected " +
+                                      number_text(range.minimum) + " to " + number_text(range.maximum)
                                 : "is " + std::string(fields_[i]) + "; expected a finite number");
       return false;
     }
@@ -283,7 +282,7 @@ class TextReader {
                                  value(Quantity::QuaternionY), value(Quantity::QuaternionZ));
       if (std::abs(q_nv.norm() - 1.0) > 1e-3) {
         fail(Rule::ValueRange, *reading_.columns.find(Quantity::QuaternionW),
-             "begins a quaternion of norm " + inslab::samples::detail::number_text(q_nv.norm()) + "; expected 1");
+             "begins a quaternion of norm " + number_text(q_nv.norm()) + "; expected 1");
         return false;
       }
       row.rpy = nav::rpy_from_quaternion(q_nv);

@@ -11,13 +11,13 @@
 namespace inslab {
 inline namespace samples {
 
-namespace detail {
-
 /// The shortest text that gives the number back, so that 1000.0001 is not refused as 1000.
 inline std::string number_text(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof(text), value).ptr};
 }
+
+namespace detail {
 
 /// "is 7; expected 0 to 5 (deg/h)" in the one wording that files, requests and tests share.
 inline std::string limit_reason(double value, const Field& field) {

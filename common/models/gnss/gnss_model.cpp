@@ -16,7 +16,7 @@ constexpr double kLongestDriftM = 1e5;
 
 template <class Profile>
 const Profile& checked(const Profile& profile) {
-  if (const auto broken = violation(profile)) throw std::invalid_argument(broken->path + " " + broken->reason);
+  if (const auto broken = catalog::violation(profile)) throw std::invalid_argument(broken->path + " " + broken->reason);
   if (profile.target.kind != SensorKind::Gnss) throw std::invalid_argument("target_kind is not gnss");
   return profile;
 }

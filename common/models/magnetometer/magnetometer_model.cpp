@@ -12,7 +12,7 @@ namespace {
 
 template <class Profile>
 const Profile& checked(const Profile& profile) {
-  if (const auto broken = violation(profile)) throw std::invalid_argument(broken->path + " " + broken->reason);
+  if (const auto broken = catalog::violation(profile)) throw std::invalid_argument(broken->path + " " + broken->reason);
   if (profile.target.kind != SensorKind::Magnetometer) {
     throw std::invalid_argument("target_kind is not magnetometer");
   }

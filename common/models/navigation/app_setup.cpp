@@ -13,7 +13,8 @@ AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::Ref
   }
   AppSetup setup{
       matching_parameters(imu.errors, imu.nominal_installation, gnss.nominal_installation), scenario.gravity(), {}};
-  for (const AnyProfile& profile : {AnyProfile(imu.errors), AnyProfile(imu.vibration), AnyProfile(gnss.errors)}) {
+  for (const catalog::AnyProfile& profile :
+       {catalog::AnyProfile(imu.errors), catalog::AnyProfile(imu.vibration), catalog::AnyProfile(gnss.errors)}) {
     for (const std::string& name : left_out_of_matching(profile)) setup.left_out.push_back(name);
   }
   return setup;

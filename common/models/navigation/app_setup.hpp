@@ -17,7 +17,7 @@ struct AppSetup {
 };
 
 /// For the sensors of a scenario: from the scenario's file of parameters, or those that match the sensors' profiles as
-/// the app is told they are mounted. Throws config::Error when the scenario lacks a sensor, or the file is not good.
+/// the app is told they are mounted. Throws json::Error when the scenario lacks a sensor, or the file is not good.
 AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app);
 
 }  // namespace inslab::navigation

@@ -75,7 +75,7 @@ NavigationParameters matching_parameters(const ImuErrorProfile& imu, const Insta
   return p;
 }
 
-std::vector<std::string> left_out_of_matching(const AnyProfile& profile) {
+std::vector<std::string> left_out_of_matching(const catalog::AnyProfile& profile) {
   return std::visit(
       [](const auto& one) {
         return profiles::names_left_out(matching::uses_of(Tag<std::decay_t<decltype(one)>>{}), one);

@@ -20,6 +20,6 @@ NavigationParameters matching_parameters(const ImuErrorProfile& imu, const Insta
                                          const InstallationProfile& antenna_place);
 
 /// Names of what a profile of the unit sets and the matching parameters leave out.
-std::vector<std::string> left_out_of_matching(const AnyProfile& profile);
+std::vector<std::string> left_out_of_matching(const catalog::AnyProfile& profile);
 
 }  // namespace inslab::navigation

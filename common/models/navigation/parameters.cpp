@@ -7,7 +7,7 @@
 namespace inslab::navigation {
 
 std::optional<Violation> violation(const NavigationParameters& p) {
-  if (!(p.lever_arm_b_m.norm() <= kMaxLeverArmM)) {
+  if (!(p.lever_arm_b_m.norm() <= catalog::kMaxLeverArmM)) {
     return Violation{Rule::LeverArmLength, "lever_arm_b_m",
                      "is " + std::to_string(p.lever_arm_b_m.norm()) + " m long; a lever arm has at most 1000 m"};
   }

@@ -6,7 +6,7 @@
 
 namespace inslab::navigation {
 
-/// The parameters of a file. Throws config::Error, naming file, path in it and reason, for what a declaration or a rule
+/// The parameters of a file. Throws json::Error, naming file, path in it and reason, for what a declaration or a rule
 /// refuses.
 NavigationParameters read_parameters(const std::string& file);
 

@@ -8,7 +8,7 @@
 namespace inslab::allan {
 namespace {
 
-random::AllanPoint point(std::int64_t m, double dt_s, double squares, std::int64_t stride, std::int64_t terms) {
+AllanPoint point(std::int64_t m, double dt_s, double squares, std::int64_t stride, std::int64_t terms) {
   const double tau_s = static_cast<double>(m) * dt_s;
   return {m, terms > 0 ? squares / (2.0 * tau_s * tau_s * static_cast<double>(terms)) : 0.0, stride, terms};
 }
@@ -16,13 +16,13 @@ random::AllanPoint point(std::int64_t m, double dt_s, double squares, std::int64
 /// The largest power of two that leaves m at least kClusterOverlap of it, without rest.
 std::int64_t stride_of(std::int64_t m) {
   std::int64_t stride = 1;
-  while (m % (2 * stride) == 0 && m / (2 * stride) >= random::AllanStream::kClusterOverlap) stride *= 2;
+  while (m % (2 * stride) == 0 && m / (2 * stride) >= AllanStream::kClusterOverlap) stride *= 2;
   return stride;
 }
 
 }  // namespace
 
-random::AllanPoint overlapped_allan_variance(const std::vector<double>& phase, double dt_s, std::int64_t m) {
+AllanPoint overlapped_allan_variance(const std::vector<double>& phase, double dt_s, std::int64_t m) {
   const std::int64_t terms = std::max<std::int64_t>(static_cast<std::int64_t>(phase.size()) - 2 * m, 0);
   double squares = 0.0;
   for (std::int64_t k = 0; k < terms; ++k) {
@@ -37,14 +37,14 @@ std::vector<std::int64_t> octave_cluster_sizes(std::int64_t largest, int per_oct
   for (int i = 0;; ++i) {
     const double wanted = std::exp2(static_cast<double>(i) / per_octave);
     std::int64_t stride = 1;
-    while (wanted >= static_cast<double>(2 * random::AllanStream::kClusterOverlap * stride)) stride *= 2;
+    while (wanted >= static_cast<double>(2 * AllanStream::kClusterOverlap * stride)) stride *= 2;
     const std::int64_t size = std::llround(wanted / static_cast<double>(stride)) * stride;
     if (size > largest) return sizes;
     if (sizes.empty() || size > sizes.back()) sizes.push_back(size);
   }
 }
 
-random::AllanStream::AllanStream(double dt_s, std::vector<std::int64_t> sizes) : dt_s_(dt_s), sizes_(sizes.size()) {
+AllanStream::AllanStream(double dt_s, std::vector<std::int64_t> sizes) : dt_s_(dt_s), sizes_(sizes.size()) {
   if (!(std::isfinite(dt_s) && dt_s > 0.0)) throw std::invalid_argument("Allan: the interval is not above 0 s");
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const std::int64_t m = sizes[i];
@@ -65,7 +65,7 @@ random::AllanStream::AllanStream(double dt_s, std::vector<std::int64_t> sizes) :
   std::sort(levels_.begin(), levels_.end(), [](const Level& a, const Level& b) { return a.stride < b.stride; });
 }
 
-void random::AllanStream::put(Level& level, double phase) {
+void AllanStream::put(Level& level, double phase) {
   const std::size_t mask = level.ring.size() - 1;
   const auto place = static_cast<std::size_t>(level.count);
   level.ring[place & mask] = phase;
@@ -78,7 +78,7 @@ void random::AllanStream::put(Level& level, double phase) {
   }
 }
 
-void random::AllanStream::add(double increment) {
+void AllanStream::add(double increment) {
   if (samples_ == 0) first_ = increment;
   phase_ += increment - first_;
   ++samples_;
@@ -89,17 +89,16 @@ void random::AllanStream::add(double increment) {
   }
 }
 
-std::vector<random::AllanPoint> random::AllanStream::points() const {
-  std::vector<random::AllanPoint> all(sizes_);
+std::vector<AllanPoint> AllanStream::points() const {
+  std::vector<AllanPoint> all(sizes_);
   for (const Level& level : levels_) {
     for (const Sum& sum : level.sums) all[sum.order] = point(sum.m, dt_s_, sum.squares, level.stride, sum.terms);
   }
-  all.erase(std::remove_if(all.begin(), all.end(), [](const random::AllanPoint& p) { return p.terms == 0; }),
-            all.end());
+  all.erase(std::remove_if(all.begin(), all.end(), [](const AllanPoint& p) { return p.terms == 0; }), all.end());
   return all;
 }
 
-std::size_t random::AllanStream::memory_bytes() const {
+std::size_t AllanStream::memory_bytes() const {
   std::size_t bytes = sizeof(*this);
   for (const Level& level : levels_) {
     bytes += sizeof(Level) + level.sums.size() * sizeof(Sum) + level.ring.size() * sizeof(double);

@@ -55,7 +55,7 @@ constexpr double kManyDegrees = 2000.0;
 
 }  // namespace
 
-double equivalent_degrees_of_freedom(const random::AllanPoint& point, const NoiseModel& model, double dt_s) {
+double equivalent_degrees_of_freedom(const AllanPoint& point, const NoiseModel& model, double dt_s) {
   const double variance = second_difference_covariance(model, dt_s, point.m, 0);
   const auto terms = static_cast<double>(point.terms);
   const std::int64_t lags = std::min(point.terms - 1, 64 * point.m / point.stride);

@@ -20,7 +20,7 @@ struct Interval {
 ///
 /// exactly, with rho from second_difference_covariance(). The sum ends at 64 m, beyond which rho^2 is below 1e-6 for
 /// all terms. Source: Greenhall and Riley, "Uncertainty of stability variances based on finite differences", PTTI 2003.
-double equivalent_degrees_of_freedom(const random::AllanPoint& point, const NoiseModel& model, double dt_s);
+double equivalent_degrees_of_freedom(const AllanPoint& point, const NoiseModel& model, double dt_s);
 
 /// The value that a chi-square variable of `degrees` (any positive number) stays below with `probability` in (0, 1).
 double chi_square_quantile(double probability, double degrees);

@@ -70,7 +70,7 @@ class ImuAnalyser {
   std::vector<allan::AllanStream> curves_;
 };
 
-/// Reads the recording once, in flat memory, and fits each axis it has. Throws io::ReadError.
+/// Reads the recording once, in flat memory, and fits each axis it has. Throws files::ReadError.
 ImuAnalysis analyse_imu(const std::string& path, const AnalysisOptions& options);
 
 }  // namespace inslab::calibrate

@@ -105,7 +105,7 @@ ImuErrorProfile fitted_profile(const ImuAnalysis& analysis) {
     }
   }
   auto broken = limit_violation(profile);
-  if (!broken) broken = violation(profile);
+  if (!broken) broken = catalog::violation(profile);
   if (broken) throw std::runtime_error("the fit is no profile: " + broken->path + " " + broken->reason);
   return profile;
 }

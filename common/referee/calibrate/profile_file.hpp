@@ -10,7 +10,7 @@ namespace inslab::calibrate {
 /// number.
 std::string profile_text(const ImuErrorProfile& profile);
 
-/// Writes it. Throws io::WriteError.
+/// Writes it. Throws files::WriteError.
 void write_profile(const std::string& path, const ImuErrorProfile& profile);
 
 }  // namespace inslab::calibrate

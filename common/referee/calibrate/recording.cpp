@@ -18,7 +18,7 @@ StaticAlignment alignment(double dt_s, const RecordingOptions& options) {
   return StaticAlignment(dt_s, site.latitude_rad, nav::Gravity().g_n(site).norm(), options.limits);
 }
 
-/// Whether the first line is a NovAtel ASCII message. Throws io::ReadError for the abbreviated form.
+/// Whether the first line is a NovAtel ASCII message. Throws files::ReadError for the abbreviated form.
 bool is_novatel(const std::string& path) {
   constexpr std::uint64_t kLooked = 4;
   std::string head;

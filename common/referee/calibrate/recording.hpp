@@ -25,8 +25,8 @@ struct AlignedRecording {
 };
 
 /// Aligns a NovAtel ASCII log (its first line begins with # or % and has a semicolon), or what
-/// io::read_imu_recording() takes. Throws io::ReadError naming file and place, also when nothing in the file is a good
-/// IMU sample; std::invalid_argument for an IMU type that is not known.
+/// recordings::read_imu_recording() takes. Throws files::ReadError naming file and place, also when nothing in the file
+/// is a good IMU sample; std::invalid_argument for an IMU type that is not known.
 AlignedRecording align_recording(const std::string& path, const RecordingOptions& options);
 
 }  // namespace inslab::calibrate

@@ -92,9 +92,9 @@ FileCheck check_navigation(const std::string& file) {
 FileCheck check_profile(const CheckOptions& options, ProfileKind kind) {
   const SensorKind sensor =
       options.sensor_kind.empty() ? catalog::usual_sensor(kind) : enum_named<SensorKind>(options.sensor_kind).value();
-  const AnyProfile profile = scenario::load_profile(options.file, kind, {sensor, 0});
+  const catalog::AnyProfile profile = scenario::load_profile(options.file, kind, {sensor, 0});
   return good(options.file, fmt::format("{} profile '{}' for a sensor of the kind {}", enum_name(kind),
-                                        name_of(profile), enum_name(sensor)));
+                                        catalog::name_of(profile), enum_name(sensor)));
 }
 
 FileCheck check_log(const std::string& file) {

@@ -25,8 +25,8 @@ struct FileCheck {
   bool is_good = true;  ///< a trajectory may break its limits
 };
 
-/// Recognises a file by its content, or takes it for what `kind` says, and reads it. Throws config::Error,
-/// io::ReadError for what is wrong with it.
+/// Recognises a file by its content, or takes it for what `kind` says, and reads it. Throws json::Error,
+/// files::ReadError for what is wrong with it.
 FileCheck check_file(const CheckOptions& options);
 
 }  // namespace inslab::check

@@ -23,7 +23,7 @@ struct FileKind {
   json::Json json;                                 ///< of a JSON file
 };
 
-/// Throws config::Error or io::ReadError when the file cannot be read.
+/// Throws json::Error or files::ReadError when the file cannot be read.
 FileKind file_kind(const std::string& path);
 
 }  // namespace inslab::check

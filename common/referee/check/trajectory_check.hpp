@@ -22,7 +22,7 @@ struct TrajectoryChecked {
   bool is_good = false;  ///< of a repair: what was written
 };
 
-/// Throws io::ReadError, io::WriteError, config::Error for limits that there are not.
+/// Throws files::ReadError, files::WriteError, json::Error for limits that there are not.
 TrajectoryChecked check_trajectory(const TrajectoryCheckOptions& options);
 
 }  // namespace inslab::check

@@ -203,7 +203,7 @@ constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
 constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetometerErrorUses; }
 
 /// Of a swapped profile.
-inline std::vector<std::string> names_left_out(const AnyProfile& profile) {
+inline std::vector<std::string> names_left_out(const catalog::AnyProfile& profile) {
   return std::visit(
       [](const auto& one) { return profiles::names_left_out(uses_of(Tag<std::decay_t<decltype(one)>>{}), one); },
       profile);

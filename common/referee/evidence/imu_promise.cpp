@@ -45,13 +45,13 @@ Vector3 root_of_squares(const Vector3& a, const Vector3& b) {
 
 ImuPromise::ImuPromise(const LogSummary& summary, const SensorAddress& imu, std::int64_t sim_time_ns, double dt_s)
     : dt_s_(dt_s) {
-  if (const AnyProfile* in_use = summary.in_use(ProfileKind::ImuError, imu, sim_time_ns)) {
+  if (const catalog::AnyProfile* in_use = summary.in_use(ProfileKind::ImuError, imu, sim_time_ns)) {
     take(std::get<ImuErrorProfile>(*in_use));
   }
-  if (const AnyProfile* in_use = summary.in_use(ProfileKind::Fault, imu, sim_time_ns)) {
+  if (const catalog::AnyProfile* in_use = summary.in_use(ProfileKind::Fault, imu, sim_time_ns)) {
     take(std::get<FaultProfile>(*in_use));
   }
-  if (const AnyProfile* in_use = summary.in_use(ProfileKind::Vibration, imu, sim_time_ns)) {
+  if (const catalog::AnyProfile* in_use = summary.in_use(ProfileKind::Vibration, imu, sim_time_ns)) {
     vibration_ = std::get<VibrationProfile>(*in_use);
   }
 }

@@ -14,7 +14,7 @@ namespace inslab::evidence {
 
 namespace {
 
-/// What a metadata record holds as JSON. Throws config::Error.
+/// What a metadata record holds as JSON. Throws json::Error.
 json::Json json_of(const mcap::Metadata& record, const std::string& place) {
   const auto json = record.values.find("json");
   if (json == record.values.end()) throw json::Error(place, {Rule::RequiredKey, "json", "missing"});
@@ -60,8 +60,8 @@ void read_metadata(const mcap::McapReader& log, LogSummary& summary) {
 
 ProfileTimeline::ProfileTimeline(const std::vector<ProfileInUse>& profiles) {
   for (std::size_t place = 0; place < profiles.size(); ++place) {
-    const SensorAddress sensor = target_of(profiles[place].profile);
-    entries_[{kind_of(profiles[place].profile), sensor.kind, sensor.number}].push_back(
+    const SensorAddress sensor = catalog::target_of(profiles[place].profile);
+    entries_[{catalog::kind_of(profiles[place].profile), sensor.kind, sensor.number}].push_back(
         {profiles[place].apply_at_ns, place});
   }
   for (auto& [key, entries] : entries_) {
@@ -79,7 +79,8 @@ std::optional<std::size_t> ProfileTimeline::at(ProfileKind kind, const SensorAdd
   return later == found->second.begin() ? std::nullopt : std::optional(std::prev(later)->place);
 }
 
-const AnyProfile* LogSummary::in_use(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const {
+const catalog::AnyProfile* LogSummary::in_use(ProfileKind kind, const SensorAddress& sensor,
+                                              std::int64_t sim_time_ns) const {
   const std::optional<std::size_t> place = timeline.at(kind, sensor, sim_time_ns);
   return place ? &profiles[*place].profile : nullptr;
 }
@@ -149,10 +150,10 @@ LogSummary SummaryOfLog::finish() {
     }
   }
   // Requests of one journal come over a topic for each kind of profile, which keep no order among each other.
-  std::stable_sort(summary_.profiles.begin(), summary_.profiles.end(),
-                   [](const ProfileInUse& a, const ProfileInUse& b) {
-                     return request_of(a.profile).journal_number < request_of(b.profile).journal_number;
-                   });
+  std::stable_sort(
+      summary_.profiles.begin(), summary_.profiles.end(), [](const ProfileInUse& a, const ProfileInUse& b) {
+        return catalog::request_of(a.profile).journal_number < catalog::request_of(b.profile).journal_number;
+      });
   summary_.timeline = ProfileTimeline(summary_.profiles);
   return std::move(summary_);
 }

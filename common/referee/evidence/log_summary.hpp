@@ -25,7 +25,7 @@ struct StreamSummary {
 /// A profile and from when on a sensor used it.
 struct ProfileInUse {
   std::int64_t apply_at_ns = -1;  ///< negative: from the start
-  AnyProfile profile;
+  catalog::AnyProfile profile;
 };
 
 /// Which of a run's profiles a sensor used when, found in the logarithm of their number.
@@ -69,18 +69,18 @@ struct LogSummary {
   std::vector<ServiceStatus> services;           ///< the last report of each
   std::optional<VehicleLink> vehicle_link;       ///< the last report; of a live vehicle only
   std::vector<ProfileAck> acks;
-  std::vector<mcap::StringMap> recoveries;  ///< see logger::RunLog
+  std::vector<mcap::StringMap> recoveries;  ///< see sim::RunLog
   std::vector<ProfileInUse> profiles;       ///< what the scenario began with, and the journal in its order
   ProfileTimeline timeline;                 ///< of these profiles
 
   /// The profile of that kind and sensor in use for a sample of sim time `t`; null when there is none.
-  const AnyProfile* in_use(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const;
+  const catalog::AnyProfile* in_use(ProfileKind kind, const SensorAddress& sensor, std::int64_t sim_time_ns) const;
 };
 
 /// Gathers the summary of a log along a walk.
 class SummaryOfLog {
  public:
-  /// What the log says of scenario and profiles is there at once. Throws config::Error when that is no JSON of ours.
+  /// What the log says of scenario and profiles is there at once. Throws json::Error when that is no JSON of ours.
   explicit SummaryOfLog(const mcap::McapReader& log);
 
   const scenario::Scenario& scenario() const { return summary_.scenario; }
@@ -103,7 +103,7 @@ class SummaryOfLog {
   std::map<std::pair<std::string, std::uint32_t>, ServiceStatus> services_;
 };
 
-/// Reads a whole log once, for its summary alone. Throws io::ReadError, and as SummaryOfLog does.
+/// Reads a whole log once, for its summary alone. Throws files::ReadError, and as SummaryOfLog does.
 LogSummary summarize(const mcap::McapReader& log);
 
 }  // namespace inslab::evidence

@@ -139,8 +139,8 @@ std::string shown(const Measured& measured) {
 
 void say_swap(std::size_t number, const SwapEvidence& swap, bool of_the_scenario, Account& account) {
   const ProfileAck& ack = swap.ack;
-  const std::string what =
-      fmt::format("swap {}: {} '{}' for {}", number, enum_name(ack.kind), swap.profile_name, sensor_name(ack.target));
+  const std::string what = fmt::format("swap {}: {} '{}' for {}", number, enum_name(ack.kind), swap.profile_name,
+                                       catalog::sensor_name(ack.target));
   account.say("\n{}: {} at {:.3f} s, first sample under it {:.3f} s, sequence {}\n", what, enum_name(ack.outcome),
               seconds_of(ack.apply_time_ns), seconds_of(ack.first_sample_time_ns), ack.first_sequence);
   if (ack.requested_in_the_past && ack.requested_time_ns >= 0) {
@@ -171,8 +171,9 @@ void say_other_acks(const LogSummary& summary, Account& account) {
   for (const ProfileAck& ack : summary.acks) {
     if (ack.outcome == AckOutcome::Applied) continue;
     const bool of_the_scenario = is_of_the_scenario(ack, summary);
-    account.say("\n{} for {}: {} {} {}{}\n", enum_name(ack.kind), sensor_name(ack.target), enum_name(ack.outcome),
-                ack.field, ack.reason, of_the_scenario ? "" : " (not one of the scenario's swaps)");
+    account.say("\n{} for {}: {} {} {}{}\n", enum_name(ack.kind), catalog::sensor_name(ack.target),
+                enum_name(ack.outcome), ack.field, ack.reason,
+                of_the_scenario ? "" : " (not one of the scenario's swaps)");
     account.require(ack.outcome != AckOutcome::Rejected || !of_the_scenario,
                     fmt::format("a swap was rejected: {}: {}", ack.field, ack.reason));
   }
@@ -190,11 +191,12 @@ void check_that_all_were_answered(const LogSummary& summary, Account& account) {
       answered.size() == summary.scenario.swaps.size(),
       fmt::format("{} swaps were scheduled, {} acknowledged", summary.scenario.swaps.size(), answered.size()));
   for (const ProfileInUse& entry : summary.profiles) {
-    const std::uint32_t number = request_of(entry.profile).journal_number;
+    const std::uint32_t number = catalog::request_of(entry.profile).journal_number;
     if (number == 0 || answered_entries.count(number) > 0) continue;
     const std::string what =
-        fmt::format("journal entry {}: {} '{}' for {} at {:.3f} s", number, enum_name(kind_of(entry.profile)),
-                    name_of(entry.profile), sensor_name(target_of(entry.profile)), seconds_of(entry.apply_at_ns));
+        fmt::format("journal entry {}: {} '{}' for {} at {:.3f} s", number, enum_name(catalog::kind_of(entry.profile)),
+                    catalog::name_of(entry.profile), catalog::sensor_name(catalog::target_of(entry.profile)),
+                    seconds_of(entry.apply_at_ns));
     account.say("\n{}: never acknowledged\n", what);
     account.require(false, what + " was never acknowledged");
   }

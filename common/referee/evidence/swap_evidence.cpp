@@ -166,7 +166,7 @@ class Weigher {
   }
   template <class Profile>
   Profile in_use(const SwapWindow& window) const {
-    const AnyProfile* profile = summary_.in_use(Profile::kind, swap_.ack.target, window.after_ns + 1);
+    const catalog::AnyProfile* profile = summary_.in_use(Profile::kind, swap_.ack.target, window.after_ns + 1);
     return profile ? std::get<Profile>(*profile) : Profile{};
   }
 
@@ -310,7 +310,7 @@ std::vector<SwapEvidence> SwapWeigher::finish() {
   for (const SwapWindows& swap : gathered_->windows.all()) {
     SwapEvidence weighed;
     weighed.ack = swap.ack;
-    weighed.profile_name = name_of(*swap.profile);
+    weighed.profile_name = catalog::name_of(*swap.profile);
     weighed.left_out = names_left_out(*swap.profile);
     weighed.first_sample_holds = swap.first_sequence_seen == swap.ack.first_sequence;
     const Weigher weigher(gathered_->summary, swap);

@@ -58,7 +58,7 @@ class SwapWeigher {
   std::unique_ptr<Gathered> gathered_;
 };
 
-/// Reads the log once, for its swaps alone. Throws io::ReadError.
+/// Reads the log once, for its swaps alone. Throws files::ReadError.
 std::vector<SwapEvidence> weigh_swaps(const mcap::McapReader& log, const LogSummary& summary);
 
 }  // namespace inslab::evidence

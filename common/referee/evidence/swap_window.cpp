@@ -39,7 +39,7 @@ std::uint64_t epoch_of(const GnssFix& fix, const LogSummary& summary) {
 
 /// Not one of the profile's lesser solutions, whose sigmas are others.
 bool is_at_its_best(const GnssFix& fix, const LogSummary& summary) {
-  const AnyProfile* errors =
+  const catalog::AnyProfile* errors =
       summary.in_use(ProfileKind::GnssError, {SensorKind::Gnss, fix.sensor_number}, fix.header.sim_time_ns);
   return errors == nullptr || std::get<GnssErrorProfile>(*errors).fix_type == fix.fix_type;
 }
@@ -120,8 +120,8 @@ std::map<Sensor, SensorJournal> journals_of(const LogSummary& summary) {
   std::map<Sensor, SensorJournal> journals;
   for (const ProfileInUse& entry : summary.profiles) {
     if (entry.apply_at_ns < 0) continue;
-    const ProfileRequest& request = request_of(entry.profile);
-    const Sensor sensor = sensor_of(target_of(entry.profile));
+    const ProfileRequest& request = catalog::request_of(entry.profile);
+    const Sensor sensor = sensor_of(catalog::target_of(entry.profile));
     const auto acked = first_sample_ns.find({sensor, request.journal_number});
     const std::int64_t after_ns = acked == first_sample_ns.end() ? entry.apply_at_ns : acked->second - 1;
     journals[sensor].add(request.journal_number, entry.apply_at_ns,
@@ -140,7 +140,8 @@ SwapWindows windows_of(const ProfileAck& ack, const ProfileInUse& entry, const S
   windows.before.after_ns = std::max<std::int64_t>(
       {0, windows.before.until_ns - kLongest_ns,
        journal.others_in_effect_before(ack.first_sample_time_ns, ack.journal_number).value_or(0)});
-  windows.after.after_ns = ack.first_sample_time_ns - 1 + time::from_seconds(request_of(entry.profile).fade_s).count();
+  windows.after.after_ns =
+      ack.first_sample_time_ns - 1 + time::from_seconds(catalog::request_of(entry.profile).fade_s).count();
   windows.after.until_ns =
       std::min({end_ns, windows.after.after_ns + kLongest_ns,
                 journal.others_apply_from(ack.first_sample_time_ns, ack.journal_number).value_or(end_ns)});
@@ -176,10 +177,10 @@ SwapWindowsOfLog::SwapWindowsOfLog(const LogSummary& summary) : summary_(summary
   const std::map<Sensor, SensorJournal> journals = journals_of(summary);
   std::map<std::tuple<Sensor, ProfileKind, std::uint32_t>, const ProfileInUse*> entries;
   for (const ProfileInUse& entry : summary.profiles) {
-    const Sensor sensor = sensor_of(target_of(entry.profile));
-    const std::uint32_t number = request_of(entry.profile).journal_number;
+    const Sensor sensor = sensor_of(catalog::target_of(entry.profile));
+    const std::uint32_t number = catalog::request_of(entry.profile).journal_number;
     if (const auto* errors = std::get_if<ImuErrorProfile>(&entry.profile)) passing_[sensor].errors[number] = errors;
-    if (entry.apply_at_ns >= 0) entries[{sensor, kind_of(entry.profile), number}] = &entry;
+    if (entry.apply_at_ns >= 0) entries[{sensor, catalog::kind_of(entry.profile), number}] = &entry;
   }
   const std::int64_t end_ns = time::from_seconds(summary.scenario.duration_s).count();
   for (const ProfileAck& ack : summary.acks) {
@@ -272,7 +273,7 @@ void SwapWindowsOfLog::add(const GnssFix& fix, const TruthState& vehicle) {
   if (!is_at_its_best(fix, summary_)) return;
   const std::uint64_t k = epoch_of(fix, summary_);
   for_each_open(passing, fix.header.sim_time_ns, [&](SwapWindow& window) {
-    const AnyProfile* installed = summary_.in_use(ProfileKind::Installation, receiver, fix.header.sim_time_ns);
+    const catalog::AnyProfile* installed = summary_.in_use(ProfileKind::Installation, receiver, fix.header.sim_time_ns);
     const Vector3 arm_v = installed ? std::get<InstallationProfile>(*installed).lever_arm_v_m : Vector3::Zero();
     const nav::Geodetic place = place_of(fix.latitude_rad, fix.longitude_rad, fix.height_m);
     const Matrix3 C_en = nav::C_en(fix.latitude_rad, fix.longitude_rad);
@@ -299,8 +300,8 @@ void SwapWindowsOfLog::add(const MagneticField& sample, const TruthState& vehicl
   const std::pair revisions(sample.revisions.magnetometer_error, sample.revisions.installation);
   if (!passing.magnetic || revisions != passing.magnetic_revisions) {
     const std::int64_t now = sample.header.sim_time_ns;
-    const AnyProfile* errors = summary_.in_use(ProfileKind::MagnetometerError, sensor, now);
-    const AnyProfile* installed = summary_.in_use(ProfileKind::Installation, sensor, now);
+    const catalog::AnyProfile* errors = summary_.in_use(ProfileKind::MagnetometerError, sensor, now);
+    const catalog::AnyProfile* installed = summary_.in_use(ProfileKind::Installation, sensor, now);
     passing.magnetic.emplace(errors ? std::get<MagnetometerErrorProfile>(*errors) : MagnetometerErrorProfile{},
                              installed ? std::get<InstallationProfile>(*installed) : InstallationProfile{});
     passing.magnetic_revisions = revisions;

@@ -71,7 +71,7 @@ struct SwapWindow {
 /// The windows before and after an acknowledged swap.
 struct SwapWindows {
   ProfileAck ack;
-  const AnyProfile* profile = nullptr;
+  const catalog::AnyProfile* profile = nullptr;
   SwapWindow before;
   SwapWindow after;
   std::optional<std::uint64_t> first_sequence_seen;  ///< of the first sample with the ack's revision

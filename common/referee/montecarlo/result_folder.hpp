@@ -11,15 +11,15 @@ namespace inslab::montecarlo {
 /// appear whole or not at all, so that processes may be killed at any time, and several may work in one folder.
 class ResultFolder {
  public:
-  /// Makes the folder and its study.json when they are not there. Throws io::ReadError, naming what differs, when the
-  /// folder belongs to another study; io::WriteError.
+  /// Makes the folder and its study.json when they are not there. Throws files::ReadError, naming what differs, when
+  /// the folder belongs to another study; files::WriteError.
   ResultFolder(const std::string& path, const Study& study);
 
   /// Nothing when there is no result, or one that no program of ours has written: the run is to be done. Throws
-  /// io::ReadError for a result of another study.
+  /// files::ReadError for a result of another study.
   std::optional<RunResult> result(std::uint32_t run) const;
 
-  /// Throws io::WriteError.
+  /// Throws files::WriteError.
   void keep(const RunResult& result) const;
   void keep(const std::string& name, const std::string& text) const;
 

@@ -35,7 +35,7 @@ class ScoringSink : public sim::RunSink {
 
   void attach(ref::Navigator* navigator) { navigator_ = navigator; }
 
-  void journal(const AnyProfile& entry) override {
+  void journal(const catalog::AnyProfile& entry) override {
     const auto* installation = std::get_if<InstallationProfile>(&entry);
     if (installation != nullptr) scorer_.add(*installation, installation->request.apply_at_ns);
   }

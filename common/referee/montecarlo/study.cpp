@@ -40,7 +40,7 @@ Json description_of(const Study& study, const std::string& version) {
     description[std::string(Kind::name)].push_back(profiles);
   });
   description["swaps"] = Json::array();
-  for (const AnyProfile& swap : study.loaded.swaps) {
+  for (const catalog::AnyProfile& swap : study.loaded.swaps) {
     description["swaps"].push_back(std::visit([](const auto& profile) { return json::to_json(profile); }, swap));
   }
   description["filter"] = json::to_json(study.app.parameters);

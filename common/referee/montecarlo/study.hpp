@@ -18,7 +18,7 @@ struct Study {
 };
 
 /// Reads a scenario and the filter's parameters: those of a file when one is named, else the scenario's. Throws
-/// config::Error for what a file has wrong, io::ReadError when the scenario follows a live vehicle, or lacks an IMU or
+/// json::Error for what a file has wrong, files::ReadError when the scenario follows a live vehicle, or lacks an IMU or
 /// a receiver to navigate by.
 Study load_study(const std::string& scenario_file, const std::string& parameters_file, bool draw_start,
                  const std::string& version);

@@ -16,29 +16,29 @@ namespace inslab::navigate {
 namespace {
 
 /// A file of parameters; else what the scenario says its app is told, or what matches its sensors.
-reference_nav::AppSetup setup_of(const NavigateOptions& options) {
-  reference_nav::AppSetup setup;
+navigation::AppSetup setup_of(const NavigateOptions& options) {
+  navigation::AppSetup setup;
   if (!options.scenario.empty()) {
     const scenario::LoadedScenario loaded = scenario::load(options.scenario, {}, scenario::TrajectoryRows::LeaveOut);
     scenario::ReferenceNav app = loaded.scenario.reference_nav.value_or(scenario::ReferenceNav{});
     app.imu = options.imu_number;
     app.gnss = options.gnss_number;
-    setup = reference_nav::setup_for(loaded, app);
+    setup = navigation::setup_for(loaded, app);
   }
   if (!options.parameters.empty()) {
-    setup.parameters = reference_nav::read_parameters(options.parameters);
+    setup.parameters = navigation::read_parameters(options.parameters);
     setup.left_out.clear();
   }
   return setup;
 }
 
 /// What of the sensors' errors those parameters do not tell the filter.
-std::string left_out_of(const reference_nav::AppSetup& setup) {
+std::string left_out_of(const navigation::AppSetup& setup) {
   if (setup.left_out.empty()) return "";
   return fmt::format("left out of the filter's parameters: {}\n", fmt::join(setup.left_out, ", "));
 }
 
-std::string why_it_never_began(const reference_nav::NavigationFilter& filter, const reference_nav::Refusals& refusals) {
+std::string why_it_never_began(const navigation::NavigationFilter& filter, const navigation::Refusals& refusals) {
   const auto& counts = filter.counts();
   std::string why = "the filter never began: ";
   const std::string refusal = refusals.words();
@@ -48,8 +48,8 @@ std::string why_it_never_began(const reference_nav::NavigationFilter& filter, co
                            counts.fixes_too_old, counts.imu_not_valid, counts.imu_gaps);
 }
 
-Navigated finished(ResultFiles& files, const NavigateOptions& options, const reference_nav::NavigationFilter& filter,
-                   const reference_nav::Refusals& refusals) {
+Navigated finished(ResultFiles& files, const NavigateOptions& options, const navigation::NavigationFilter& filter,
+                   const navigation::Refusals& refusals) {
   Navigated done;
   done.solutions = files.rows();
   if (done.solutions == 0) {
@@ -70,15 +70,16 @@ Navigated finished(ResultFiles& files, const NavigateOptions& options, const ref
 }  // namespace
 
 Navigated navigate_log(const NavigateOptions& options) {
-  const io::McapReader log(options.log);
-  const reference_nav::AppSetup setup = setup_of(options);
+  const mcap::McapReader log(options.log);
+  const navigation::AppSetup setup = setup_of(options);
   OfflineFilter filter = filter_with_fixes_of(log, options.gnss_number, setup);
   if (options.start_at_truth) filter.start_at(first_true_state(log, options.imu_number));
-  io::needed_channels_of(log, catalog::stream_topic<ImuSample>(options.imu_number), wire::WireType<ImuSample>::name);
+  log::needed_channels_of(log, catalog::stream_topic<ImuSample>(options.imu_number),
+                          catalog::WireType<ImuSample>::name);
   ResultFiles files(options.output);  // from here on nothing is refused
-  reference_nav::Refusals refusals;
-  const LogScore score =
-      score_app(log, summarize(log), {options.imu_number, options.gnss_number, [&](const ImuSample& sample) {
+  navigation::Refusals refusals;
+  const score::LogScore scored = score::score_app(
+      log, evidence::summarize(log), {options.imu_number, options.gnss_number, [&](const ImuSample& sample) {
                                         auto solution = filter.take(sample);
                                         refusals.note(filter.filter().alignment_refusal());
                                         if (solution) files.write(*solution);
@@ -86,17 +87,17 @@ Navigated navigate_log(const NavigateOptions& options) {
                                       }});
   Navigated done = finished(files, options, filter.filter(), refusals);
   done.text = left_out_of(setup) + done.text;
-  if (score.scorer.counts().scored > 0) done.score = score::score_text(score.scorer, {});
+  if (scored.scorer.counts().scored > 0) done.score = score::score_text(scored.scorer, {});
   return done;
 }
 
 Navigated navigate_files(const NavigateOptions& options) {
-  const reference_nav::AppSetup setup = setup_of(options);
+  const navigation::AppSetup setup = setup_of(options);
   OfflineFilter filter = filter_with_fixes_of(options.gnss_file, options.imu_file, setup);
   for_each_text_sample(options.imu_file, options.gps_week,
                        [](const ImuSample&) {});  // a bad line leaves no half result
   ResultFiles files(options.output);
-  reference_nav::Refusals refusals;
+  navigation::Refusals refusals;
   for_each_text_sample(options.imu_file, options.gps_week, [&](const ImuSample& sample) {
     if (const auto solution = filter.take(sample)) files.write(*solution);
     refusals.note(filter.filter().alignment_refusal());

@@ -30,7 +30,8 @@ struct Navigated {
   std::string score;     ///< of a log with its truth, for people
 };
 
-/// Runs the filter and writes OUTPUT.nav and OUTPUT_sigmas.txt. Throws io::ReadError, config::Error, io::WriteError.
+/// Runs the filter and writes OUTPUT.nav and OUTPUT_sigmas.txt. Throws files::ReadError, json::Error,
+/// files::WriteError.
 Navigated navigate_log(const NavigateOptions& options);
 Navigated navigate_files(const NavigateOptions& options);
 

@@ -31,20 +31,20 @@ class OfflineFilter {
   std::optional<std::int64_t> starts_at_ns_;
 };
 
-/// The filter with the fixes of a log's receiver. Throws io::ReadError when the log has none.
+/// The filter with the fixes of a log's receiver. Throws files::ReadError when the log has none.
 OfflineFilter filter_with_fixes_of(const mcap::McapReader& log, std::uint32_t gnss_number,
                                    const navigation::AppSetup& setup);
 
-/// The first true state of a log's IMU. Throws io::ReadError when the log has none.
+/// The first true state of a log's IMU. Throws files::ReadError when the log has none.
 ImuTruth first_true_state(const mcap::McapReader& log, std::uint32_t imu_number);
 
 /// The filter with the fixes of a 7-column text, which have no velocity and come without latency, for the samples of an
-/// IMU text. Throws io::ReadError, also when the times of the two do not meet.
+/// IMU text. Throws files::ReadError, also when the times of the two do not meet.
 OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const std::string& imu_text,
                                    const navigation::AppSetup& setup);
 
 /// Calls `visit` with the samples of a 7-column IMU text, which does not say its week. The first line's interval has no
-/// known beginning and makes no sample. Throws io::ReadError, also when there is no sample.
+/// known beginning and makes no sample. Throws files::ReadError, also when there is no sample.
 void for_each_text_sample(const std::string& imu_text, std::uint32_t gps_week,
                           const std::function<void(const ImuSample&)>& visit);
 

@@ -13,9 +13,9 @@ namespace inslab::navigate {
 /// east, down) and attitude deg (about north, east, down).
 class ResultFiles {
  public:
-  /// Throws io::WriteError.
+  /// Throws files::WriteError.
   explicit ResultFiles(const std::string& stem);
-  /// Throws io::WriteError.
+  /// Throws files::WriteError.
   void write(const NavSolution& solution);
   void close();
   std::uint64_t rows() const { return rows_; }

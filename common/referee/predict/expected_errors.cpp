@@ -31,7 +31,7 @@ SolutionErrors errors_of(const GnssErrorProfile& profile, const GnssFix& fix) {
   return reported;
 }
 
-std::vector<std::string> names_left_out(const AnyProfile& profile) {
+std::vector<std::string> names_left_out(const catalog::AnyProfile& profile) {
   const auto* vibration = std::get_if<VibrationProfile>(&profile);
   if (vibration != nullptr && vibration->domain == VibrationDomain::Motion) return {};  // part of the true motion
   return std::visit(
@@ -45,19 +45,19 @@ bool is_disturbed(const nav::Gravity& gravity) {
 
 }  // namespace
 
-ExpectedErrors::ExpectedErrors(const Setup& setup, std::vector<AnyProfile> profiles)
+ExpectedErrors::ExpectedErrors(const Setup& setup, std::vector<catalog::AnyProfile> profiles)
     : setup_(setup), imu_{SensorKind::Imu, setup.imu_number}, profiles_(std::move(profiles)) {
   if (setup.gnss_number) gnss_ = SensorAddress{SensorKind::Gnss, *setup.gnss_number};
-  std::stable_sort(profiles_.begin(), profiles_.end(), [](const AnyProfile& a, const AnyProfile& b) {
-    return request_of(a).apply_at_ns < request_of(b).apply_at_ns;
+  std::stable_sort(profiles_.begin(), profiles_.end(), [](const catalog::AnyProfile& a, const catalog::AnyProfile& b) {
+    return catalog::request_of(a).apply_at_ns < catalog::request_of(b).apply_at_ns;
   });
 }
 
 /// Those that samples of this time are made under and that have not been taken yet.
 void ExpectedErrors::use_profiles(std::int64_t sim_time_ns) {
-  for (; next_ < profiles_.size() && request_of(profiles_[next_]).apply_at_ns < sim_time_ns; ++next_) {
-    const AnyProfile& profile = profiles_[next_];
-    const bool of_imu = target_of(profile) == imu_, of_gnss = gnss_ && target_of(profile) == *gnss_;
+  for (; next_ < profiles_.size() && catalog::request_of(profiles_[next_]).apply_at_ns < sim_time_ns; ++next_) {
+    const catalog::AnyProfile& profile = profiles_[next_];
+    const bool of_imu = catalog::target_of(profile) == imu_, of_gnss = gnss_ && catalog::target_of(profile) == *gnss_;
     if (const auto* errors = std::get_if<ImuErrorProfile>(&profile); errors != nullptr && of_imu) {
       errors_ = *errors;
       if (growth_) growth_->swap(errors_);
@@ -106,9 +106,9 @@ std::vector<std::string> ExpectedErrors::left_out() const {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
   if (is_disturbed(setup_.gravity)) add("gravity disturbance");
-  for (const AnyProfile& profile : profiles_) {
-    const bool of_imu = target_of(profile) == imu_;
-    if (!of_imu && !(gnss_ && target_of(profile) == *gnss_)) continue;
+  for (const catalog::AnyProfile& profile : profiles_) {
+    const bool of_imu = catalog::target_of(profile) == imu_;
+    if (!of_imu && !(gnss_ && catalog::target_of(profile) == *gnss_)) continue;
     for (const std::string& name : names_left_out(profile)) add(name);
   }
   return names;

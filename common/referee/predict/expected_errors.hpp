@@ -27,7 +27,7 @@ class ExpectedErrors {
   };
 
   /// `profiles`: those that the run begins with, then its journal, each for samples after its request's `apply_at_ns`.
-  ExpectedErrors(const Setup& setup, std::vector<AnyProfile> profiles);
+  ExpectedErrors(const Setup& setup, std::vector<catalog::AnyProfile> profiles);
 
   void add(const ImuTruth& truth);
   void add(const GnssFix& fix);
@@ -45,7 +45,7 @@ class ExpectedErrors {
   Setup setup_;
   SensorAddress imu_;
   std::optional<SensorAddress> gnss_;
-  std::vector<AnyProfile> profiles_;  ///< by the time from which on they hold
+  std::vector<catalog::AnyProfile> profiles_;  ///< by the time from which on they hold
   std::size_t next_ = 0;
   ImuErrorProfile errors_;
   GnssErrorProfile fix_errors_;

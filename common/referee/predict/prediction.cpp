@@ -25,8 +25,8 @@ PredictedError start_of(const PredictionOptions& options) {
   return start;
 }
 
-std::vector<AnyProfile> profiles_of(const scenario::LoadedScenario& loaded) {
-  std::vector<AnyProfile> profiles;
+std::vector<catalog::AnyProfile> profiles_of(const scenario::LoadedScenario& loaded) {
+  std::vector<catalog::AnyProfile> profiles;
   for_each_sensor(loaded, [&profiles](auto kind, const auto& sensor) {
     for_each_profile(kind, sensor, [&profiles](const auto& profile) { profiles.emplace_back(profile); });
   });
@@ -40,7 +40,7 @@ class PredictionSink : public sim::RunSink {
       : prediction_(prediction) {
     if (uses_fixes) longest_s_ = 1.5 * loaded.gnss.front().rate.period_s();
   }
-  void journal(const AnyProfile&) override {}
+  void journal(const catalog::AnyProfile&) override {}
   void truth(const TruthState&) override {}
   void imu(std::size_t, const ImuSample&, const ImuTruth& truth) override { prediction_.errors.add(truth); }
   void gnss(std::size_t index, const GnssFix& fix) override {

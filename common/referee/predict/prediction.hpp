@@ -26,7 +26,7 @@ struct Prediction {
   std::vector<tables::Band> outages = {};
 };
 
-/// Runs a scenario for what it lets one expect. Throws io::ReadError for one that follows a live vehicle.
+/// Runs a scenario for what it lets one expect. Throws files::ReadError for one that follows a live vehicle.
 Prediction predicted(const scenario::LoadedScenario& loaded, const PredictionOptions& options);
 
 /// "demo: the best filter of the fixes of gnss 0 with imu 0, height free, 1 sigma"

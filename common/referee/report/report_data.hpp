@@ -30,7 +30,7 @@ struct ReportData {
   std::string why_no_imu_errors;                     ///< empty: the scenario has no IMU, or they were not wanted
 };
 
-/// Reads a log twice: what ran, then how well. Throws io::ReadError, config::Error.
+/// Reads a log twice: what ran, then how well. Throws files::ReadError, json::Error.
 ReportData report_data(const mcap::McapReader& log, ReportDepth depth = ReportDepth::Page);
 
 /// What a log comes to as the end of a run: the checks, the score, the acceptance; all of it in the outcome's words.

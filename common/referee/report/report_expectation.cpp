@@ -75,7 +75,7 @@ ExpectationOfLog::ExpectationOfLog(const mcap::McapReader& log, const evidence::
   if (!has_topic(log, topic, catalog::WireType<ImuTruth>::name)) expectation_.missing = "the log has no " + topic;
   for (const evidence::ProfileInUse& entry : summary.profiles) {
     profiles_.push_back(entry.profile);
-    request_of(profiles_.back()).apply_at_ns = entry.apply_at_ns;
+    catalog::request_of(profiles_.back()).apply_at_ns = entry.apply_at_ns;
   }
   std::stable_sort(fixes_.begin(), fixes_.end(),
                    [](const GnssFix& a, const GnssFix& b) { return a.header.sim_time_ns < b.header.sim_time_ns; });

@@ -47,7 +47,7 @@ class ExpectationOfLog {
 
   Expectation expectation_;
   predict::ExpectedErrors::Setup setup_;
-  std::vector<AnyProfile> profiles_;
+  std::vector<catalog::AnyProfile> profiles_;
   std::vector<GnssFix> fixes_;  ///< in order of sim time
   std::size_t next_fix_ = 0;
   bool begun_ = false;

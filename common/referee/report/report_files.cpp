@@ -45,7 +45,7 @@ void add_allan(ReportPage& page, const ReportData& data) {
   const SensorAddress imu{SensorKind::Imu, data.summary.scenario.imu.front().number};
   const auto& profiles = data.summary.profiles;
   const bool was_swapped = std::any_of(profiles.begin(), profiles.end(), [&imu](const evidence::ProfileInUse& entry) {
-    return entry.apply_at_ns >= 0 && target_of(entry.profile) == imu;
+    return entry.apply_at_ns >= 0 && catalog::target_of(entry.profile) == imu;
   });
   add_figure(
       page, calibrate::curve_picture(*data.imu_errors),

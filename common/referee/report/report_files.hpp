@@ -19,7 +19,7 @@ nlohmann::ordered_json report_json(const ReportData& data);
 ReportPage report_page(const ReportData& data);
 
 /// Writes STEM.txt, STEM.json and STEM.html into the folder, STEM being the log's name, and returns FOLDER/STEM. Throws
-/// io::WriteError.
+/// files::WriteError.
 std::string write_report(const ReportData& data, const std::string& folder);
 
 /// The files that write_report() makes of a log of this name in the folder.

@@ -180,11 +180,11 @@ PageTable app_table(const score::LogScore& score) {
 PageTable profiles_table(const evidence::LogSummary& summary) {
   PageTable table{"Profiles", {"profile", "sensor", "kind", "from, s"}, {}, {}, 3};
   for (const evidence::ProfileInUse& entry : summary.profiles) {
-    const std::string& name = name_of(entry.profile);
+    const std::string& name = catalog::name_of(entry.profile);
     if (entry.apply_at_ns < 0 && name.empty()) continue;  // the scenario names none
     table.rows.push_back(
-        {name.empty() ? "(no name)" : name, sensor_name(target_of(entry.profile)),
-         std::string(enum_name(kind_of(entry.profile))),
+        {name.empty() ? "(no name)" : name, catalog::sensor_name(catalog::target_of(entry.profile)),
+         std::string(enum_name(catalog::kind_of(entry.profile))),
          entry.apply_at_ns < 0 ? "the start" : fmt::format("{:.3f}", time::to_seconds(entry.apply_at_ns))});
   }
   return table;
@@ -206,7 +206,7 @@ PageTable swaps_table(const std::vector<evidence::SwapEvidence>& swaps) {
   for (const evidence::SwapEvidence& swap : swaps) {
     const std::string name =
         fmt::format("{}: {} '{}' for {} from {:.3f} s on{}{}", ++number, enum_name(swap.ack.kind), swap.profile_name,
-                    sensor_name(swap.ack.target), time::to_seconds(swap.ack.apply_time_ns),
+                    catalog::sensor_name(swap.ack.target), time::to_seconds(swap.ack.apply_time_ns),
                     swap.first_sample_holds ? "" : "; its first sample is not the acknowledged one",
                     swap.left_out.empty() ? "" : fmt::format("; not weighed: {}", fmt::join(swap.left_out, ", ")));
     const Cell first{name, swap.first_sample_holds ? Tone::Plain : Tone::Bad};

@@ -39,10 +39,10 @@ class Track {
   std::uint64_t keep_every_ = 1;
 };
 
-/// The track of a scenario. Throws io::ReadError when it follows a live vehicle; as the truth model does.
+/// The track of a scenario. Throws files::ReadError when it follows a live vehicle; as the truth model does.
 Track track_of_scenario(const scenario::LoadedScenario& scenario);
 
-/// The track in a log. Throws io::ReadError, also when the log holds no truth.
+/// The track in a log. Throws files::ReadError, also when the log holds no truth.
 Track track_of_log(const std::string& log_path);
 
 }  // namespace inslab::report

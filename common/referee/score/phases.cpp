@@ -14,16 +14,16 @@ Phases::Phases(const std::vector<scenario::AcceptanceLimit>& acceptance, std::si
   }
 }
 
-void Phases::add(const Moment& moment, const SolutionError& error, const NavSolution& solution) {
+void Phases::add(const PhaseInstant& moment, const SolutionError& error, const NavSolution& solution) {
   for_each_phase_of(moment, [&](ErrorStatistics& statistics) { statistics.add(error, solution); });
 }
 
-void Phases::add_time(const Moment& end, double seconds, bool covered) {
+void Phases::add_time(const PhaseInstant& end, double seconds, bool covered) {
   for_each_phase_of(end, [&](ErrorStatistics& statistics) { statistics.add_time(seconds, covered); });
 }
 
 template <class Each>
-void Phases::for_each_phase_of(const Moment& moment, const Each& each) {
+void Phases::for_each_phase_of(const PhaseInstant& moment, const Each& each) {
   for (const double after_s : after_s_) {
     if (static_cast<double>(moment.sim_time_ns) * 1e-9 < after_s) continue;
     each(phases_[{Phase::All, 0, after_s}]);

@@ -21,7 +21,7 @@ struct PhaseKey {
 };
 
 /// What decides to which phases a time belongs.
-struct Moment {
+struct PhaseInstant {
   std::int64_t sim_time_ns = 0;
   bool in_outage = false;
   std::uint32_t swaps = 0;  ///< entries of the journal in effect
@@ -34,15 +34,15 @@ class Phases {
   /// Swap intervals from `most_swap_intervals` on that no line asks for count in that one.
   Phases(const std::vector<scenario::AcceptanceLimit>& acceptance, std::size_t most_swap_intervals);
 
-  void add(const Moment& moment, const SolutionError& error, const NavSolution& solution);
+  void add(const PhaseInstant& moment, const SolutionError& error, const NavSolution& solution);
   /// An interval of the truth, of that length, and whether a solution covered it.
-  void add_time(const Moment& end, double seconds, bool covered);
+  void add_time(const PhaseInstant& end, double seconds, bool covered);
 
   const std::map<PhaseKey, ErrorStatistics>& all() const { return phases_; }
 
  private:
   template <class Each>
-  void for_each_phase_of(const Moment& moment, const Each& each);
+  void for_each_phase_of(const PhaseInstant& moment, const Each& each);
 
   std::uint32_t most_swap_intervals_;
   std::vector<double> after_s_{0.0};

@@ -18,7 +18,7 @@ Json phase_json(const Scorer& scorer, const PhaseKey& key, const ErrorStatistics
              {"solutions", errors.count()},   {"time_s", errors.time_s()},          {"covered_s", errors.covered_s()}};
   for (std::size_t i = 0; i < EnumNames<Metric>::values.size(); ++i) {
     if (scenario::is_of_the_run(metric_of(i))) continue;
-    phase[std::string(EnumNames<Metric>::values[i])] = json_of(nav::figure(scorer, metric_of(i), key));
+    phase[std::string(EnumNames<Metric>::values[i])] = json_of(score::figure(scorer, metric_of(i), key));
   }
   if (errors.count() > 0) {
     phase["position_mean_ned_m"] = json_of(errors.position().mean(errors.count()));
@@ -39,7 +39,7 @@ Json phase_json(const Scorer& scorer, const PhaseKey& key, const ErrorStatistics
 
 }  // namespace
 
-Json score_json(const Scorer& scorer, const std::vector<nav::Verdict>& verdicts) {
+Json score_json(const Scorer& scorer, const std::vector<Verdict>& verdicts) {
   const SolutionCounts& counts = scorer.counts();
   Json score{{"received", counts.received},
              {"scored", counts.scored},
@@ -53,7 +53,7 @@ Json score_json(const Scorer& scorer, const std::vector<nav::Verdict>& verdicts)
   }
   for (std::size_t i = 0; i < EnumNames<Metric>::values.size(); ++i) {
     if (!scenario::is_of_the_run(metric_of(i))) continue;
-    score[std::string(EnumNames<Metric>::values[i])] = json_of(nav::figure(scorer, metric_of(i), {}));
+    score[std::string(EnumNames<Metric>::values[i])] = json_of(score::figure(scorer, metric_of(i), {}));
   }
   score["phases"] = Json::array();
   for (const auto& [key, errors] : scorer.phases()) score["phases"].push_back(phase_json(scorer, key, errors));
@@ -66,8 +66,8 @@ Json score_json(const Scorer& scorer, const std::vector<nav::Verdict>& verdicts)
                                 {"vertical_m", outage.vertical_m}});
   }
   score["acceptance"] = Json::array();
-  for (const nav::Verdict& verdict : verdicts) {
-    score["acceptance"].push_back({{"line", nav::words_of(verdict.limit)},
+  for (const Verdict& verdict : verdicts) {
+    score["acceptance"].push_back({{"line", score::words_of(verdict.limit)},
                                    {"value", json_of(verdict.value)},
                                    {"passed", verdict.passed},
                                    {"why", verdict.why}});

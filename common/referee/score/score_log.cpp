@@ -44,7 +44,7 @@ Scorer::Options told(Scorer::Options options, LogScorer::OnScored on_scored) {
 }  // namespace
 
 bool LogScore::accepted() const {
-  return std::all_of(verdicts.begin(), verdicts.end(), [](const nav::Verdict& verdict) { return verdict.passed; });
+  return std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) { return verdict.passed; });
 }
 
 LogScorer::LogScorer(const evidence::LogSummary& summary, OnScored on_scored)
@@ -71,7 +71,7 @@ void LogScorer::take_part(log::LogWalk& walk) {
 
 LogScore LogScorer::finish() {
   scorer_.finish();
-  std::vector<nav::Verdict> verdicts = nav::judge(scorer_, summary_.scenario.acceptance);
+  std::vector<Verdict> verdicts = score::judge(scorer_, summary_.scenario.acceptance);
   return {std::move(scorer_), std::move(verdicts), worst_, SwapIntervals(summary_)};
 }
 

@@ -44,7 +44,7 @@ class LogScorer {
   Scorer scorer_;
 };
 
-/// Reads the log once, for its score alone. Throws io::ReadError.
+/// Reads the log once, for its score alone. Throws files::ReadError.
 LogScore score_log(const mcap::McapReader& log, const evidence::LogSummary& summary);
 
 /// An app that works on a log's samples, in place of the one that took part in the run.
@@ -56,7 +56,7 @@ struct OfflineApp {
 };
 
 /// Reads the log once and scores the app's answers. There is no latency and there are no verdicts. Throws
-/// io::ReadError, also when the log has no such IMU.
+/// files::ReadError, also when the log has no such IMU.
 LogScore score_app(const mcap::McapReader& log, const evidence::LogSummary& summary, const OfflineApp& app);
 
 }  // namespace inslab::score

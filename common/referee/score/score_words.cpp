@@ -38,9 +38,9 @@ std::string motion_words(const Moment& moment) {
   return words;
 }
 
-bool limits_an_error(const nav::Verdict& verdict) { return !scenario::is_of_the_run(verdict.limit.metric); }
+bool limits_an_error(const Verdict& verdict) { return !scenario::is_of_the_run(verdict.limit.metric); }
 
-bool limits_a_drift(const nav::Verdict& verdict) {
+bool limits_a_drift(const Verdict& verdict) {
   const Metric metric = verdict.limit.metric;
   return metric >= Metric::OutageDriftRms && metric <= Metric::OutageVerticalDriftMax;
 }
@@ -78,7 +78,7 @@ std::string unjudged_words(const LogScore& score) {
   if (verdicts.empty()) return "";
   const auto all_of_errors = [&](const auto& holds) {
     return std::all_of(verdicts.begin(), verdicts.end(),
-                       [&](const nav::Verdict& verdict) { return !limits_an_error(verdict) || holds(verdict.limit); });
+                       [&](const Verdict& verdict) { return !limits_an_error(verdict) || holds(verdict.limit); });
   };
   const bool has_drifts = std::any_of(verdicts.begin(), verdicts.end(), limits_a_drift);
   if (!has_drifts && std::none_of(verdicts.begin(), verdicts.end(), limits_an_error)) return "no error is judged";
@@ -98,7 +98,7 @@ std::string unjudged_words(const LogScore& score) {
 std::string verdict_words(const LogScore& score) {
   if (score.verdicts.empty()) return "";
   const auto passed = std::count_if(score.verdicts.begin(), score.verdicts.end(),
-                                    [](const nav::Verdict& verdict) { return verdict.passed; });
+                                    [](const Verdict& verdict) { return verdict.passed; });
   const std::string unjudged = unjudged_words(score);
   return fmt::format("{}: {} of {} acceptance lines passed{}{}", score.accepted() ? "PASS" : "FAIL", passed,
                      score.verdicts.size(), unjudged.empty() ? "" : "; ", unjudged);

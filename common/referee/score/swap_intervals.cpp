@@ -11,8 +11,9 @@ SwapIntervals::SwapIntervals(const evidence::LogSummary& summary) {
   for (const evidence::ProfileInUse& entry : summary.profiles) {
     if (entry.apply_at_ns < 0) continue;
     const double time_s = static_cast<double>(entry.apply_at_ns) * 1e-9;
-    swaps_.push_back({time_s, fmt::format("{} '{}' for {} at {:.3f} s", enum_name(kind_of(entry.profile)),
-                                          name_of(entry.profile), sensor_name(target_of(entry.profile)), time_s)});
+    swaps_.push_back({time_s, fmt::format("{} '{}' for {} at {:.3f} s", enum_name(catalog::kind_of(entry.profile)),
+                                          catalog::name_of(entry.profile),
+                                          catalog::sensor_name(catalog::target_of(entry.profile)), time_s)});
   }
   std::stable_sort(swaps_.begin(), swaps_.end(), [](const Swap& a, const Swap& b) { return a.time_s < b.time_s; });
 }

@@ -9,7 +9,7 @@ namespace inslab::verify {
 
 /// Block 8 of the verification: half an hour at rest of the lab's IMU (config/profiles/imu/span100c.json) at 200 Hz and
 /// latitude 30.53 deg, aligned sample by sample, second by second and as a whole; then the same run written as
-/// RAWIMUSXA lines of an ISA-100C, read back and aligned. Throws io::WriteError when the folder for temporary files
+/// RAWIMUSXA lines of an ISA-100C, read back and aligned. Throws files::WriteError when the folder for temporary files
 /// cannot be written.
 std::vector<Table> alignment_tables(std::uint64_t seed);
 

@@ -37,8 +37,8 @@ std::shared_ptr<const TrajectoryFile> contradictory_rows(const LoopCase& one, ti
 /// the file's positions, beside the bound that file and feedback set.
 Table contradiction_table(const std::vector<std::shared_ptr<const TrajectoryFile>>& files);
 
-/// The file at `path`, named without its folder, for contradiction_table(). Throws io::ReadError when it cannot be read
-/// and config::Error, naming the place, when its rows are not a trajectory with velocity and attitude.
+/// The file at `path`, named without its folder, for contradiction_table(). Throws files::ReadError when it cannot be
+/// read and json::Error, naming the place, when its rows are not a trajectory with velocity and attitude.
 std::shared_ptr<const TrajectoryFile> real_rows(const std::string& path);
 
 /// Block 2 of the verification: the catalogue as it is and for an hour by `inverse_mechanization`, sparse by `spline`,

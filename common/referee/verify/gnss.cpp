@@ -89,7 +89,7 @@ class ErrorSink : public sim::RunSink {
 
   explicit ErrorSink(std::size_t receivers) : errors(receivers) {}
 
-  void journal(const AnyProfile&) override {}
+  void journal(const catalog::AnyProfile&) override {}
   void truth(const TruthState& truth) override { truth_ = truth; }
   void imu(std::size_t, const ImuSample&, const ImuTruth&) override {}
   void gnss(std::size_t index, const GnssFix& fix) override {
@@ -254,7 +254,7 @@ class ArmSink : public sim::RunSink {
     GnssFix fix;
   };
 
-  void journal(const AnyProfile&) override {}
+  void journal(const catalog::AnyProfile&) override {}
   void truth(const TruthState& truth) override { truth_ = truth; }
   void imu(std::size_t, const ImuSample&, const ImuTruth& truth) override { imu_ = truth; }
   void gnss(std::size_t, const GnssFix& fix) override { epochs.push_back({truth_, imu_, fix}); }

@@ -13,8 +13,8 @@
 namespace inslab::verify {
 
 /// The rows of a motion table's first `duration` at `rate`, fewer when the motion ends itself before: written to a file
-/// (io::NavTextWriter) in the system's folder for temporary files, and read from it. `name` is part of the file's name.
-/// Throws io::WriteError.
+/// (recordings::NavTextWriter) in the system's folder for temporary files, and read from it. `name` is part of the
+/// file's name. Throws files::WriteError.
 std::shared_ptr<const TrajectoryFile> rows_as_written(const scenario::Trajectory& trajectory, const std::string& name,
                                                       const time::Rate& rate, time::Nanoseconds duration);
 

@@ -112,7 +112,7 @@ class ScoringSink : public sim::RunSink {
  public:
   std::vector<Scored> filters;
 
-  void journal(const AnyProfile&) override {}
+  void journal(const catalog::AnyProfile&) override {}
   void truth(const TruthState&) override {}
   void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override {
     for (Scored& filter : filters) {

@@ -22,7 +22,7 @@ struct NavigationRun {
 /// An IMU in the trunk and its filter.
 struct TestedImu {
   ImuErrorProfile errors;
-  ImuErrorProfile believed;  ///< what the filter is told: reference_nav::matching_parameters() of this
+  ImuErrorProfile believed;  ///< what the filter is told: navigation::matching_parameters() of this
   VibrationProfile vibration;
 };
 

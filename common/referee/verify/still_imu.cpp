@@ -38,7 +38,7 @@ class AxesSink : public sim::RunSink {
       : records_(6, allan::Record(dt_s, kClusters)),
         curves_(6, allan::AllanStream(dt_s, allan::octave_cluster_sizes(largest_cluster, kPointsPerOctave))) {}
 
-  void journal(const AnyProfile&) override {}
+  void journal(const catalog::AnyProfile&) override {}
   void truth(const TruthState&) override {}
   void gnss(std::size_t, const GnssFix&) override {}
   void ack(const ProfileAck&) override {}

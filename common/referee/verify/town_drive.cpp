@@ -85,7 +85,7 @@ class Recorder : public sim::RunSink {
   Recorder(const navigation::NavigationParameters& parameters, const nav::Gravity& gravity, const std::string& name)
       : filter_(parameters, gravity), rows_(name) {}
 
-  void journal(const AnyProfile&) override {}
+  void journal(const catalog::AnyProfile&) override {}
   void truth(const TruthState&) override {}
   void imu(std::size_t, const ImuSample& sample, const ImuTruth& truth) override {
     if (filter_.filter() == nullptr) {

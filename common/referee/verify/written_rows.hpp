@@ -13,16 +13,16 @@ namespace inslab::verify {
 /// file keeps of them.
 class WrittenRows {
  public:
-  /// Throws io::WriteError.
+  /// Throws files::WriteError.
   explicit WrittenRows(const std::string& name);
   WrittenRows(const WrittenRows&) = delete;
   WrittenRows& operator=(const WrittenRows&) = delete;
   ~WrittenRows();
 
-  /// Throws io::WriteError.
+  /// Throws files::WriteError.
   void add(const time::GpsTime& time, const TrajectoryRow& row) { text_.write(time, row); }
 
-  /// After the last row. Throws config::Error when a row breaks a rule of trajectory files.
+  /// After the last row. Throws json::Error when a row breaks a rule of trajectory files.
   std::shared_ptr<const TrajectoryFile> read();
 
  private:

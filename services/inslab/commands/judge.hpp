@@ -15,13 +15,13 @@ struct JudgeOutputs {
   std::string report_folder;
 
   void add_to(CLI::App& command);
-  /// Throws io::OutputRefused when something that is there already stands in the way of what is written of this log.
+  /// Throws files::OutputRefused when something that is there already stands in the way of what is written of this log.
   void check(const std::string& log_file) const;
 };
 
 /// Says what a run came to, from its log: the checks, the score of the app under test, the scenario's acceptance, and
 /// all of it in the last line. `failure` is what the one who ran it saw go wrong, if anything; the log must be of the
-/// run with `run_id` where that is not empty. Returns the exit code. Throws io::ReadError, config::Error.
+/// run with `run_id` where that is not empty. Returns the exit code. Throws files::ReadError, json::Error.
 int judge_log(const std::string& log_file, const std::optional<std::string>& failure, const JudgeOutputs& outputs,
               const std::string& run_id = "");
 

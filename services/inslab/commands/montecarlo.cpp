@@ -16,7 +16,6 @@
 #include "inslab/services/inslab/study/study_pool.hpp"
 
 namespace inslab::commands {
-
 namespace {
 
 using montecarlo::ResultFolder;

@@ -17,6 +17,6 @@ struct PlayOptions {
 };
 
 /// Plays swaps on a running set, says what becomes of each, and returns the exit code.
-int play_and_tell(const std::vector<AnyProfile>& swaps, const PlayOptions& options);
+int play_and_tell(const std::vector<catalog::AnyProfile>& swaps, const PlayOptions& options);
 
 }  // namespace inslab::commands

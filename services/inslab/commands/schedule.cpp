@@ -21,7 +21,7 @@ void PlayOptions::add_to(CLI::App& command) {
   network.add_to(command);
 }
 
-int play_and_tell(const std::vector<AnyProfile>& swaps, const PlayOptions& options) {
+int play_and_tell(const std::vector<catalog::AnyProfile>& swaps, const PlayOptions& options) {
   const host::OwnEnding leaves_the_domain(host::OwnEnding::Then::EndsBySignal);
   const auto client = client::client_of(options.network, "inslab-swap");
   const client::SwapsPlayed played =
@@ -46,9 +46,9 @@ void add_schedule(CLI::App& app, std::function<int()>& action) {
   options->play.add_to(*command);
   command->callback([options, &action] {
     action = [options] {
-      const std::vector<AnyProfile> swaps = options->is_scenario
-                                                ? scenario::load(options->file).swaps
-                                                : scenario::load_schedule(options->file, host::random_id());
+      const std::vector<catalog::AnyProfile> swaps = options->is_scenario
+                                                         ? scenario::load(options->file).swaps
+                                                         : scenario::load_schedule(options->file, host::random_id());
       return play_and_tell(swaps, options->play);
     };
   });

@@ -26,7 +26,7 @@ struct SimulateOptions {
 /// Counts and forgets: what an offline run costs without its log.
 class CountingSink : public sim::RunSink {
  public:
-  void journal(const AnyProfile&) override {}
+  void journal(const catalog::AnyProfile&) override {}
   void truth(const TruthState&) override {}
   void imu(std::size_t, const ImuSample&, const ImuTruth&) override {}
   void gnss(std::size_t, const GnssFix&) override {}

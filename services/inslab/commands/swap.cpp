@@ -24,12 +24,12 @@ struct SwapOptions {
   PlayOptions play;
 };
 
-AnyProfile request_for(const SwapOptions& options) {
+catalog::AnyProfile request_for(const SwapOptions& options) {
   const ProfileKind kind = scenario::profile_kind_named(options.kind).value();
   const SensorKind sensor =
       options.sensor_kind.empty() ? catalog::usual_sensor(kind) : enum_named<SensorKind>(options.sensor_kind).value();
-  AnyProfile request = scenario::load_profile(options.profile, kind, {sensor, options.sensor_number});
-  ProfileRequest& head = request_of(request);
+  catalog::AnyProfile request = scenario::load_profile(options.profile, kind, {sensor, options.sensor_number});
+  ProfileRequest& head = catalog::request_of(request);
   head.request_id = host::random_id();
   head.apply_at_ns = options.at_s < 0.0 ? -1 : time::from_seconds(options.at_s).count();
   head.continuity = enum_named<Continuity>(options.continuity).value();

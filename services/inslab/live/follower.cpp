@@ -78,8 +78,8 @@ void Follower::release(const SimStatus& status, time::Nanoseconds now) {
   const bool obeyed = status.state == RunState::Running || status.sim_time_ns > 0;
   if (obeyed) released_ = true;
   if (released_ || now < resume_again_at_) return;
-  const auto refused = std::count_if(swaps.begin(), swaps.end(), [this](const AnyProfile& swap) {
-    return !link_.acks(request_of(swap).request_id).empty();
+  const auto refused = std::count_if(swaps.begin(), swaps.end(), [this](const catalog::AnyProfile& swap) {
+    return !link_.acks(catalog::request_of(swap).request_id).empty();
   });
   if (status.journal_entries + static_cast<std::size_t>(refused) < swaps.size()) return;
   link_.send(SimCommand{host::random_id(), CommandKind::Resume, 0.0});

@@ -15,10 +15,10 @@ namespace inslab::live {
 class Follower {
  public:
   struct Options {
-    double timeout_s = 60.0;        ///< of silence
-    bool release = false;           ///< let a run that was started paused begin when all swaps are in its journal
-    std::string where;              ///< in which a trajectory server is waited for, for messages
-    std::vector<AnyProfile> swaps;  ///< to be sent
+    double timeout_s = 60.0;  ///< of silence
+    bool release = false;     ///< let a run that was started paused begin when all swaps are in its journal
+    std::string where;        ///< in which a trajectory server is waited for, for messages
+    std::vector<catalog::AnyProfile> swaps;  ///< to be sent
   };
   /// Who hears what goes on.
   struct Audience {

@@ -60,7 +60,7 @@ LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& load
                                            : options.clock.mode == "lockstep"),
       holds_the_start_(lockstep_ && !loaded.swaps.empty()) {
   std::vector<scenario::ServiceKey> places = scenario::required_services(loaded_);
-  places.emplace_back(app::kTrajectoryServer, 0u);
+  places.emplace_back(catalog::kTrajectoryServer, 0u);
   places.push_back(identity_.role());
   service::look_around(participant_, identity_, [&places](const streams::Identity& other) {
     return std::find(places.begin(), places.end(), other.role()) != places.end();
@@ -86,16 +86,16 @@ void LiveRun::start_services() {
     // sets started at once on a busy machine 5 never became ready, of 10 started one by one all did.
     if (!options_.network.security.empty()) std::this_thread::sleep_for(milliseconds(700));
   };
-  start(app::kTruthLogger, with({"--log", options_.log_file, "--overwrite"}));  // judged before, by this process
+  start(catalog::kTruthLogger, with({"--log", options_.log_file, "--overwrite"}));  // judged before, by this process
   for_each_sensor(loaded_, [&](auto kind, const auto& sensor) {
     start(decltype(kind)::type::service, with({"--sensor", std::to_string(sensor.number)}));
   });
-  if (loaded_.scenario.reference_nav) start(app::kReferenceNav, with({}));
+  if (loaded_.scenario.reference_nav) start(catalog::kReferenceNav, with({}));
   service::ClockOptions clock = options_.clock;
   clock.paused = clock.paused || holds_the_start_;
   const std::vector<std::string> arguments = clock.as_arguments();
   common.insert(common.end(), arguments.begin(), arguments.end());
-  children_.start(app::kTrajectoryServer, common);
+  children_.start(catalog::kTrajectoryServer, common);
 }
 
 void LiveRun::follow(const std::function<void()>& meanwhile) {
@@ -124,7 +124,7 @@ void LiveRun::follow(const std::function<void()>& meanwhile) {
       stop_deadline_ = host::monotonic_now() + seconds(10);
       children_.terminate();
     }
-    if (children_.has_ended(app::kTrajectoryServer) && !stop_deadline_) {
+    if (children_.has_ended(catalog::kTrajectoryServer) && !stop_deadline_) {
       stop_deadline_ = host::monotonic_now() + seconds(15);
       // Without the clock nobody ends by itself.
       if (children_.failure() && !told_to_stop_) children_.terminate();
@@ -187,7 +187,7 @@ void LiveRun::tell_wait(const Progress& progress, const std::string& message) {
 
 /// A service that ends by itself, or by a signal that it obeys, while the run goes on leaves the run without it.
 void LiveRun::note_early_ends(const Progress& progress) {
-  if (children_.has_ended(app::kTrajectoryServer)) return;  // the run is at its end: everybody goes
+  if (children_.has_ended(catalog::kTrajectoryServer)) return;  // the run is at its end: everybody goes
   for (const std::string& words : children_.newly_ended()) {
     early_ends_.push_back(words + " in mid-run" + when() + ": what it would have sent is missing");
     if (!left_at_) left_at_ = host::monotonic_now();
@@ -204,15 +204,15 @@ std::string LiveRun::when() const {
 /// Whether a service has said that its work is done, and the logger has heard it: then it was on its way out. The
 /// trajectory server could not say it again.
 bool LiveRun::has_done(const ChildProcesses::Ended& ended) const {
-  if (ended.program == app::kTruthLogger) return false;  // it says so before its log is closed
+  if (ended.program == catalog::kTruthLogger) return false;  // it says so before its log is closed
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto said = [this](const scenario::ServiceKey& service, ServiceState state) {
     const auto found = said_.find(service);
     return found != said_.end() && found->second == state;
   };
-  const scenario::ServiceKey logger{app::kTruthLogger, 0u};
-  const bool is_heard = children_.has_ended(app::kTruthLogger) || said(logger, ServiceState::Finished) ||
-                        said(logger, ServiceState::Fault) || ended.program == app::kTrajectoryServer;
+  const scenario::ServiceKey logger{catalog::kTruthLogger, 0u};
+  const bool is_heard = children_.has_ended(catalog::kTruthLogger) || said(logger, ServiceState::Finished) ||
+                        said(logger, ServiceState::Fault) || ended.program == catalog::kTrajectoryServer;
   return said({ended.program, ended.sensor}, ServiceState::Finished) && is_heard;
 }
 
@@ -227,18 +227,18 @@ bool LiveRun::starts_again(ChildProcesses::Ended& ended) {
     return false;
   }
   if (!status || status->state == RunState::Waiting) return true;
-  if (ended.program == app::kTrajectoryServer) {
+  if (ended.program == catalog::kTrajectoryServer) {
     given_up_ = ended.words + when() + ": it is the run's clock, and what follows is missing";
     return false;
   }
-  if (ended.program == app::kTruthLogger) {
+  if (ended.program == catalog::kTruthLogger) {
     auto& words = ended.arguments;
     if (std::find(words.begin(), words.end(), "--go-on") == words.end()) {
       words.insert(words.end(), {"--go-on", host::run_id_text(status->run_id)});
     }
     return true;
   }
-  return !children_.has_ended(app::kTrajectoryServer);
+  return !children_.has_ended(catalog::kTrajectoryServer);
 }
 
 void LiveRun::restart_killed(const Progress& progress) {
@@ -254,8 +254,8 @@ void LiveRun::restart_killed(const Progress& progress) {
 void LiveRun::send_due_swaps(const SimStatus& status) {
   const auto lead_ns = static_cast<std::int64_t>(1e9 * std::max(1.0, status.rate));
   while (next_swap_ < loaded_.swaps.size() && client_.connected()) {
-    const AnyProfile& request = loaded_.swaps[next_swap_];
-    const bool early = !lockstep_ && request_of(request).apply_at_ns > status.sim_time_ns + lead_ns;
+    const catalog::AnyProfile& request = loaded_.swaps[next_swap_];
+    const bool early = !lockstep_ && catalog::request_of(request).apply_at_ns > status.sim_time_ns + lead_ns;
     if (early || !client_.send(request)) return;
     ++next_swap_;
   }

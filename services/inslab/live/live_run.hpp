@@ -28,7 +28,7 @@ struct RunOptions {
 };
 
 /// What would end the run later without a word, such as shared memory that is too small; empty: nothing is seen. Throws
-/// config::Error when the parameters of the scenario's own navigation app cannot be read.
+/// json::Error when the parameters of the scenario's own navigation app cannot be read.
 std::string obstacle_to(const RunOptions& options, const scenario::LoadedScenario& loaded);
 
 /// A scenario run live by one process for each service, from start to end. A service that a signal ends is started
@@ -36,7 +36,7 @@ std::string obstacle_to(const RunOptions& options, const scenario::LoadedScenari
 /// server, whose end is the run's, and not one that dies again and again within seconds of its start.
 class LiveRun {
  public:
-  /// Takes the place for a set in the unit. Throws app::PlaceTaken when there is one. Both are used until the end.
+  /// Takes the place for a set in the unit. Throws service::PlaceTaken when there is one. Both are used until the end.
   LiveRun(const RunOptions& options, const scenario::LoadedScenario& loaded);
 
   /// Starts one process for each service of the scenario.

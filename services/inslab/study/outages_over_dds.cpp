@@ -72,7 +72,7 @@ class SolutionSink : public sim::RunSink {
  public:
   Solutions found;
 
-  void journal(const AnyProfile&) override {}
+  void journal(const catalog::AnyProfile&) override {}
   void truth(const TruthState&) override {}
   void imu(std::size_t, const ImuSample&, const ImuTruth& truth) override { found.truths.push_back(truth); }
   void gnss(std::size_t, const GnssFix&) override {}

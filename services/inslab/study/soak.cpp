@@ -128,15 +128,15 @@ class Soak::Work {
   }
 
   void swap() {
-    const AnyProfile swap = events_.next_swap();
-    if (run_.client().send(swap)) swaps_.push_back(request_of(swap).request_id);
+    const catalog::AnyProfile swap = events_.next_swap();
+    if (run_.client().send(swap)) swaps_.push_back(catalog::request_of(swap).request_id);
   }
 
   /// So many services at once, any but the one that is the clock.
   void kill(int count) {
     std::vector<pid_t> victims;
     for (const auto& [program, pid] : run_.services().running()) {
-      if (program != app::kTrajectoryServer) victims.push_back(pid);
+      if (program != catalog::kTrajectoryServer) victims.push_back(pid);
     }
     for (; count > 0 && !victims.empty(); --count) {
       const auto victim = victims.begin() + static_cast<std::ptrdiff_t>(events_.pick(victims.size()));

@@ -22,7 +22,7 @@ class Soak {
  public:
   using Say = std::function<void(const std::string&)>;
 
-  /// All are used until the end. Throws app::PlaceTaken, and as SoakEvents does.
+  /// All are used until the end. Throws service::PlaceTaken, and as SoakEvents does.
   Soak(const SoakOptions& options, const scenario::LoadedScenario& scenario, Say say);
   ~Soak();
   Soak(const Soak&) = delete;

@@ -57,12 +57,12 @@ std::vector<SoakEvents::Event> SoakEvents::due(double sim_time_s) {
   return events;
 }
 
-AnyProfile SoakEvents::next_swap() {
-  AnyProfile swap = profiles_[pick(profiles_.size())];
-  ProfileRequest& request = request_of(swap);
+catalog::AnyProfile SoakEvents::next_swap() {
+  catalog::AnyProfile swap = profiles_[pick(profiles_.size())];
+  ProfileRequest& request = catalog::request_of(swap);
   request.request_id = next_request_++;
   request.continuity = static_cast<Continuity>(pick(3));
-  if (kind_of(swap) == ProfileKind::Vibration) request.fade_s = 0.5 * static_cast<double>(pick(4));
+  if (catalog::kind_of(swap) == ProfileKind::Vibration) request.fade_s = 0.5 * static_cast<double>(pick(4));
   return swap;
 }
 

@@ -21,14 +21,14 @@ class SoakEvents {
   };
 
   /// `profiles` is a folder with imu, vibration, gnss and installation; of all but swaps there are `often` times as
-  /// many as usual. Throws std::runtime_error when a folder has no profile, config::Error when one cannot be read.
+  /// many as usual. Throws std::runtime_error when a folder has no profile, json::Error when one cannot be read.
   SoakEvents(const scenario::LoadedScenario& scenario, const std::filesystem::path& profiles, std::uint64_t seed,
              double often = 1.0);
 
   /// Whether something is due at this sim time; each event comes once.
   std::vector<Event> due(double sim_time_s);
   /// A swap for a sensor of the scenario.
-  AnyProfile next_swap();
+  catalog::AnyProfile next_swap();
   /// A whole number below `end`.
   std::size_t pick(std::size_t end);
 
@@ -49,7 +49,7 @@ class SoakEvents {
                                {Kind::KillTwo, 3600.0},
                                {Kind::KillInSwap, 1800.0},
                                {Kind::Pause, 600.0}};
-  std::vector<AnyProfile> profiles_;
+  std::vector<catalog::AnyProfile> profiles_;
   std::uint64_t next_request_ = 1;
 };
 

@@ -16,7 +16,7 @@ namespace invalid_files_test {
 const std::filesystem::path kFolder = std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "invalid";
 
 const std::vector<test::InvalidFile>& invalid_files() {
-  static const auto all = config::read_file<test::InvalidFiles>(kFolder / "expected.json");
+  static const auto all = json::read_file<test::InvalidFiles>(kFolder / "expected.json");
   return all.files;
 }
 
@@ -25,7 +25,7 @@ void load_any(const test::InvalidFile& expected) {
   if (expected.kind == test::FileKind::Scenario) {
     scenario::load(file);
   } else if (expected.kind == test::FileKind::Navigation) {
-    reference_nav::read_parameters(file.string());
+    navigation::read_parameters(file.string());
   } else {
     const SensorKind usual = expected.kind == test::FileKind::GnssError ? SensorKind::Gnss : SensorKind::Imu;
     scenario::load_profile(file, static_cast<ProfileKind>(expected.kind), {expected.sensor_kind.value_or(usual), 0});
@@ -37,7 +37,7 @@ TEST(InvalidFiles, AreEachRefusedByTheirRuleWithFilePathAndReason) {
     try {
       load_any(expected);
       ADD_FAILURE() << expected.file << " was accepted";
-    } catch (const config::Error& error) {
+    } catch (const json::Error& error) {
       const std::string& at_fault = expected.reported_file.empty() ? expected.file : expected.reported_file;
       EXPECT_EQ(error.file(), (kFolder / at_fault).string());
       EXPECT_EQ(enum_name(error.rule()), enum_name(expected.rule)) << error.what();
@@ -74,8 +74,8 @@ TEST(InvalidFiles, AreAllListed) {
 TEST(Scenario, RefusesASensorItDoesNotHave) {
   const auto loaded = scenario::load(std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "scenarios" / "demo.json");
   EXPECT_EQ(loaded.sensor<catalog::Imu>(0).number, 0U);
-  EXPECT_THROW(loaded.sensor<catalog::Imu>(7), config::Error);
-  EXPECT_THROW(loaded.sensor<catalog::Gnss>(7), config::Error);
+  EXPECT_THROW(loaded.sensor<catalog::Imu>(7), json::Error);
+  EXPECT_THROW(loaded.sensor<catalog::Gnss>(7), json::Error);
 }
 
 }  // namespace invalid_files_test

@@ -33,13 +33,13 @@ TEST(LoadedScenario, MakesRequestsOfItsSchedule) {
   ASSERT_EQ(loaded.swaps.size(), loaded.scenario.swaps.size());
   for (std::size_t i = 0; i < loaded.swaps.size(); ++i) {
     const ScheduledSwap& planned = loaded.scenario.swaps[i];
-    const ProfileRequest& request = request_of(loaded.swaps[i]);
+    const ProfileRequest& request = catalog::request_of(loaded.swaps[i]);
     EXPECT_EQ(request.request_id, i + 1);
     EXPECT_EQ(request.apply_at_ns, time::from_seconds(planned.at_s).count());
     EXPECT_EQ(request.fade_s, planned.fade_s);
     EXPECT_EQ(request.continuity, planned.continuity);
-    EXPECT_EQ(kind_of(loaded.swaps[i]), planned.kind);
-    EXPECT_EQ(target_of(loaded.swaps[i]), (SensorAddress{planned.sensor_kind, planned.sensor_number}));
+    EXPECT_EQ(catalog::kind_of(loaded.swaps[i]), planned.kind);
+    EXPECT_EQ(catalog::target_of(loaded.swaps[i]), (SensorAddress{planned.sensor_kind, planned.sensor_number}));
   }
 }
 

@@ -132,7 +132,7 @@ scenario::LoadedScenario with(const scenario::LoadedScenario& scenario, const Im
 std::vector<std::unique_ptr<Unit>> units_of(const scenario::LoadedScenario& scenario) {
   std::vector<std::unique_ptr<Unit>> units;
   for (const std::filesystem::path& file : files_of("profiles/imu")) {
-    const AnyProfile profile = scenario::load_profile(file, ProfileKind::ImuError, {SensorKind::Imu, 0});
+    const catalog::AnyProfile profile = scenario::load_profile(file, ProfileKind::ImuError, {SensorKind::Imu, 0});
     scenario::LoadedScenario loaded = with(scenario, std::get<ImuErrorProfile>(profile));
     loaded.scenario.seed += 1000 * units.size();
     const auto setup = navigation::setup_for(loaded, *loaded.scenario.reference_nav);

@@ -26,16 +26,16 @@ ImuErrorProfile imu_errors(std::int64_t apply_at_ns = -1) {
   return profile;
 }
 
-ProfileRequest accepted(const std::variant<AnyProfile, ProfileAck>& verdict) {
-  const auto* entry = std::get_if<AnyProfile>(&verdict);
+ProfileRequest accepted(const std::variant<catalog::AnyProfile, ProfileAck>& verdict) {
+  const auto* entry = std::get_if<catalog::AnyProfile>(&verdict);
   if (entry == nullptr) {
     ADD_FAILURE() << "rejected: " << std::get<ProfileAck>(verdict).field << " " << std::get<ProfileAck>(verdict).reason;
     return {};
   }
-  return request_of(*entry);
+  return catalog::request_of(*entry);
 }
 
-ProfileAck rejected(const std::variant<AnyProfile, ProfileAck>& verdict) {
+ProfileAck rejected(const std::variant<catalog::AnyProfile, ProfileAck>& verdict) {
   const auto* ack = std::get_if<ProfileAck>(&verdict);
   if (ack == nullptr) {
     ADD_FAILURE() << "accepted";

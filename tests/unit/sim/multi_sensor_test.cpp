@@ -17,7 +17,7 @@ class StreamRecorder : public RunSink {
  public:
   using Streams = std::map<std::string, std::vector<std::vector<std::uint8_t>>>;
 
-  void journal(const AnyProfile&) override {}
+  void journal(const catalog::AnyProfile&) override {}
   void truth(const TruthState& truth) override { keep("truth", truth); }
   void imu(std::size_t, const ImuSample& sample, const ImuTruth& truth) override {
     ImuTruth without = truth;
@@ -103,7 +103,8 @@ TEST(MultiSensor, ASwapGoesToTheSensorItNamesAndToNoOther) {
   ASSERT_EQ(swapped.acks.size(), 3U);
   for (const ProfileAck& ack : swapped.acks) {
     ASSERT_EQ(ack.outcome, AckOutcome::Applied);
-    EXPECT_EQ(first_difference(swapped, plain, sensor_name(ack.target)), ack.first_sequence) << sensor_name(ack.target);
+    EXPECT_EQ(first_difference(swapped, plain, catalog::sensor_name(ack.target)), ack.first_sequence)
+        << catalog::sensor_name(ack.target);
   }
   EXPECT_EQ(first_difference(swapped, plain, "gnss0"), plain.streams.at("gnss0").size());
   EXPECT_EQ(first_difference(swapped, plain, "truth"), plain.streams.at("truth").size());

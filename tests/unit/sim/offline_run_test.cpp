@@ -42,7 +42,7 @@ scenario::LoadedScenario turning(double imu_rate_hz = 200.0) {
 }
 
 template <class Profile>
-AnyProfile at(double apply_at_s, Profile profile) {
+catalog::AnyProfile at(double apply_at_s, Profile profile) {
   profile.request.request_id = 1;
   profile.request.apply_at_ns = time::from_seconds(apply_at_s).count();
   return profile;

@@ -43,9 +43,9 @@ StreamHeader sample(std::int64_t sim_time_ns, std::uint64_t sequence) {
   return h;
 }
 
-std::vector<std::uint32_t> numbers_of(const std::vector<AnyProfile>& entries) {
+std::vector<std::uint32_t> numbers_of(const std::vector<catalog::AnyProfile>& entries) {
   std::vector<std::uint32_t> numbers;
-  for (const AnyProfile& e : entries) numbers.push_back(request_of(e).journal_number);
+  for (const catalog::AnyProfile& e : entries) numbers.push_back(catalog::request_of(e).journal_number);
   return numbers;
 }
 
@@ -94,8 +94,8 @@ TEST(ProfileDesk, TakesEffectForTheFirstSampleAfterTheTime) {
 }
 
 TEST(ProfileDesk, TheOrderOfArrivalDoesNotMatter) {
-  std::vector<AnyProfile> entries{entry(1, 20 * kMs, errors(1.0)), entry(2, 10 * kMs, errors(2.0)),
-                                  entry(3, 10 * kMs, InstallationProfile{}), entry(4, 20 * kMs, errors(4.0))};
+  std::vector<catalog::AnyProfile> entries{entry(1, 20 * kMs, errors(1.0)), entry(2, 10 * kMs, errors(2.0)),
+                                           entry(3, 10 * kMs, InstallationProfile{}), entry(4, 20 * kMs, errors(4.0))};
   std::get<InstallationProfile>(entries[2]).lever_arm_v_m.x() = 1.0;
   std::vector<std::size_t> order{0, 1, 2, 3};
   do {

@@ -48,11 +48,12 @@ Bytes bytes_of(const sim::Sensor<catalog::Magnetometer>::Result& result) {
 struct Run {
   scenario::LoadedScenario scenario;
   std::vector<TruthState> truth;
-  std::vector<AnyProfile> journal;
+  std::vector<catalog::AnyProfile> journal;
 
   explicit Run(const std::string& name) : scenario(scenario::load(INSLAB_SOURCE_DIR "/" + name + ".json")) {
     trajectory::TruthSource source(scenario, scenario.start(time::Nanoseconds(0)), RunId());
-    for (const AnyProfile& swap : scenario.swaps) journal.push_back(std::get<AnyProfile>(source.submit(swap)));
+    for (const catalog::AnyProfile& swap : scenario.swaps)
+      journal.push_back(std::get<catalog::AnyProfile>(source.submit(swap)));
     while (source.has_next()) truth.push_back(source.take());
   }
   static const Run& recovery() {
@@ -72,8 +73,8 @@ struct Run {
 /// Before and after each swap, in fades, in the outage, between the intervals of the slow IMU.
 std::vector<std::size_t> stops_of(const Run& run) {
   std::vector<std::size_t> stops{0, 1, 2, 239, 260, 321};
-  for (const AnyProfile& entry : run.journal) {
-    const auto at = run.scenario.truth_grid().index(time::Nanoseconds(request_of(entry).apply_at_ns));
+  for (const catalog::AnyProfile& entry : run.journal) {
+    const auto at = run.scenario.truth_grid().index(time::Nanoseconds(catalog::request_of(entry).apply_at_ns));
     stops.insert(stops.end(), {at - 1, at, at + 1, at + 7, at + 90});
   }
   return stops;
@@ -86,7 +87,7 @@ void expect_resumes(const Run& run, const Make& make) {
   constexpr std::size_t kGoesAlong = 400;
   const std::vector<std::size_t> stops = stops_of(run);
   const auto with_journal = [&](Sensor sensor) {
-    for (const AnyProfile& entry : run.journal) sensor.add(entry);
+    for (const catalog::AnyProfile& entry : run.journal) sensor.add(entry);
     return sensor;
   };
   Sensor first = with_journal(make(run.scenario));
@@ -99,10 +100,10 @@ void expect_resumes(const Run& run, const Make& make) {
     }
     if (std::find(stops.begin(), stops.end(), i) == stops.end()) continue;
     Bytes state;
-    recovery::StateWriter writer(state);
+    state::StateWriter writer(state);
     writer(first);
     Sensor again = with_journal(make(run.scenario));
-    recovery::StateReader reader(state.data(), state.size());
+    state::StateReader reader(state.data(), state.size());
     reader(again);
     reader.expect_end();
     resumed.emplace_back(i, std::move(again));

@@ -13,9 +13,9 @@ namespace run_log_test {
 
 class RunLogFile : public recordings::test::TemporaryFolder {
  protected:
-  void write(const std::vector<AnyProfile>& entries, const std::vector<ProfileAck>& acks = {}) {
+  void write(const std::vector<catalog::AnyProfile>& entries, const std::vector<ProfileAck>& acks = {}) {
     RunLog log(path("run.mcap"), scenario_, "x86-64");
-    for (const AnyProfile& entry : entries) log.add_profile(entry);
+    for (const catalog::AnyProfile& entry : entries) log.add_profile(entry);
     for (const ProfileAck& ack : acks) log.add_ack(ack);
     log.file().close();
     const mcap::McapReader reader(path("run.mcap"));

@@ -10,7 +10,7 @@ namespace inslab::client::test {
 class FakeLink : public client::RunLink {
  public:
   bool connected() const override { return is_connected; }
-  bool send(const AnyProfile& request) override {
+  bool send(const catalog::AnyProfile& request) override {
     if (takes_requests) requests.push_back(request);
     return takes_requests;
   }
@@ -46,13 +46,13 @@ class FakeLink : public client::RunLink {
   std::optional<SimStatus> last_status;
   std::uint64_t status_count = 0;
   std::string other;
-  std::vector<AnyProfile> requests;
+  std::vector<catalog::AnyProfile> requests;
   std::vector<SimCommand> commands;
   std::map<std::uint64_t, ProfileAck> answers;
 };
 
 /// A swap of an IMU with this request id.
-inline AnyProfile imu_swap(std::uint64_t request_id) {
+inline catalog::AnyProfile imu_swap(std::uint64_t request_id) {
   ImuErrorProfile profile;
   profile.request.request_id = request_id;
   return profile;

@@ -13,7 +13,7 @@ using testing::IsEmpty;
 /// Plays swaps on a set that a script drives: `at(k)` is called at the k-th rest, each of a second.
 class SwapTransaction : public testing::Test {
  protected:
-  SwapsPlayed play(const std::vector<AnyProfile>& swaps, std::optional<double> timeout_s = {}) {
+  SwapsPlayed play(const std::vector<catalog::AnyProfile>& swaps, std::optional<double> timeout_s = {}) {
     const Pace pace{[this] { return now_; },
                     [this] {
                       now_ += std::chrono::seconds(1);

@@ -36,7 +36,7 @@ class WritersOfAStream : public testing::Test {
   static constexpr dds::ParticipantKey kOwn{9, 9, 9};
 
   dds::Peers peers_;
-  Writers writers_{peers_, kOwn, identity(kTruthLogger, 1)};
+  Writers writers_{peers_, kOwn, identity(catalog::kTruthLogger, 1)};
 };
 
 TEST_F(WritersOfAStream, IsTheServiceOfItsRole) {
@@ -47,14 +47,14 @@ TEST_F(WritersOfAStream, IsTheServiceOfItsRole) {
 }
 
 TEST_F(WritersOfAStream, IsTheReaderItselfWhereItsRoleWrites) {
-  EXPECT_TRUE(writers_.admit("inslab/service_status", {kTruthLogger, 0u}, kOwn));
+  EXPECT_TRUE(writers_.admit("inslab/service_status", {catalog::kTruthLogger, 0u}, kOwn));
   EXPECT_EQ(writers_.fault(), "");
 }
 
 TEST_F(WritersOfAStream, IsNotWhoeverHasLeftTheNetworkInTheReadersName) {
   dds::ParticipantKey gone{};
   gone.fill(5);
-  EXPECT_FALSE(writers_.admit("inslab/truth", {kTruthLogger, 0u}, gone));
+  EXPECT_FALSE(writers_.admit("inslab/truth", {catalog::kTruthLogger, 0u}, gone));
   EXPECT_THAT(writers_.fault(), HasSubstr("05.05.05"));
 }
 
@@ -83,7 +83,7 @@ TEST_F(WritersOfAStream, OfAnAppTheSecondIsAFaultAsSoonAsBothAreSeenToWrite) {
 }
 
 TEST_F(WritersOfAStream, OfAnAppBesideAProcessThatIsSeenToLiveTheSecondIsAFaultAtItsFirstSample) {
-  streams::Identity living = identity(kReferenceNav, host::process_id(), host::process_space());
+  streams::Identity living = identity(catalog::kReferenceNav, host::process_id(), host::process_space());
   living.started_ticks = *host::started_ticks(host::process_id());
   EXPECT_TRUE(writers_.admit_app("inslab/nav", joins(1, living)));
   EXPECT_FALSE(writers_.admit_app("inslab/nav", joins(2, std::nullopt, "app")));
@@ -94,11 +94,12 @@ TEST_F(WritersOfAStream, OfASetIsKnownToWhoHasNoScenarioOfItsOwn) {
   streams::Identity client;
   client.service = "inslab-swap";
   Writers writers(peers_, kOwn, client);
-  EXPECT_TRUE(writers.admit("inslab/sim/status", {kTrajectoryServer, 0u}, joins(1, identity(kTrajectoryServer, 2))));
-  streams::Identity elsewhere = identity(kTrajectoryServer, 3);
+  EXPECT_TRUE(writers.admit("inslab/sim/status", {catalog::kTrajectoryServer, 0u},
+                            joins(1, identity(catalog::kTrajectoryServer, 2))));
+  streams::Identity elsewhere = identity(catalog::kTrajectoryServer, 3);
   elsewhere.unit = "other";
-  EXPECT_FALSE(writers.admit("inslab/sim/status", {kTrajectoryServer, 0u}, joins(2, elsewhere)));
-  EXPECT_FALSE(writers.admit("inslab/sim/status", {kTrajectoryServer, 0u}, joins(3, std::nullopt, "foe")));
+  EXPECT_FALSE(writers.admit("inslab/sim/status", {catalog::kTrajectoryServer, 0u}, joins(2, elsewhere)));
+  EXPECT_FALSE(writers.admit("inslab/sim/status", {catalog::kTrajectoryServer, 0u}, joins(3, std::nullopt, "foe")));
 }
 
 TEST_F(WritersOfAStream, WithoutAScenarioAreNotOfASetThatHasOne) {
@@ -158,18 +159,18 @@ TEST_F(WritersOfAStream, WhereTheProcessIsSeenToLiveNobodyTakesItsPlace) {
 }
 
 TEST_F(WritersOfAStream, TopicsAndClaimsHaveTheirServices) {
-  EXPECT_EQ(writer_of_topic<TruthState>("inslab/truth"), (scenario::ServiceKey{kTrajectoryServer, 0u}));
+  EXPECT_EQ(writer_of_topic<TruthState>("inslab/truth"), (scenario::ServiceKey{catalog::kTrajectoryServer, 0u}));
   EXPECT_EQ(writer_of_topic<ImuSample>("inslab/imu/12"), (scenario::ServiceKey{catalog::Imu::service, 12u}));
   EXPECT_EQ(writer_of_topic<Block<ImuTruth>>("inslab/block/imu_truth/3"),
             (scenario::ServiceKey{catalog::Imu::service, 3u}));
   EXPECT_EQ(writer_of_topic<GnssFix>("inslab/gnss/1"), (scenario::ServiceKey{catalog::Gnss::service, 1u}));
-  EXPECT_EQ(writer_of_topic<SimStatus>("inslab/sim/status"), (scenario::ServiceKey{kTrajectoryServer, 0u}));
+  EXPECT_EQ(writer_of_topic<SimStatus>("inslab/sim/status"), (scenario::ServiceKey{catalog::kTrajectoryServer, 0u}));
   ProfileAck ack;
   ack.service = catalog::Gnss::service;
   ack.target.number = 2;
   EXPECT_EQ(writer_of(ack), (scenario::ServiceKey{catalog::Gnss::service, 2u}));
-  ack.service = kTrajectoryServer;
-  EXPECT_EQ(writer_of(ack), (scenario::ServiceKey{kTrajectoryServer, 0u}));
+  ack.service = catalog::kTrajectoryServer;
+  EXPECT_EQ(writer_of(ack), (scenario::ServiceKey{catalog::kTrajectoryServer, 0u}));
 }
 
 }  // namespace writers_test

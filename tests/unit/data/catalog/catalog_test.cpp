@@ -17,6 +17,7 @@
 #include "inslab/data/catalog/wire_type.hpp"
 #include "inslab/data/json/schema_writer.hpp"
 #include "inslab/data/wire/cdr.hpp"
+#include "inslab/data/wire/idl_text.hpp"
 #include "inslab/formats/log/log_types.hpp"
 #include "inslab/scenario/document_kind.hpp"
 #include "inslab/scenario/scenario.hpp"
@@ -94,7 +95,7 @@ void expect_everything(const std::string& topic, const Roles& roles) {
   EXPECT_TRUE(wire::decode(bytes.data(), bytes.size(), again));
   EXPECT_NE(log::find_log_type(WireType<T>::name), nullptr);
   const std::string name(WireType<T>::name.substr(kModule.size()));
-  EXPECT_THAT(self_contained_idl(WireType<T>::idl_file), HasSubstr("struct " + name + " {"));
+  EXPECT_THAT(wire::self_contained_idl(WireType<T>::idl_file), HasSubstr("struct " + name + " {"));
   EXPECT_FALSE(roles.writers_of(topic).empty());
   EXPECT_THAT(roles.readers_of(topic), Contains("inslab-truth-logger"));
   EXPECT_THAT(roles.readers_of(topic), Contains("operator"));
@@ -110,7 +111,7 @@ void expect_blocks(const std::string& topic, const Roles& roles) {
   Block<T> again;
   EXPECT_TRUE(wire::decode(bytes.data(), bytes.size(), again));
   const std::string name(WireType<Block<T>>::name.substr(kModule.size()));
-  EXPECT_THAT(self_contained_idl(WireType<Block<T>>::idl_file), HasSubstr("struct " + name + " {"));
+  EXPECT_THAT(wire::self_contained_idl(WireType<Block<T>>::idl_file), HasSubstr("struct " + name + " {"));
   EXPECT_EQ(roles.writers_of(blocks), roles.writers_of(topic));
 }
 
@@ -194,7 +195,7 @@ TEST(ProfileKinds, EachHasTopicsWordsAndASchema) {
     expect_everything<Profile>(request_topic(Profile::kind), roles);
     expect_everything<Profile>(journal_topic(Profile::kind), roles);
     EXPECT_EQ(roles.writers_of(request_topic(Profile::kind)), std::set<std::string>{"operator"});
-    EXPECT_EQ(roles.writers_of(journal_topic(Profile::kind)), std::set<std::string>{kTrajectoryServer});
+    EXPECT_EQ(roles.writers_of(journal_topic(Profile::kind)), std::set<std::string>{catalog::kTrajectoryServer});
     const std::string word(kWords<Profile>.word);
     for (const std::string& said : {name, word}) {  // of swap and of check --kind
       EXPECT_EQ(scenario::profile_kind_named(said), Profile::kind) << said;

@@ -7,12 +7,13 @@
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/catalog/wire_type.hpp"
+#include "inslab/data/wire/idl_text.hpp"
 
 namespace inslab::wire {
 namespace idl_test {
 
 TEST(SelfContainedIdl, HasNoPreprocessorLineAndTheTypesItNeeds) {
-  const std::string text = catalog::self_contained_idl(catalog::WireType<ImuSample>::idl_file);
+  const std::string text = wire::self_contained_idl(catalog::WireType<ImuSample>::idl_file);
   EXPECT_EQ(text.find("#include"), std::string::npos);
   EXPECT_EQ(text.find("\n#"), std::string::npos);
   const std::size_t header = text.find("struct StreamHeader");
@@ -23,7 +24,7 @@ TEST(SelfContainedIdl, HasNoPreprocessorLineAndTheTypesItNeeds) {
 }
 
 TEST(SelfContainedIdl, RefusesAFileThatIsNotThere) {
-  EXPECT_THROW(catalog::self_contained_idl("no.idl"), std::out_of_range);
+  EXPECT_THROW(wire::self_contained_idl("no.idl"), std::out_of_range);
 }
 
 /// FNV-1a, 64 bits.
@@ -35,7 +36,7 @@ std::uint64_t hash_of(const std::string& text) {
 
 /// A file's declarations alone: no comments, no preprocessor lines, no spaces, no names of modules.
 std::string declarations_of(const std::string& idl_file) {
-  std::istringstream lines(catalog::self_contained_idl(idl_file));
+  std::istringstream lines(wire::self_contained_idl(idl_file));
   std::string text;
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("module ", 0) == 0) continue;
@@ -57,13 +58,13 @@ TEST(WireVersion, GoesUpWhenAStructOrAnEnumerationChanges) {
   EXPECT_EQ(hash_of(all), versions.at(std::string(catalog::kModule)))
       << "the types are not those of " << catalog::kModule
       << ". Give idl/ and wire_type.hpp the next version, add it here with "
-      << "this hash, and keep logs of the versions before readable (present_name())";
+      << "this hash, and keep logs of the versions before readable (wire::present_name())";
 }
 
 TEST(WireVersion, StandsInEveryFile) {
   for (const char* file :
        {"header", "truth", "imu", "gnss", "magnetometer", "nav", "profile", "control", "vehicle", "block"}) {
-    std::istringstream lines(catalog::self_contained_idl(std::string(file) + ".idl"));
+    std::istringstream lines(wire::self_contained_idl(std::string(file) + ".idl"));
     int modules = 0;
     for (std::string line; std::getline(lines, line);) {
       if (line.rfind("module ", 0) != 0) continue;
@@ -76,12 +77,12 @@ TEST(WireVersion, StandsInEveryFile) {
 }
 
 TEST(PresentName, IsThatOfTheSameTypeInAnEarlierLog) {
-  EXPECT_EQ(catalog::present_name("inslab::TruthState"), catalog::WireType<TruthState>::name);
-  EXPECT_EQ(catalog::present_name("inslab::v1::TruthState"), catalog::WireType<TruthState>::name);
-  EXPECT_EQ(catalog::present_name("inslab::v2::TruthState"), catalog::WireType<TruthState>::name);
-  EXPECT_EQ(catalog::present_name("inslab::v7::TruthState"),
+  EXPECT_EQ(wire::present_name("inslab::TruthState"), catalog::WireType<TruthState>::name);
+  EXPECT_EQ(wire::present_name("inslab::v1::TruthState"), catalog::WireType<TruthState>::name);
+  EXPECT_EQ(wire::present_name("inslab::v2::TruthState"), catalog::WireType<TruthState>::name);
+  EXPECT_EQ(wire::present_name("inslab::v7::TruthState"),
             "inslab::v7::TruthState");  // read as one it would be read wrong
-  EXPECT_EQ(catalog::present_name("sensor_msgs::msg::Imu"), "sensor_msgs::msg::Imu");
+  EXPECT_EQ(wire::present_name("sensor_msgs::msg::Imu"), "sensor_msgs::msg::Imu");
 }
 
 TEST(TopicNames, AreOneForEachStreamAndKind) {

@@ -98,7 +98,7 @@ TEST_F(SwapEvidenceOfDemo, FailsWhenTheAckNamesAnotherFirstSample) {
 }
 
 /// Every promise of every profile in the log made a little different: the samples no longer keep it.
-void break_promises(AnyProfile& profile) {
+void break_promises(catalog::AnyProfile& profile) {
   if (auto* imu = std::get_if<ImuErrorProfile>(&profile)) {
     imu->gyro.arw_deg_per_sqrt_h *= 1.3;
   } else if (auto* shaking = std::get_if<VibrationProfile>(&profile)) {
@@ -116,7 +116,7 @@ TEST_F(SwapEvidenceOfDemo, FailsForEachKindWhoseProfilePromisesOtherwise) {
        {ProfileKind::ImuError, ProfileKind::Vibration, ProfileKind::Installation, ProfileKind::GnssError}) {
     LogSummary tampered = honest;
     for (ProfileInUse& in_use : tampered.profiles) {
-      if (kind_of(in_use.profile) == kind) break_promises(in_use.profile);
+      if (catalog::kind_of(in_use.profile) == kind) break_promises(in_use.profile);
     }
     EXPECT_FALSE(holds(weigh(tampered), kind)) << enum_name(kind);
   }
@@ -132,9 +132,9 @@ class SwapEvidenceOfShippedProfiles : public recordings::test::TemporaryFolder,
   /// The demo's car, whose IMU changes to `errors` and then begins to vibrate.
   std::vector<SwapEvidence> swapped_to(ImuErrorProfile errors, double noise_factor = 1.0) {
     auto loaded = scenario::load(std::string(INSLAB_SOURCE_DIR) + "/config/scenarios/demo.json");
-    std::vector<AnyProfile> swaps;
-    for (AnyProfile& swap : loaded.swaps) {
-      if (kind_of(swap) == ProfileKind::Vibration) swaps.push_back(swap);
+    std::vector<catalog::AnyProfile> swaps;
+    for (catalog::AnyProfile& swap : loaded.swaps) {
+      if (catalog::kind_of(swap) == ProfileKind::Vibration) swaps.push_back(swap);
     }
     errors.target = {SensorKind::Imu, 0};
     errors.latency_s += 1e-6;  // the demo begins with stim300: no swap changes nothing

@@ -186,14 +186,14 @@ TEST_F(Montecarlo, ARunIsScoredAsItsLogIs) {
   const time::GpsTime start = s.loaded.start(time::Nanoseconds(0));
   std::filesystem::create_directories(path_);
   {
-    cli::LogSink sink(file("log.mcap"), s.loaded, start);
-    cli::OfflineRun run(s.loaded, start, RunId{}, sink);
+    sim::LogSink sink(file("log.mcap"), s.loaded, start);
+    sim::OfflineRun run(s.loaded, start, RunId{}, sink);
     while (run.step()) {
     }
     sink.close();
   }
-  const io::McapReader log(file("log.mcap"));
-  const cli::LogScore score = cli::score_log(log, cli::summarize(log));
+  const mcap::McapReader log(file("log.mcap"));
+  const score::LogScore score = score::score_log(log, evidence::summarize(log));
   EXPECT_GT(result->figures.size(), 14u);
   for (const RunFigure& f : result->figures) {
     EXPECT_EQ(score::figure(score.scorer, f.metric, {f.phase, f.swap_interval, f.after_s}), f.value)
@@ -230,7 +230,7 @@ TEST_F(Montecarlo, AResultIsReadAsItWasWritten) {
   RunResult result = off_by(4, 0.1);
   result.fingerprint = s.fingerprint;
   folder.keep(result);
-  EXPECT_EQ(config::to_json(*folder.result(4)), config::to_json(result));
+  EXPECT_EQ(json::to_json(*folder.result(4)), json::to_json(result));
   EXPECT_FALSE(folder.result(5));
 }
 
@@ -242,7 +242,7 @@ TEST_F(Montecarlo, AResultThatIsCutOffIsToBeDoneAgain) {
 
 TEST_F(Montecarlo, WhatAKilledProcessWasWritingIsRemoved) {
   const ResultFolder first(path_.string(), study());
-  const std::string host = app::host_name(), dead = "." + std::to_string(std::numeric_limits<pid_t>::max());
+  const std::string host = host::host_name(), dead = "." + std::to_string(std::numeric_limits<pid_t>::max());
   std::ofstream(file(".run_000001.json." + host + dead)) << "{";
   std::ofstream(file(".run_000001.json." + host + "." + std::to_string(getpid()))) << "{";
   const ResultFolder second(path_.string(), study());
@@ -257,7 +257,7 @@ TEST_F(Montecarlo, AFolderOfAnotherStudyIsRefusedWithWhatDiffers) {
   try {
     const ResultFolder second(path_.string(), other);
     FAIL() << "was taken";
-  } catch (const io::ReadError& error) {
+  } catch (const files::ReadError& error) {
     EXPECT_THAT(error.what(), HasSubstr("holds the results of another study: draw_start is false there and true here"));
   }
 }
@@ -268,7 +268,7 @@ TEST_F(Montecarlo, AResultOfAnotherStudyIsRefused) {
   try {
     folder.result(4);
     FAIL() << "was taken";
-  } catch (const io::ReadError& error) {
+  } catch (const files::ReadError& error) {
     EXPECT_THAT(error.what(), HasSubstr("run_000004.json: is run 4 of study f; expected run 4 of study "));
   }
 }
@@ -292,7 +292,7 @@ TEST_F(Montecarlo, AStudyNeedsNoLiveVehicle) {
   try {
     load_study(source("tests/data/live.json"), "", false, "1");
     FAIL() << "was taken";
-  } catch (const io::ReadError& error) {
+  } catch (const files::ReadError& error) {
     EXPECT_THAT(error.what(), HasSubstr("live.json: trajectory.source is vehicle_state"));
   }
 }

@@ -28,7 +28,7 @@ nav::Vector3 dv(const nav::Matrix3& C_nb) {
 class RestingFile {
  public:
   explicit RestingFile(int samples) : path_(testing::TempDir() + "resting.asc") {
-    io::NovatelImuFormatter format(26, io::NovatelAxes::RightForwardUp);
+    novatel::NovatelImuFormatter format(26, novatel::NovatelAxes::RightForwardUp);
     std::ofstream file(path_);
     for (int k = 1; k <= samples; ++k) {
       const nav::Matrix3 C_nb = nav::Matrix3::Identity();
@@ -42,7 +42,7 @@ class RestingFile {
 
   /// One more line, of another IMU.
   void add_line_of_type(std::uint32_t imu_type) {
-    io::NovatelImuFormatter format(imu_type, io::NovatelAxes::RightForwardUp);
+    novatel::NovatelImuFormatter format(imu_type, novatel::NovatelAxes::RightForwardUp);
     const auto next = static_cast<std::int64_t>(lines_.size()) + 1;
     lines_.push_back(
         format.line({2300, next * 5000000LL}, dtheta(nav::Matrix3::Identity()), dv(nav::Matrix3::Identity())));
@@ -105,7 +105,7 @@ TEST(AlignRecording, RefusesSamplesOfTwoImuTypesNamingTheLine) {
   RestingFile file(400);
   file.add_line_of_type(16);
   EXPECT_THAT([&] { align_recording(file.path(), at_site()); },
-              testing::ThrowsMessage<io::ReadError>(
+              testing::ThrowsMessage<files::ReadError>(
                   testing::HasSubstr("resting.asc: line 401 is of IMU type 16; expected 26, as the lines before it")));
 }
 
@@ -113,7 +113,7 @@ TEST(AlignRecording, RefusesAFileWithoutAGoodSample) {
   RestingFile file(1);
   file.damage_last();
   EXPECT_THAT([&] { align_recording(file.path(), at_site()); },
-              testing::ThrowsMessage<io::ReadError>(testing::HasSubstr("no line is a good IMU sample")));
+              testing::ThrowsMessage<files::ReadError>(testing::HasSubstr("no line is a good IMU sample")));
 }
 
 }  // namespace alignment_test

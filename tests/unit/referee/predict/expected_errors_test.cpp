@@ -75,7 +75,7 @@ ErrorState error_of_run(const ImuErrorProfile& errors, std::uint64_t seed, const
 }
 
 ErrorState expected(const ImuErrorProfile& errors, const Swap& swap = {}, double step_s = 1.0 / kRateHz) {
-  std::vector<AnyProfile> profiles{errors};
+  std::vector<catalog::AnyProfile> profiles{errors};
   if (swap) profiles.emplace_back(*swap);
   ExpectedErrors::Setup setup;
   setup.step_s = step_s;

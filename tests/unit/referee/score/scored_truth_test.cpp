@@ -15,7 +15,7 @@ class PerfectAnswers : public sim::RunSink {
     for (const auto& imu : loaded.imus) scorer_.add(imu.installation, -1);
   }
 
-  void journal(const AnyProfile& entry) override {
+  void journal(const catalog::AnyProfile& entry) override {
     if (const auto* moved = std::get_if<InstallationProfile>(&entry)) scorer_.add(*moved, moved->request.apply_at_ns);
   }
   void truth(const TruthState& truth) override { scorer_.add(truth); }
