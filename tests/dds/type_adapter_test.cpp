@@ -132,7 +132,7 @@ TYPED_TEST(Codec, RefusesEveryTruncation) {
   Plain filled;
   ASSERT_TRUE(wire::decode(bytes.data(), bytes.size(), filled));
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    if (wire::test::is_whole_in_the_version_before(filled, size)) continue;
+    if (test::is_whole_in_the_version_before(filled, size)) continue;
     Plain back;
     EXPECT_FALSE(wire::decode(bytes.data(), size, back)) << size << " of " << bytes.size() << " bytes";
   }

@@ -3,7 +3,7 @@
 #include "inslab/referee/verify/allan_block.hpp"
 
 /// The code of `inslab verify allan`, on runs short enough for every day; its whole table is in docs/allan.md.
-namespace inslab::statistical {
+namespace inslab::verify {
 namespace verify_allan_test {
 
 void quiet(const std::string&) {}
@@ -47,4 +47,4 @@ TEST(VerifyAllan, FewerRecordsMayBeFurtherOffAndSixtyAsTheRuleSays) {
 }
 
 }  // namespace verify_allan_test
-}  // namespace inslab::statistical
+}  // namespace inslab::verify

@@ -3,17 +3,17 @@
 #include "inslab/referee/verify/navigation.hpp"
 #include "inslab/referee/verify/town_drive.hpp"
 
-namespace inslab::statistical {
+namespace inslab::verify {
 namespace verify_navigation_test {
 
 TEST(VerifyNavigation, FiltersThatMatchTheirImusKnowHowWrongTheyAreAfterAnOutageToo) {
-  const verify::Table table = verify::honesty_table(100);
-  EXPECT_TRUE(table.held()) << verify::to_text(table);
+  const Table table = honesty_table(100);
+  EXPECT_TRUE(table.held()) << to_text(table);
 }
 
 TEST(VerifyNavigation, NoDriftOfARecordedDriveIsMoreThanTwiceTheThesis) {
-  const verify::Table table = verify::outage_table(1, {verify::MotionFrom::File});
-  EXPECT_TRUE(table.held()) << verify::to_text(table);
+  const Table table = outage_table(1, {MotionFrom::File});
+  EXPECT_TRUE(table.held()) << to_text(table);
 }
 
 std::vector<double> lengths(const scenario::Trajectory& drive) {
@@ -23,12 +23,12 @@ std::vector<double> lengths(const scenario::Trajectory& drive) {
 }
 
 TEST(VerifyNavigation, ASeedDrawsItsOwnDrive) {
-  EXPECT_EQ(lengths(verify::town_drive(1, 300.0, 1200.0)), lengths(verify::town_drive(1, 300.0, 1200.0)));
-  EXPECT_NE(lengths(verify::town_drive(1, 300.0, 1200.0)), lengths(verify::town_drive(2, 300.0, 1200.0)));
+  EXPECT_EQ(lengths(town_drive(1, 300.0, 1200.0)), lengths(town_drive(1, 300.0, 1200.0)));
+  EXPECT_NE(lengths(town_drive(1, 300.0, 1200.0)), lengths(town_drive(2, 300.0, 1200.0)));
 }
 
 TEST(VerifyNavigation, ARecordedDriveIsTheDriveUpToTheRecordersErrors) {
-  const auto file = verify::recorded_drive(1, 10.0, 60.0);
+  const auto file = recorded_drive(1, 10.0, 60.0);
   ASSERT_EQ(file->rows.size(), 12001U);
   // The recorder stands until the tenth second: fixes of 0.03 m at 1 Hz hold it there, to 5 sigma of a single one.
   const nav::Vector3 moved_m = nav::ned_from(file->rows.front().position, file->rows[1900].position);
@@ -37,4 +37,4 @@ TEST(VerifyNavigation, ARecordedDriveIsTheDriveUpToTheRecordersErrors) {
 }
 
 }  // namespace verify_navigation_test
-}  // namespace inslab::statistical
+}  // namespace inslab::verify

@@ -24,14 +24,13 @@ constexpr std::uint32_t kStreamSamples = 3000;
 constexpr std::uint32_t kOtherSamples = 100;
 
 template <class T>
-void write_samples(mcap::McapWriter& log, const std::string& topic, std::uint32_t count,
-                   recordings::test::RandomFields& random) {
+void write_samples(mcap::McapWriter& log, const std::string& topic, std::uint32_t count, test::RandomFields& random) {
   log::LogChannel<T> channel(log, topic);
   for (std::uint32_t k = 0; k < count; ++k) channel.write(random.make<T>(), k, k * 5'000'000ULL, k * 5'000'000ULL + 1);
 }
 
 void write_all(mcap::McapWriter& log) {
-  recordings::test::RandomFields random(20260101);
+  test::RandomFields random(20260101);
   log.metadata("run", {{"scenario", "random values"}, {"seed", "20260101"}});
   write_samples<TruthState>(log, "inslab/truth", kStreamSamples, random);
   write_samples<ImuSample>(log, "inslab/imu/0", kStreamSamples, random);
@@ -58,7 +57,7 @@ void write_and_be_killed(const std::string& path) {
     mcap::McapWriter log(path);
     write_all(log);
     log.flush();
-    recordings::test::RandomFields random(1);
+    test::RandomFields random(1);
     log::LogChannel<NavSolution>(log, "inslab/nav").write(random.make<NavSolution>(), 0, 0, 0);
     std::raise(SIGKILL);
   }

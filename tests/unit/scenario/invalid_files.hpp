@@ -6,7 +6,7 @@
 #include "inslab/data/requests/profile_request.hpp"
 #include "inslab/foundation/fields/rule.hpp"
 
-namespace inslab::scenario::test {
+namespace inslab::test {
 
 enum class FileKind : std::uint32_t { ImuError, Vibration, Installation, GnssError, Fault, Scenario, Navigation };
 
@@ -42,12 +42,12 @@ struct InvalidFiles {
   }
 };
 
-}  // namespace inslab::scenario::test
+}  // namespace inslab::test
 
 namespace inslab {
 
 template <>
-struct EnumNames<scenario::test::FileKind> {
+struct EnumNames<test::FileKind> {
   static constexpr std::array<std::string_view, 7> values{"imu_error", "vibration", "installation", "gnss_error",
                                                           "fault",     "scenario",  "navigation"};
 };

@@ -8,7 +8,7 @@
 namespace inslab::scenario {
 namespace motion_matrix_test {
 
-class MotionMatrix : public recordings::test::TemporaryFolder {
+class MotionMatrix : public test::TemporaryFolder {
  protected:
   std::vector<Segment> read(const std::string& text) const {
     put(path("matrix.csv"), text);

@@ -19,7 +19,7 @@ void check_files(const std::string& kind, const std::set<std::string>& expected)
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder(kind))) {
     const auto profile = json::read_file<Profile>(entry.path());
-    const auto broken = violation(profile);
+    const auto broken = catalog::violation(profile);
     EXPECT_FALSE(broken.has_value()) << entry.path() << ": " << broken->path << ' ' << broken->reason;
     EXPECT_EQ(profile.name, entry.path().stem().string());
     EXPECT_FALSE(profile.source.empty()) << entry.path();

@@ -48,8 +48,8 @@ scenario::LoadedScenario turning(const Rates& rates, double duration_s = 10.0) {
   return loaded;
 }
 
-sim::test::RunRecorder run(const scenario::LoadedScenario& loaded) {
-  sim::test::RunRecorder recorder;
+test::RunRecorder run(const scenario::LoadedScenario& loaded) {
+  test::RunRecorder recorder;
   OfflineRun offline(loaded, {2400, 0}, RunId{}, recorder);
   while (offline.step()) {
   }
@@ -59,7 +59,7 @@ sim::test::RunRecorder run(const scenario::LoadedScenario& loaded) {
 TEST(OddRates, EverySampleLiesAtItsInstantAndIntervalsMeet) {
   for (const Rates& rates : kRates) {
     const auto loaded = turning(rates);
-    const sim::test::RunRecorder all = run(loaded);
+    const test::RunRecorder all = run(loaded);
     const time::Rate imu(rates.imu_hz), gnss(rates.gnss_hz);
     ASSERT_EQ(all.truths.size(), loaded.truth_samples) << rates.imu_hz;
     for (std::size_t k = 1; k < all.truths.size(); ++k) {
@@ -85,10 +85,10 @@ TEST(OddRates, EverySampleLiesAtItsInstantAndIntervalsMeet) {
 
 TEST(OddRates, IncrementsAreTheSameIntegralsAsAtAWholeRate) {
   // Sums over 1 s, which every rate here that is whole in Hz has instants at; each second's turn and speed to rounding.
-  const sim::test::RunRecorder whole = run(turning({1000.0, 1000.0, 1.0}));
+  const test::RunRecorder whole = run(turning({1000.0, 1000.0, 1.0}));
   for (const Rates& rates : kRates) {
     if (rates.imu_hz != std::floor(rates.imu_hz)) continue;
-    const sim::test::RunRecorder odd = run(turning(rates));
+    const test::RunRecorder odd = run(turning(rates));
     const auto per_second = static_cast<std::size_t>(rates.imu_hz);
     for (std::size_t second = 0; second < 10; ++second) {
       Vector3 odd_dtheta = Vector3::Zero(), odd_dv = Vector3::Zero(), dtheta = odd_dtheta, dv = odd_dv;
@@ -113,7 +113,7 @@ TEST(OddRates, AConstantForceGivesTheSameMeanInLongAndShortIntervals) {
   loaded.scenario.trajectory.initial.speed_m_per_s = 0.0;
   loaded.scenario.trajectory.segments.clear();
   loaded.imus[0].errors.accel.bias_constant_mgal.setConstant(100.0);
-  const sim::test::RunRecorder all = run(loaded);
+  const test::RunRecorder all = run(loaded);
   const ImuSample& first = all.samples.front();
   std::int64_t shortest_ns = first.interval_ns, longest_ns = first.interval_ns;
   for (const ImuSample& sample : all.samples) {
@@ -137,7 +137,7 @@ TEST(OddRates, BandwidthAndFullScaleTakeTheIntervalsOwnLength) {
   loaded.imus[0].errors.accel.bandwidth_hz.setConstant(50.0);
   loaded.imus[0].errors.accel.full_scale_g = Vector3(20.0, 20.0, 1.2);
   loaded.imus[0].errors.accel.bias_constant_mgal = Vector3(0.0, 0.0, -400e3);  // 0.4 g upwards: 1.4 g in all
-  const sim::test::RunRecorder all = run(loaded);
+  const test::RunRecorder all = run(loaded);
   for (const ImuSample& sample : all.samples) {
     ASSERT_TRUE(sample.accel_saturated);
     ASSERT_NEAR(sample.mean_f_b.z(), -1.2 * 9.80665, 1e-11);
@@ -151,7 +151,7 @@ TEST(OddRates, ADayEndsAtADayAndItsIncrementsSumToItsMotion) {
   auto loaded = turning({1.0, 0.7, 0.3}, kDay_s);
   loaded.scenario.trajectory.initial.speed_m_per_s = 0.0;
   loaded.scenario.trajectory.segments.clear();
-  const sim::test::RunRecorder all = run(loaded);
+  const test::RunRecorder all = run(loaded);
   EXPECT_EQ(all.truths.back().header.sim_time_ns, 86'400'000'000'000);
   ASSERT_EQ(all.samples.size(), 60'480u);
   EXPECT_EQ(all.samples.back().header.sim_time_ns, 86'400'000'000'000);

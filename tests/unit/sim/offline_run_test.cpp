@@ -55,8 +55,8 @@ ImuErrorProfile noisier(const scenario::LoadedScenario& loaded) {
   return profile;
 }
 
-sim::test::RunRecorder run(const scenario::LoadedScenario& loaded) {
-  sim::test::RunRecorder recorder;
+test::RunRecorder run(const scenario::LoadedScenario& loaded) {
+  test::RunRecorder recorder;
   OfflineRun offline(loaded, {2400, 0}, RunId{}, recorder);
   while (offline.step()) {
   }
@@ -84,7 +84,7 @@ std::size_t first_difference(const std::vector<Sample>& a, const std::vector<Sam
 }
 
 TEST(OfflineRun, GivesEverySampleOfEveryStream) {
-  const sim::test::RunRecorder all = run(turning());
+  const test::RunRecorder all = run(turning());
   EXPECT_EQ(all.truths.size(), 2001U);
   EXPECT_EQ(all.samples.size(), 2000U);
   EXPECT_EQ(all.imu_truths.size(), 2000U);
@@ -95,8 +95,8 @@ TEST(OfflineRun, GivesEverySampleOfEveryStream) {
 TEST(OfflineRun, GivesTheSameBitsTwice) {
   auto loaded = turning();
   loaded.swaps = {at(4.0, noisier(loaded))};
-  const sim::test::RunRecorder a = run(loaded);
-  const sim::test::RunRecorder b = run(loaded);
+  const test::RunRecorder a = run(loaded);
+  const test::RunRecorder b = run(loaded);
   EXPECT_EQ(first_difference(a.truths, b.truths), a.truths.size());
   EXPECT_EQ(first_difference(a.samples, b.samples), a.samples.size());
   EXPECT_EQ(first_difference(a.imu_truths, b.imu_truths), a.imu_truths.size());
@@ -105,9 +105,9 @@ TEST(OfflineRun, GivesTheSameBitsTwice) {
 
 TEST(OfflineRun, AnotherSeedGivesOtherNoiseAndTheSameTruth) {
   auto loaded = turning();
-  const sim::test::RunRecorder a = run(loaded);
+  const test::RunRecorder a = run(loaded);
   loaded.scenario.seed = 8;
-  const sim::test::RunRecorder b = run(loaded);
+  const test::RunRecorder b = run(loaded);
   EXPECT_EQ(first_difference(a.truths, b.truths), a.truths.size());
   EXPECT_EQ(first_difference(a.samples, b.samples), 0U);
   EXPECT_EQ(first_difference(a.fixes, b.fixes), 0U);
@@ -115,9 +115,9 @@ TEST(OfflineRun, AnotherSeedGivesOtherNoiseAndTheSameTruth) {
 
 TEST(OfflineRun, ASwapIsExactToTheSampleAndTouchesNothingElse) {
   auto loaded = turning();
-  const sim::test::RunRecorder without = run(loaded);
+  const test::RunRecorder without = run(loaded);
   loaded.swaps = {at(4.0, noisier(loaded))};
-  const sim::test::RunRecorder with = run(loaded);
+  const test::RunRecorder with = run(loaded);
   // At 200 Hz sample k is the interval (k/200 s, (k+1)/200 s]: the first that begins at 4 s is number 800.
   ASSERT_EQ(with.acks.size(), 1U);
   EXPECT_EQ(with.acks[0].outcome, AckOutcome::Applied);
@@ -134,9 +134,9 @@ TEST(OfflineRun, ASwapIsExactToTheSampleAndTouchesNothingElse) {
 
 TEST(OfflineRun, ASwapToTheSameParametersIsUnchangedToTheBit) {
   auto loaded = turning();
-  const sim::test::RunRecorder without = run(loaded);
+  const test::RunRecorder without = run(loaded);
   loaded.swaps = {at(4.0, loaded.imus.front().errors)};
-  const sim::test::RunRecorder with = run(loaded);
+  const test::RunRecorder with = run(loaded);
   ASSERT_EQ(with.acks.size(), 1U);
   EXPECT_EQ(with.acks[0].outcome, AckOutcome::Unchanged);
   EXPECT_EQ(first_difference(without.samples, with.samples), without.samples.size());
@@ -145,10 +145,10 @@ TEST(OfflineRun, ASwapToTheSameParametersIsUnchangedToTheBit) {
 
 TEST(OfflineRun, AnImuSlowerThanTheTruthSwapsBetweenItsOwnIntervals) {
   auto loaded = turning(50.0);
-  const sim::test::RunRecorder without = run(loaded);
+  const test::RunRecorder without = run(loaded);
   // 4.005 s lies inside the IMU's interval (4.00, 4.02]: the first that begins later is number 201, (4.02, 4.04].
   loaded.swaps = {at(4.005, noisier(loaded))};
-  const sim::test::RunRecorder with = run(loaded);
+  const test::RunRecorder with = run(loaded);
   ASSERT_EQ(with.acks.size(), 1U);
   EXPECT_EQ(with.acks[0].apply_time_ns, 4 * kSecond_ns + 5'000'000);
   EXPECT_EQ(with.acks[0].first_sequence, 201U);
@@ -160,11 +160,11 @@ TEST(OfflineRun, AnImuSlowerThanTheTruthSwapsBetweenItsOwnIntervals) {
 
 TEST(OfflineRun, ASwapOfTheReceiverTakesEffectAtTheEpochAfterIt) {
   auto loaded = turning();
-  const sim::test::RunRecorder without = run(loaded);
+  const test::RunRecorder without = run(loaded);
   GnssErrorProfile worse = loaded.gnss.front().errors;
   worse.position_sigma_ned_m.setConstant(5.0);
   loaded.swaps = {at(4.0, worse)};
-  const sim::test::RunRecorder with = run(loaded);
+  const test::RunRecorder with = run(loaded);
   ASSERT_EQ(with.acks.size(), 1U);
   EXPECT_EQ(with.acks[0].first_sample_time_ns, 4 * kSecond_ns + 100'000'000);
   const std::size_t first = first_difference(without.fixes, with.fixes);
@@ -176,11 +176,11 @@ TEST(OfflineRun, ASwapOfTheReceiverTakesEffectAtTheEpochAfterIt) {
 
 TEST(OfflineRun, ARejectedSwapChangesNothingAndNamesTheField) {
   auto loaded = turning();
-  const sim::test::RunRecorder without = run(loaded);
+  const test::RunRecorder without = run(loaded);
   ImuErrorProfile broken = noisier(loaded);
   broken.gyro.bias_gm_correlation_time_s.y() = 0.0;
   loaded.swaps = {at(4.0, broken)};
-  const sim::test::RunRecorder with = run(loaded);
+  const test::RunRecorder with = run(loaded);
   ASSERT_EQ(with.acks.size(), 1U);
   EXPECT_EQ(with.acks[0].outcome, AckOutcome::Rejected);
   EXPECT_EQ(with.acks[0].field, "gyro.bias_gm_correlation_time_s[1]");
@@ -191,12 +191,12 @@ TEST(OfflineRun, ARejectedSwapChangesNothingAndNamesTheField) {
 TEST(OfflineRun, OfTwoSwapsOfOneInstantTheLaterWins) {
   auto loaded = turning();
   loaded.swaps = {at(4.0, noisier(loaded))};
-  const sim::test::RunRecorder alone = run(loaded);
+  const test::RunRecorder alone = run(loaded);
   ImuErrorProfile superseded = noisier(loaded);
   superseded.name = "superseded";
   superseded.gyro.arw_deg_per_sqrt_h.setConstant(30.0);
   loaded.swaps = {at(4.0, superseded), at(4.0, noisier(loaded))};
-  const sim::test::RunRecorder both = run(loaded);
+  const test::RunRecorder both = run(loaded);
   ASSERT_EQ(both.acks.size(), 2U);
   EXPECT_EQ(both.acks[0].outcome, AckOutcome::Superseded);
   EXPECT_EQ(both.acks[1].outcome, AckOutcome::Applied);

@@ -51,7 +51,7 @@ struct Run {
   std::vector<catalog::AnyProfile> journal;
 
   explicit Run(const std::string& name) : scenario(scenario::load(INSLAB_SOURCE_DIR "/" + name + ".json")) {
-    trajectory::TruthSource source(scenario, scenario.start(time::Nanoseconds(0)), RunId());
+    TruthSource source(scenario, scenario.start(time::Nanoseconds(0)), RunId());
     for (const catalog::AnyProfile& swap : scenario.swaps)
       journal.push_back(std::get<catalog::AnyProfile>(source.submit(swap)));
     while (source.has_next()) truth.push_back(source.take());

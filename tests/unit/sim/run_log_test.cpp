@@ -11,7 +11,7 @@
 namespace inslab::sim {
 namespace run_log_test {
 
-class RunLogFile : public recordings::test::TemporaryFolder {
+class RunLogFile : public test::TemporaryFolder {
  protected:
   void write(const std::vector<catalog::AnyProfile>& entries, const std::vector<ProfileAck>& acks = {}) {
     RunLog log(path("run.mcap"), scenario_, "x86-64");

@@ -4,7 +4,7 @@
 
 #include "inslab/sim/offline_run.hpp"
 
-namespace inslab::sim::test {
+namespace inslab::test {
 
 /// Keeps everything an offline run gives.
 class RunRecorder : public sim::RunSink {
@@ -28,4 +28,4 @@ class RunRecorder : public sim::RunSink {
   std::vector<ProfileAck> acks;
 };
 
-}  // namespace inslab::sim::test
+}  // namespace inslab::test

@@ -8,34 +8,34 @@ namespace inslab::client {
 namespace doctor_test {
 
 using testing::HasSubstr;
-using Grade = mcap::Finding::Grade;
+using Grade = Finding::Grade;
 
-class Doctor : public recordings::test::TemporaryFolder {
+class Doctor : public test::TemporaryFolder {
  protected:
-  mcap::Findings environment(const std::string& set, const std::string& value) const {
-    return mcap::examine_environment([&](const char* name) { return name == set ? value : std::string(); }, path(""));
+  Findings environment(const std::string& set, const std::string& value) const {
+    return examine_environment([&](const char* name) { return name == set ? value : std::string(); }, path(""));
   }
 };
 
 TEST_F(Doctor, FindsNothingInACleanEnvironment) {
-  const mcap::Findings findings = environment("", "");
+  const Findings findings = environment("", "");
   ASSERT_EQ(findings.found.size(), 1u);
   EXPECT_EQ(findings.found[0].grade, Grade::Good);
   EXPECT_EQ(findings.to_cure(), 0u);
-  EXPECT_EQ(mcap::words_of(findings), "environment\n  ok    no variable leads Fast DDS astray\n");
+  EXPECT_EQ(words_of(findings), "environment\n  ok    no variable leads Fast DDS astray\n");
 }
 
 TEST_F(Doctor, CuresADiscoveryServerInTheEnvironment) {
-  const mcap::Findings findings = environment("ROS_DISCOVERY_SERVER", "10.0.0.1:11811");
+  const Findings findings = environment("ROS_DISCOVERY_SERVER", "10.0.0.1:11811");
   EXPECT_EQ(findings.to_cure(), 1u);
-  EXPECT_THAT(mcap::words_of(findings), HasSubstr("  BAD   ROS_DISCOVERY_SERVER=10.0.0.1:11811 makes this process"));
-  EXPECT_THAT(mcap::words_of(findings), HasSubstr("        cure: unset it"));
+  EXPECT_THAT(words_of(findings), HasSubstr("  BAD   ROS_DISCOVERY_SERVER=10.0.0.1:11811 makes this process"));
+  EXPECT_THAT(words_of(findings), HasSubstr("        cure: unset it"));
 }
 
 TEST_F(Doctor, TellsAProfilesFileThatIsThereFromOneThatIsNot) {
   EXPECT_EQ(environment("FASTDDS_DEFAULT_PROFILES_FILE", path("gone.xml")).to_cure(), 1u);
   put(path("there.xml"), "<dds/>");
-  const mcap::Findings findings = environment("FASTDDS_DEFAULT_PROFILES_FILE", path("there.xml"));
+  const Findings findings = environment("FASTDDS_DEFAULT_PROFILES_FILE", path("there.xml"));
   EXPECT_EQ(findings.to_cure(), 0u);
   EXPECT_EQ(findings.found[0].grade, Grade::Note);
 }
@@ -43,7 +43,7 @@ TEST_F(Doctor, TellsAProfilesFileThatIsThereFromOneThatIsNot) {
 TEST_F(Doctor, NotesSocketBuffersThatAreSmall) {
   put(path("rmem_max"), "212992\n");
   put(path("wmem_max"), "1048576\n");
-  const mcap::Findings findings = mcap::examine_socket_buffers(path(""));
+  const Findings findings = examine_socket_buffers(path(""));
   ASSERT_EQ(findings.found.size(), 2u);
   EXPECT_EQ(findings.found[0].grade, Grade::Note);
   EXPECT_THAT(findings.found[0].what, HasSubstr("net.core.rmem_max = 212992: enough for 1 kHz live"));
@@ -53,17 +53,16 @@ TEST_F(Doctor, NotesSocketBuffersThatAreSmall) {
 TEST_F(Doctor, FindsAndCleansSegmentsThatNobodyHolds) {
   put(path("fastrtps_0123456789abcdef"), "x");
   put(path("fastrtps_0123456789abcdef_el"), "");
-  const mcap::Findings found = mcap::examine_shared_memory(path(""), false);
-  EXPECT_EQ(found.to_cure(), 1u) << mcap::words_of(found);
+  const Findings found = examine_shared_memory(path(""), false);
+  EXPECT_EQ(found.to_cure(), 1u) << words_of(found);
   EXPECT_EQ(found.found[0].cure, "inslab doctor --clean");
-  EXPECT_THAT(mcap::words_of(mcap::examine_shared_memory(path(""), true)), HasSubstr("removed 1 stale segments of 1"));
-  EXPECT_THAT(mcap::words_of(mcap::examine_shared_memory(path(""), false)),
-              HasSubstr("0 segments of Fast DDS, all in use"));
+  EXPECT_THAT(words_of(examine_shared_memory(path(""), true)), HasSubstr("removed 1 stale segments of 1"));
+  EXPECT_THAT(words_of(examine_shared_memory(path(""), false)), HasSubstr("0 segments of Fast DDS, all in use"));
 }
 
 TEST_F(Doctor, SaysThatNobodyWasHeardOrThatAllMatch) {
-  EXPECT_THAT(mcap::words_of(mcap::examine_endpoints("domain 7", 0, {})), HasSubstr("nobody was heard"));
-  const mcap::Findings findings = mcap::examine_endpoints("domain 7", 2, {});
+  EXPECT_THAT(words_of(examine_endpoints("domain 7", 0, {})), HasSubstr("nobody was heard"));
+  const Findings findings = examine_endpoints("domain 7", 2, {});
   EXPECT_EQ(findings.title, "on the wire, domain 7");
   EXPECT_EQ(findings.found[0].grade, Grade::Good);
 }

@@ -4,7 +4,7 @@
 
 #include "inslab/bus/client/run_link.hpp"
 
-namespace inslab::client::test {
+namespace inslab::test {
 
 /// A running set as its client sees it.
 class FakeLink : public client::RunLink {
@@ -58,4 +58,4 @@ inline catalog::AnyProfile imu_swap(std::uint64_t request_id) {
   return profile;
 }
 
-}  // namespace inslab::client::test
+}  // namespace inslab::test

@@ -25,7 +25,7 @@ class SwapTransaction : public testing::Test {
         link_, swaps, timeout_s, "domain 7", [this](const ProfileAck& ack) { told_.push_back(ack); }, pace);
   }
 
-  client::test::FakeLink link_;
+  test::FakeLink link_;
   std::function<void(int)> at_;
   int rests_ = 0;
   bool interrupted_ = false;
@@ -39,7 +39,7 @@ TEST_F(SwapTransaction, SendsEachSwapAndTellsEachAnswer) {
     if (k == 2) link_.answer(11, AckOutcome::Applied);
     if (k == 4) link_.answer(12, AckOutcome::Applied);
   };
-  const SwapsPlayed played = play({client::test::imu_swap(11), client::test::imu_swap(12)});
+  const SwapsPlayed played = play({test::imu_swap(11), test::imu_swap(12)});
   EXPECT_TRUE(played.in_effect);
   EXPECT_THAT(played.failure, IsEmpty());
   EXPECT_EQ(link_.requests.size(), 2u);
@@ -50,7 +50,7 @@ TEST_F(SwapTransaction, SendsEachSwapAndTellsEachAnswer) {
 TEST_F(SwapTransaction, IsNotInEffectWhenOneIsRejected) {
   link_.answer(11, AckOutcome::Rejected);
   link_.answer(12, AckOutcome::Applied);
-  const SwapsPlayed played = play({client::test::imu_swap(11), client::test::imu_swap(12)});
+  const SwapsPlayed played = play({test::imu_swap(11), test::imu_swap(12)});
   EXPECT_FALSE(played.in_effect);
   EXPECT_THAT(played.failure, IsEmpty());
   EXPECT_EQ(told_.size(), 2u) << "the others are still waited for";
@@ -58,12 +58,12 @@ TEST_F(SwapTransaction, IsNotInEffectWhenOneIsRejected) {
 
 TEST_F(SwapTransaction, IsNotInEffectWhenALaterSwapTookItsPlace) {
   link_.answer(11, AckOutcome::Superseded);
-  EXPECT_FALSE(play({client::test::imu_swap(11)}).in_effect);
+  EXPECT_FALSE(play({test::imu_swap(11)}).in_effect);
 }
 
 TEST_F(SwapTransaction, SaysWhereNoServerWasFound) {
   link_.is_connected = false;
-  const SwapsPlayed played = play({client::test::imu_swap(11)}, 3.0);
+  const SwapsPlayed played = play({test::imu_swap(11)}, 3.0);
   EXPECT_EQ(played.failure, "a trajectory server on domain 7 was not found");
   EXPECT_EQ(rests_, 4) << "seconds of patience";
   EXPECT_THAT(link_.requests, IsEmpty());
@@ -74,13 +74,13 @@ TEST_F(SwapTransaction, WaitsAsLongAsTheRunGoesOn) {
     link_.hear(RunState::Running, k);
     if (k == 100) link_.answer(11, AckOutcome::Applied);
   };
-  EXPECT_TRUE(play({client::test::imu_swap(11)}).in_effect);
+  EXPECT_TRUE(play({test::imu_swap(11)}).in_effect);
   EXPECT_EQ(rests_, 100);
 }
 
 TEST_F(SwapTransaction, WaitsNoLongerThanItsTimeoutThoughTheRunGoesOn) {
   at_ = [this](int k) { link_.hear(RunState::Running, k); };
-  const SwapsPlayed played = play({client::test::imu_swap(11)}, 5.0);
+  const SwapsPlayed played = play({test::imu_swap(11)}, 5.0);
   EXPECT_EQ(rests_, 6);
   EXPECT_EQ(played.failure,
             "not acknowledged: the first sample of imu0 under the swap; the run is running at 6.0 s did not come");
@@ -90,7 +90,7 @@ TEST_F(SwapTransaction, WaitsTenSecondsBeyondTheLastWordOfTheRun) {
   at_ = [this](int k) {
     if (k <= 20) link_.hear(RunState::Running, k);
   };
-  EXPECT_THAT(play({client::test::imu_swap(11)}).failure, HasSubstr("not acknowledged"));
+  EXPECT_THAT(play({test::imu_swap(11)}).failure, HasSubstr("not acknowledged"));
   EXPECT_EQ(rests_, 31);
 }
 
@@ -98,19 +98,19 @@ TEST_F(SwapTransaction, WaitsTwoSecondsBeyondTheEndOfTheRun) {
   at_ = [this](int k) {
     if (k <= 20) link_.hear(k < 20 ? RunState::Running : RunState::Finished, k);
   };
-  EXPECT_THAT(play({client::test::imu_swap(11)}).failure, HasSubstr("the run is finished at 20.0 s"));
+  EXPECT_THAT(play({test::imu_swap(11)}).failure, HasSubstr("the run is finished at 20.0 s"));
   EXPECT_EQ(rests_, 23);
 }
 
 TEST_F(SwapTransaction, EndsWhenItIsInterrupted) {
   at_ = [this](int k) { interrupted_ = k == 3; };
-  EXPECT_THAT(play({client::test::imu_swap(11)}).failure, HasSubstr("not acknowledged"));
+  EXPECT_THAT(play({test::imu_swap(11)}).failure, HasSubstr("not acknowledged"));
   EXPECT_EQ(rests_, 3);
 }
 
 TEST_F(SwapTransaction, SaysWhatCouldNotBeSent) {
   link_.takes_requests = false;
-  EXPECT_EQ(play({client::test::imu_swap(11)}).failure, "a request could not be sent");
+  EXPECT_EQ(play({test::imu_swap(11)}).failure, "a request could not be sent");
 }
 
 TEST(SwapWords, SayWhenASwapIsInEffectOrWhyItIsNot) {

@@ -67,8 +67,8 @@ std::string refusal_of(const std::string& text) {
 
 TEST(JsonText, NestingIsRefusedAtItsLimitWithThePlace) {
   const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
-  EXPECT_EQ(refusal_of(nested(kMaxJsonLevels)), "accepted");
-  EXPECT_THAT(refusal_of(nested(kMaxJsonLevels + 1)), HasSubstr("is nested deeper than 32 levels"));
+  EXPECT_EQ(refusal_of(nested(files::kMaxJsonLevels)), "accepted");
+  EXPECT_THAT(refusal_of(nested(files::kMaxJsonLevels + 1)), HasSubstr("is nested deeper than 32 levels"));
   EXPECT_THAT(refusal_of(std::string(1'000'000, '[')), HasSubstr("[0][0]"));
   std::string objects;
   for (int i = 0; i < 70'000; ++i) objects += "{\"a\":";
@@ -88,7 +88,7 @@ TEST(JsonText, TimeGrowsWithTheText) {
 
 TEST(JsonText, TooManyValuesAreRefused) {
   std::string many = "[0";
-  for (std::size_t i = 0; i < kMaxJsonValues; ++i) many += ",0";
+  for (std::size_t i = 0; i < files::kMaxJsonValues; ++i) many += ",0";
   EXPECT_THAT(refusal_of(many + "]"), HasSubstr("[3999999]: is one value too many; expected at most 4000000"));
 }
 

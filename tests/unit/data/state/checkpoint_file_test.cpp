@@ -31,44 +31,44 @@ class Checkpoint : public testing::Test {
   std::string path_ = (std::filesystem::temp_directory_path() / ("inslab_checkpoint_" + std::to_string(getpid())));
 };
 
-TEST_F(Checkpoint, HasNothingAtFirst) { EXPECT_FALSE(streams::CheckpointFile(path_).last()); }
+TEST_F(Checkpoint, HasNothingAtFirst) { EXPECT_FALSE(CheckpointFile(path_).last()); }
 
 TEST_F(Checkpoint, GivesBackTheNewestState) {
   {
-    streams::CheckpointFile file(path_);
+    CheckpointFile file(path_);
     for (std::uint8_t i = 1; i <= 9; ++i) file.keep(Bytes(100u + i, i));
   }
-  EXPECT_EQ(streams::CheckpointFile(path_).last(), Bytes(109, 9));
+  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(109, 9));
 }
 
 TEST_F(Checkpoint, AHalfWrittenStateLeavesTheOneBeforeIt) {
   {
-    streams::CheckpointFile file(path_);
+    CheckpointFile file(path_);
     file.keep(Bytes(100, 1));  // into the second slot
     file.keep(Bytes(100, 2));  // into the first
   }
   spoil(50);
-  EXPECT_EQ(streams::CheckpointFile(path_).last(), Bytes(100, 1));
+  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(100, 1));
 }
 
 TEST_F(Checkpoint, GoesOnAfterItWasOpenedAgain) {
-  for (std::uint8_t i = 1; i <= 5; ++i) streams::CheckpointFile(path_).keep(Bytes(10, i));
-  EXPECT_EQ(streams::CheckpointFile(path_).last(), Bytes(10, 5));
+  for (std::uint8_t i = 1; i <= 5; ++i) CheckpointFile(path_).keep(Bytes(10, i));
+  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(10, 5));
 }
 
 TEST_F(Checkpoint, GrowsForALargeStateAndGoesOn) {
   {
-    streams::CheckpointFile file(path_);
+    CheckpointFile file(path_);
     file.keep(Bytes(100, 1));
     file.keep(Bytes(1'000'000, 2));
     EXPECT_FALSE(std::filesystem::exists(path_ + ".new"));
     file.keep(Bytes(1'000'001, 3));
   }
-  EXPECT_EQ(streams::CheckpointFile(path_).last(), Bytes(1'000'001, 3));
+  EXPECT_EQ(CheckpointFile(path_).last(), Bytes(1'000'001, 3));
 }
 
 TEST_F(Checkpoint, ForWhichThereIsNoRoomLeavesTheOneBeforeIt) {
-  streams::CheckpointFile file(path_);
+  CheckpointFile file(path_);
   file.keep(Bytes(100, 1));
   const auto room_for = [](rlim_t bytes) {
     rlimit limit{};
@@ -87,9 +87,9 @@ TEST_F(Checkpoint, ForWhichThereIsNoRoomLeavesTheOneBeforeIt) {
 }
 
 TEST_F(Checkpoint, OfALivingProcessIsRefusedToAnother) {
-  const streams::CheckpointFile file(path_);
+  const CheckpointFile file(path_);
   try {
-    const streams::CheckpointFile other(path_);
+    const CheckpointFile other(path_);
     FAIL() << "two have it";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find(path_ + ": another process has it"), std::string::npos) << error.what();
@@ -98,18 +98,18 @@ TEST_F(Checkpoint, OfALivingProcessIsRefusedToAnother) {
 
 TEST_F(Checkpoint, OfGarbageIsNothing) {
   std::ofstream(path_) << std::string(300'000, 'x');
-  EXPECT_FALSE(streams::CheckpointFile(path_).last());
+  EXPECT_FALSE(CheckpointFile(path_).last());
 }
 
 TEST_F(Checkpoint, BelongsToTheUserAlone) {
-  const streams::CheckpointFile file(path_);
+  const CheckpointFile file(path_);
   struct stat status {};
   ASSERT_EQ(stat(path_.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777u, 0600u);
 }
 
 TEST_F(Checkpoint, InAFolderThatIsNotThereSaysWhich) {
-  EXPECT_THROW(streams::CheckpointFile("/no/such/folder/state"), std::runtime_error);
+  EXPECT_THROW(CheckpointFile("/no/such/folder/state"), std::runtime_error);
 }
 
 }  // namespace checkpoint_file_test

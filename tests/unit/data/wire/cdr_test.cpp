@@ -72,7 +72,7 @@ using AllTypes = catalog::EveryWireType<testing::Types>;
 TYPED_TEST_SUITE(Cdr, AllTypes, );
 
 TYPED_TEST(Cdr, GivesBackEveryBitOfRandomValuesInEitherByteOrder) {
-  recordings::test::RandomFields random(1);
+  test::RandomFields random(1);
   for (int i = 0; i < 100; ++i) {
     const auto value = random.make<TypeParam>();
     const Bytes little = encoded(value);
@@ -90,11 +90,11 @@ TYPED_TEST(Cdr, GivesBackEveryBitOfRandomValuesInEitherByteOrder) {
 }
 
 TYPED_TEST(Cdr, RefusesEveryTruncation) {
-  recordings::test::RandomFields random(2);
+  test::RandomFields random(2);
   const auto value = random.make<TypeParam>();
   const Bytes bytes = encoded(value);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    if (wire::test::is_whole_in_the_version_before(value, size)) continue;
+    if (test::is_whole_in_the_version_before(value, size)) continue;
     // A copy of exactly this size, so that a sanitizer sees any byte read beyond it.
     const Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
     TypeParam back;
@@ -108,7 +108,7 @@ TEST(CdrOfAnEarlierVersion, LeavesWhatCameLaterAtItsDefault) {
   fault.outage = true;
   const Bytes bytes = encoded(fault);
   std::size_t earlier = 0;
-  while (!wire::test::is_whole_in_the_version_before(fault, earlier)) ASSERT_LT(++earlier, bytes.size());
+  while (!test::is_whole_in_the_version_before(fault, earlier)) ASSERT_LT(++earlier, bytes.size());
   FaultProfile back;
   ASSERT_TRUE(decode(bytes.data(), earlier, back));
   EXPECT_EQ(back.name, fault.name);
@@ -136,7 +136,7 @@ TYPED_TEST(Cdr, SurvivesRandomBytes) {
 
 TYPED_TEST(Cdr, SurvivesASampleWithBytesChanged) {
   std::mt19937_64 engine(4);
-  recordings::test::RandomFields random(5);
+  test::RandomFields random(5);
   for (int i = 0; i < 500; ++i) {
     Bytes bytes = encoded(random.make<TypeParam>());
     for (int change = 0; change < 4; ++change) {

@@ -3,7 +3,7 @@
 #include "inslab/data/wire/cdr.hpp"
 
 /// What samples of the version before are like: without the fields that were appended since.
-namespace inslab::wire::test {
+namespace inslab::test {
 
 /// Counts the bytes of the fields that were there before.
 struct CounterOfEarlierFields {
@@ -23,4 +23,4 @@ bool is_whole_in_the_version_before(const T& value, std::size_t size) {
   return earlier < wire::encoded_size(value) && size >= earlier && size <= earlier + 3;
 }
 
-}  // namespace inslab::wire::test
+}  // namespace inslab::test

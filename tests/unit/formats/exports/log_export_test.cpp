@@ -26,7 +26,7 @@ namespace log_export_test {
 
 using ::testing::HasSubstr;
 
-class LogExport : public recordings::test::TemporaryFolder {
+class LogExport : public test::TemporaryFolder {
  protected:
   static constexpr std::size_t kSamples = 2500;  // more than two HDF5 chunks of 1024 rows
 
@@ -36,7 +36,7 @@ class LogExport : public recordings::test::TemporaryFolder {
     writer.metadata("run", {{"scenario", "static"}, {"note", "a, \"quoted\" word"}});
     log::LogChannel<TruthState> truth(writer, "inslab/truth");
     log::LogChannel<ServiceStatus> status(writer, "inslab/service_status");
-    recordings::test::RandomFields random(5);
+    test::RandomFields random(5);
     for (std::size_t k = 0; k < kSamples; ++k) {
       samples_.push_back(random.make<TruthState>());
       truth.write(samples_.back(), 0, k, k);

@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-class LogInfoOf : public recordings::test::TemporaryFolder {
+class LogInfoOf : public test::TemporaryFolder {
  protected:
   static TruthState truth(std::uint64_t k, std::uint8_t run = 1) {
     TruthState sample;

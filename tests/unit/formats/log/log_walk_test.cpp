@@ -14,7 +14,7 @@ namespace log_walk_test {
 using ::testing::ElementsAre;
 
 /// A log of three truths and two fixes of two receivers, as they are written: t0 f0 t1 t2 f1.
-class LogWalkOver : public recordings::test::TemporaryFolder {
+class LogWalkOver : public test::TemporaryFolder {
  protected:
   void SetUp() override {
     TemporaryFolder::SetUp();

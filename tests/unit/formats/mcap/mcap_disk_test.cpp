@@ -15,7 +15,7 @@ namespace mcap_disk_test {
 using ::testing::HasSubstr;
 
 /// A log whose disk is full after 200 kB: a limit on the size of files stands in for the full disk.
-class McapOnAFullDisk : public recordings::test::TemporaryFolder {
+class McapOnAFullDisk : public test::TemporaryFolder {
  protected:
   static constexpr rlim_t kLimit = 200000;
 

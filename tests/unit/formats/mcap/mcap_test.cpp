@@ -16,7 +16,7 @@ namespace mcap_test {
 using ::testing::HasSubstr;
 using Order = McapReader::Order;
 
-class McapLog : public recordings::test::TemporaryFolder {
+class McapLog : public test::TemporaryFolder {
  protected:
   struct Seen {
     std::uint16_t channel;

@@ -14,7 +14,7 @@
 namespace inslab::mcap {
 namespace mcap_unfinished_test {
 
-class UnfinishedMcap : public recordings::test::TemporaryFolder {
+class UnfinishedMcap : public test::TemporaryFolder {
  protected:
   static constexpr std::uint32_t kMessages = 20;
 

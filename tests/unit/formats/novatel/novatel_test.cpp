@@ -22,7 +22,7 @@ constexpr const char* kLine2209 =
     "%RAWIMUSXA,2209,491674.014;04,41,2209,491674.013699,ea59fe00,329308016,-2706935,4508389,196192,417138,-1000837*"
     "038422a7";
 
-class NovatelReader : public recordings::test::TemporaryFolder {
+class NovatelReader : public test::TemporaryFolder {
  protected:
   std::vector<NovatelImuRecord> read(const std::string& text, const NovatelImuReader::Options& options = {}) {
     put(path("raw"), text);

@@ -12,7 +12,7 @@ namespace profile_import_test {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-class ProfileImport : public recordings::test::TemporaryFolder {
+class ProfileImport : public test::TemporaryFolder {
  protected:
   template <class Importer>
   ImportedProfile import(Importer importer, const std::string& text, const ImportOptions& options = {}) {

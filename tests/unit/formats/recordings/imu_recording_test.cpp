@@ -12,7 +12,7 @@
 namespace inslab::recordings {
 namespace imu_recording_test {
 
-class ImuRecording : public recordings::test::TemporaryFolder {
+class ImuRecording : public test::TemporaryFolder {
  protected:
   /// Reads `text` as a file named imu.txt.
   std::vector<ImuIncrements> read(const std::string& text, const ImuRecordingOptions& options = {}) {

@@ -7,7 +7,7 @@
 
 #include "inslab/foundation/fields/field.hpp"
 
-namespace inslab::recordings::test {
+namespace inslab::test {
 
 /// Fills any struct that lists its fields with random values of the whole range of their types: what a file must keep.
 class RandomFields {
@@ -77,4 +77,4 @@ class RandomFields {
   std::mt19937_64 engine_;
 };
 
-}  // namespace inslab::recordings::test
+}  // namespace inslab::test

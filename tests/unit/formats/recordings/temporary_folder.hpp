@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace inslab::recordings::test {
+namespace inslab::test {
 
 /// A folder of its own for every test, removed afterwards.
 class TemporaryFolder : public ::testing::Test {
@@ -34,4 +34,4 @@ class TemporaryFolder : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-}  // namespace inslab::recordings::test
+}  // namespace inslab::test

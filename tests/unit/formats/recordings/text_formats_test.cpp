@@ -29,7 +29,7 @@ std::string message_of(const std::function<void()>& action) {
 }
 
 /// A run of two IMUs, one receiver and the truth, with values of all sizes.
-class FileExport : public recordings::test::TemporaryFolder {
+class FileExport : public test::TemporaryFolder {
  protected:
   static constexpr std::uint64_t kSamples = 50;
 

@@ -61,7 +61,7 @@ TEST(Columns, EveryTypeHasAsManyCellsAsColumnsAndDistinctNames) {
     std::sort(names.begin(), names.end());
     EXPECT_EQ(std::unique(names.begin(), names.end()), names.end()) << type.name;
   }
-  recordings::test::RandomFields random(1);
+  test::RandomFields random(1);
   Row row;
   for (int i = 0; i < 20; ++i) {
     fill_row(random.make<ServiceStatus>(), row);

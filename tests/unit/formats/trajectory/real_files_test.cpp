@@ -44,7 +44,7 @@ TEST(CalendarTime, IsGpsTime) {
   EXPECT_FALSE(files::gps_from_calendar("2024/03/05", "25:00:00"));
 }
 
-class RealFiles : public recordings::test::TemporaryFolder {
+class RealFiles : public test::TemporaryFolder {
  protected:
   std::string file(const std::string& text) {
     put(path("file.txt"), text);

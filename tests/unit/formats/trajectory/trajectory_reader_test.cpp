@@ -18,7 +18,7 @@ namespace trajectory_reader_test {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-class TrajectoryReader : public recordings::test::TemporaryFolder {
+class TrajectoryReader : public test::TemporaryFolder {
  protected:
   TrajectoryReading read(const std::string& text, const TrajectoryReadOptions& options = {}) {
     put(path("rows"), text);
@@ -234,7 +234,7 @@ TEST_F(TrajectoryReader, ReadsWhatTheNavWriterWroteToItsResolution) {
   EXPECT_NEAR(back.rpy->yaw_rad, row.rpy->yaw_rad, angle_rad);
 }
 
-class TrajectoryOfALog : public recordings::test::TemporaryFolder {
+class TrajectoryOfALog : public test::TemporaryFolder {
  protected:
   void SetUp() override {
     TemporaryFolder::SetUp();

@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-class OutputPlaces : public recordings::test::TemporaryFolder {
+class OutputPlaces : public test::TemporaryFolder {
  protected:
   void TearDown() override {
     set_output_rule(OutputRule::ReplaceAll);
-    recordings::test::TemporaryFolder::TearDown();
+    test::TemporaryFolder::TearDown();
   }
   std::size_t files() const {
     std::size_t count = 0;

@@ -17,7 +17,7 @@ extern char** environ;
 namespace inslab::files {
 namespace unfinished_test {
 
-class Unfinished : public recordings::test::TemporaryFolder {
+class Unfinished : public test::TemporaryFolder {
  protected:
   std::vector<std::string> names() const {
     std::vector<std::string> found;

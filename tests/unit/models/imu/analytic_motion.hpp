@@ -12,7 +12,7 @@
 
 /// A vehicle whose motion in ECEF is written down, so that the truth at any of its points is known without an
 /// integration of ours: the reference for lever arms.
-namespace inslab::imu::test {
+namespace inslab::test {
 
 /// Sums f over [a, b] by Gauss-Legendre quadrature with 5 nodes on each of `pieces` equal pieces.
 inline Vector3 integral(const std::function<Vector3(double)>& f, double a, double b, int pieces = 4) {
@@ -114,4 +114,4 @@ class AnalyticMotion {
   Vector3 r0_e_;
 };
 
-}  // namespace inslab::imu::test
+}  // namespace inslab::test

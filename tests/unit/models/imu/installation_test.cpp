@@ -23,7 +23,7 @@ InstallationProfile profile(const Vector3& arm_v_m, const Vector3& rpy_deg = Vec
 }
 
 TEST(Installation, AtTheReferencePointTheIncrementsAreTheVehiclesOwn) {
-  const imu::test::AnalyticMotion motion;
+  const test::AnalyticMotion motion;
   const Installation installation(profile(Vector3::Zero()), kGravity);
   const TruthState before = motion.truth(10, kPeriodNs, kGravity);
   const TruthState truth = motion.truth(11, kPeriodNs, kGravity);
@@ -55,15 +55,14 @@ TEST(Installation, MountingTurnsTheIncrementsIntoTheImusAxes) {
 // omega^2 dt^2/12 * 3e-6 * 2 m = 5e-11 m/s^2. The reference's own: rate differentiated to 1e-9 rad/s^2 times 2 m.
 TEST(Installation, LeverArmGivesTheSpecificForceIntegratedAtTheImuItself) {
   const Vector3 arm_v(0.8, -0.5, 1.5);
-  const imu::test::AnalyticMotion motion;
+  const test::AnalyticMotion motion;
   const Installation installation(profile(arm_v), kGravity);
   for (std::int64_t k = 1; k < 4000; k += 97) {
     const TruthState before = motion.truth(k - 1, kPeriodNs, kGravity);
     const TruthState truth = motion.truth(k, kPeriodNs, kGravity);
     const Increments out = installation.increments(truth, installation.at(before), installation.at(truth));
     const double t = seconds(k);
-    const Vector3 expected =
-        imu::test::integral([&](double s) { return motion.f_v(s, arm_v, kGravity); }, t - kPeriodS, t);
+    const Vector3 expected = test::integral([&](double s) { return motion.f_v(s, arm_v, kGravity); }, t - kPeriodS, t);
     EXPECT_LT((out.dv - expected).norm() / kPeriodS, 3e-9) << k;
   }
 }
@@ -128,7 +127,7 @@ TEST(Installation, PoseOfTheImuIsTheRotatedArmAwayInAnyAttitude) {
   // Against ECEF positions differenced in the test: their cancellation leaves 1e-9 m * sqrt(3).
   const Vector3 arm_v(0.8, -0.5, 1.5);
   const Installation installation(profile(arm_v, {10.0, -20.0, 130.0}), kGravity);
-  const imu::test::AnalyticMotion motion(3.0);
+  const test::AnalyticMotion motion(3.0);
   for (std::int64_t k = 0; k < 8000; k += 211) {
     const TruthState truth = motion.truth(k, kPeriodNs, kGravity);
     const auto instant = installation.at(truth);

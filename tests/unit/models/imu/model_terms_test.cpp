@@ -17,7 +17,7 @@ const nav::Gravity kGravity;
 const std::vector<TruthState>& motion() {
   static const std::vector<TruthState> truth = [] {
     std::vector<TruthState> samples;
-    for (std::int64_t k = 0; k < 201; ++k) samples.push_back(imu::test::AnalyticMotion().truth(k, kPeriodNs, kGravity));
+    for (std::int64_t k = 0; k < 201; ++k) samples.push_back(test::AnalyticMotion().truth(k, kPeriodNs, kGravity));
     return samples;
   }();
   return truth;

@@ -13,7 +13,7 @@ constexpr double kPeriodS = 5e-3;
 const nav::Gravity kGravity;
 
 std::vector<TruthState> drive(std::int64_t samples) {
-  const imu::test::AnalyticMotion motion;
+  const test::AnalyticMotion motion;
   std::vector<TruthState> truth;
   for (std::int64_t k = 0; k < samples; ++k) truth.push_back(motion.truth(k, kPeriodNs, kGravity));
   return truth;

@@ -70,7 +70,7 @@ TEST(MountMotion, IncrementsAreTheIntegralsOfRateAndForceFeltOnTheMovingMount) {
   // 3.1e-6/s^2 of 2e-3 m; the quadratics' deviation from omega over an arm, 3e-9 m/s^2 as without vibration.
   const Installation place = installation();
   const Vibration vibration(moving(), kSetup);
-  const imu::test::AnalyticMotion motion;
+  const test::AnalyticMotion motion;
   const Matrix3 C_vm = place.C_bv().transpose();
   const auto mount = [&](double t) { return vibration.mount(0, t); };
   const auto attitude = [&](double t) { return C_mb(mount(t)); };
@@ -96,15 +96,15 @@ TEST(MountMotion, IncrementsAreTheIntegralsOfRateAndForceFeltOnTheMovingMount) {
     const double t = static_cast<double>(k) * kPeriodS;
     // The reference's own derivatives: (1e-4 s)^4/30 (2 pi 23 Hz)^5 of 7e-3 rad, (2e-5 s)^4/30 (2 pi 130 Hz)^5 of 0.01
     // m/s.
-    EXPECT_LT((out.dtheta - imu::test::integral(omega_ib_b, t - kPeriodS, t, 8)).norm() / kPeriodS, 2e-8) << k;
-    EXPECT_LT((out.dv - imu::test::integral(f_b, t - kPeriodS, t, 8)).norm() / kPeriodS, 3e-8) << k;
+    EXPECT_LT((out.dtheta - test::integral(omega_ib_b, t - kPeriodS, t, 8)).norm() / kPeriodS, 2e-8) << k;
+    EXPECT_LT((out.dv - test::integral(f_b, t - kPeriodS, t, 8)).norm() / kPeriodS, 3e-8) << k;
   }
 }
 
 TEST(MountMotion, PoseIsThatOfTheMovedPoint) {
   const Installation place = installation();
   const Vibration vibration(moving(), kSetup);
-  const imu::test::AnalyticMotion motion(3.0);
+  const test::AnalyticMotion motion(3.0);
   const Matrix3 C_vm = place.C_bv().transpose();
   const auto position_e = [&](double t) {
     const Vector3 arm_v = place.lever_arm_v_m() + C_vm * vibration.mount(0, t).displacement_m;

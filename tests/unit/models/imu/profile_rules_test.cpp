@@ -7,7 +7,7 @@ namespace profile_rules_test {
 
 template <class Profile>
 std::string broken(const Profile& profile) {
-  const auto found = violation(profile);
+  const auto found = catalog::violation(profile);
   return found ? found->path : "";
 }
 

@@ -10,7 +10,7 @@ namespace inslab::magnetometer {
 namespace earth_field_test {
 
 TEST(EarthField, IsTheModelToATenthOfANanotesla) {
-  const commands::EarthField field(2026.9);
+  const EarthField field(2026.9);
   const nav::WorldMagneticModel model(2026.9);
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> latitude(-89.9, 89.9), longitude(-180.0, 180.0), height(-1000.0, 100000.0);
@@ -25,7 +25,7 @@ TEST(EarthField, IsTheModelToATenthOfANanotesla) {
 
 TEST(EarthField, APlaceHasOneValueWhicheverWayLedThere) {
   const nav::Geodetic here{0.8, 0.3, 1234.0};
-  const commands::EarthField from_north(2025.5), from_south(2025.5);
+  const EarthField from_north(2025.5), from_south(2025.5);
   for (int i = 300; i >= 0; --i) {
     from_north.B_n_nt({here.latitude_rad + i * 1e-5, here.longitude_rad, here.height_m});
     from_south.B_n_nt({here.latitude_rad - i * 1e-5, here.longitude_rad + i * 1e-5, here.height_m - i});

@@ -34,8 +34,7 @@ TruthState truth_at(std::uint64_t k, const nav::RollPitchYaw& rpy = {0.0, 0.0, 0
 
 Vector3 earth_n_nt() {
   const TruthState truth = truth_at(1);
-  return commands::EarthField(time::decimal_year({2446, 0}))
-      .B_n_nt({truth.latitude_rad, truth.longitude_rad, truth.height_m});
+  return EarthField(time::decimal_year({2446, 0})).B_n_nt({truth.latitude_rad, truth.longitude_rad, truth.height_m});
 }
 
 FaultProfile fault(const std::function<void(FaultProfile&)>& change) {

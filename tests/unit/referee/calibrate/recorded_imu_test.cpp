@@ -54,10 +54,10 @@ scenario::LoadedScenario turning() {
   return loaded;
 }
 
-class RecordedImu : public recordings::test::TemporaryFolder {
+class RecordedImu : public test::TemporaryFolder {
  protected:
   void SetUp() override {
-    recordings::test::TemporaryFolder::SetUp();
+    test::TemporaryFolder::SetUp();
     const scenario::LoadedScenario loaded = turning();
     sim::LogSink log(path("car.mcap"), loaded, {2400, 0});
     sim::OfflineRun run(loaded, {2400, 0}, RunId{}, log);
@@ -107,7 +107,7 @@ TEST_F(RecordedImu, ItsProfileIsAFileThatOurReaderTakes) {
   const ImuErrorProfile profile = fitted_profile(errors({allan::Term::White, allan::Term::GaussMarkov}));
   write_profile(path("twin.json"), profile);
   const auto again = json::from_json<ImuErrorProfile>(json::read_json_file(path("twin.json")), path("twin.json"));
-  EXPECT_EQ(violation(again), std::nullopt);
+  EXPECT_EQ(catalog::violation(again), std::nullopt);
   EXPECT_EQ(again.gyro.arw_deg_per_sqrt_h, profile.gyro.arw_deg_per_sqrt_h);
   EXPECT_EQ(again.gyro.bias_gm_correlation_time_s, profile.gyro.bias_gm_correlation_time_s);
   EXPECT_EQ(again.accel.vrw_m_per_s_per_sqrt_h, profile.accel.vrw_m_per_s_per_sqrt_h);

@@ -14,7 +14,7 @@ namespace file_check_test {
 using testing::HasSubstr;
 using Form = FileKind::Form;
 
-class CheckedFile : public recordings::test::TemporaryFolder {
+class CheckedFile : public test::TemporaryFolder {
  protected:
   std::string file(const std::string& text) const {
     put(path("file"), text);

@@ -36,7 +36,7 @@ class TamperingSink : public sim::LogSink {
   }
 };
 
-class SwapEvidenceOfDemo : public recordings::test::TemporaryFolder {
+class SwapEvidenceOfDemo : public test::TemporaryFolder {
  protected:
   /// A whole offline run of the demo: 60 s, four swaps, one of each kind.
   LogSummary write_log(double noise_factor = 1.0, std::uint64_t sequence_shift = 0) {
@@ -122,7 +122,7 @@ TEST_F(SwapEvidenceOfDemo, FailsForEachKindWhoseProfilePromisesOtherwise) {
   }
 }
 
-class SwapEvidenceOfShippedProfiles : public recordings::test::TemporaryFolder,
+class SwapEvidenceOfShippedProfiles : public test::TemporaryFolder,
                                       public testing::WithParamInterface<std::filesystem::path> {
  protected:
   static ImuErrorProfile profile(const std::filesystem::path& file) {

@@ -76,7 +76,7 @@ NavSolution off_by_a_constant(const TruthState& truth) {
   return solution;
 }
 
-class Report : public recordings::test::TemporaryFolder {
+class Report : public test::TemporaryFolder {
  protected:
   enum class With { Everything, NoImuTruth, ImuSamplesToo, ImuSamplesWithoutNoise };
 
@@ -113,7 +113,7 @@ class Report : public recordings::test::TemporaryFolder {
     return path("log.mcap");
   }
 
-  sim::test::RunRecorder recorder_;
+  test::RunRecorder recorder_;
 };
 
 TEST_F(Report, ExpectsWhatThePredictionAlongTheRunExpects) {

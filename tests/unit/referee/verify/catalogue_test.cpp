@@ -71,7 +71,7 @@ TEST(Catalogue, MatrixMovesAsBasicToTheBit) {
 
 TEST(Catalogue, ProjectilesRunEndsBackAtLaunchHeight) {
   const scenario::LoadedScenario scenario = loaded("projectile");
-  trajectory::TruthSource source(scenario, {2300, 0}, RunId{});
+  sim::TruthSource source(scenario, {2300, 0}, RunId{});
   TruthState truth;
   while (source.has_next()) {
     truth = source.take();

@@ -11,7 +11,7 @@
 #include "inslab/referee/verify/alignment_block.hpp"
 #include "tests/unit/referee/verify/rows_held.hpp"
 
-namespace inslab::predict {
+namespace inslab::calibrate {
 namespace alignment_test {
 
 constexpr double kLatitude_rad = 30.53 * units::kDeg;
@@ -117,4 +117,4 @@ TEST(AlignRecording, RefusesAFileWithoutAGoodSample) {
 }
 
 }  // namespace alignment_test
-}  // namespace inslab::predict
+}  // namespace inslab::calibrate
