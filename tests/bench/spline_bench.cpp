@@ -29,31 +29,33 @@ TrajectoryFile weaving(double rate_hz, double seconds) {
   return file;
 }
 
-void drive(benchmark::State& state, SmoothMotion motion) {
-  SmoothModel model(std::move(motion), "row", nav::Gravity(), time::Rate(200.0), {2300, 0});
+void drive(benchmark::State& state, trajectory::SmoothMotion motion) {
+  trajectory::SmoothModel model(std::move(motion), "row", nav::Gravity(), time::Rate(200.0), {2300, 0});
   double sum = 0.0;
   for (auto _ : state) benchmark::DoNotOptimize(sum += model.advance().dv_v.x());
   state.SetItemsProcessed(state.iterations());
 }
 
-void SplineAt1Hz(benchmark::State& state) { drive(state, motion_through(weaving(1.0, 1300.0), {})); }
-void SplineAt10Hz(benchmark::State& state) { drive(state, motion_through(weaving(10.0, 1300.0), {})); }
-void SplineAt200Hz(benchmark::State& state) { drive(state, motion_through(weaving(200.0, 1300.0), {})); }
-void SplineOfADayAt1Hz(benchmark::State& state) { drive(state, motion_through(weaving(1.0, 86400.0), {})); }
-void SplineOfAnHourAt200Hz(benchmark::State& state) { drive(state, motion_through(weaving(200.0, 3600.0), {})); }
+void SplineAt1Hz(benchmark::State& state) { drive(state, trajectory::motion_through(weaving(1.0, 1300.0), {})); }
+void SplineAt10Hz(benchmark::State& state) { drive(state, trajectory::motion_through(weaving(10.0, 1300.0), {})); }
+void SplineAt200Hz(benchmark::State& state) { drive(state, trajectory::motion_through(weaving(200.0, 1300.0), {})); }
+void SplineOfADayAt1Hz(benchmark::State& state) { drive(state, trajectory::motion_through(weaving(1.0, 86400.0), {})); }
+void SplineOfAnHourAt200Hz(benchmark::State& state) {
+  drive(state, trajectory::motion_through(weaving(200.0, 3600.0), {}));
+}
 
 void Waypoints(benchmark::State& state) {
   scenario::Trajectory trajectory;
   trajectory.source = scenario::TrajectorySource::Waypoints;
   for (int k = 0; k < 200; ++k)
     trajectory.waypoints.push_back({30.0 + 0.002 * (k % 2), 114.0 + 0.004 * k, 20.0, 15.0, 0.0});
-  drive(state, motion_along_waypoints(trajectory, time::Nanoseconds(0)));
+  drive(state, trajectory::motion_along_waypoints(trajectory, time::Nanoseconds(0)));
 }
 
 /// Rows to curves, once for a file: linear in the rows.
 void MakeCurves(benchmark::State& state) {
   const TrajectoryFile file = weaving(1.0, static_cast<double>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(motion_through(file, {}).path.get());
+  for (auto _ : state) benchmark::DoNotOptimize(trajectory::motion_through(file, {}).path.get());
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
