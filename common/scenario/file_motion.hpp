@@ -5,7 +5,7 @@
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/samples/trajectory_limits.hpp"
 #include "inslab/foundation/fields/field.hpp"
-#include "inslab/scenario/attitude_from_path.hpp"
+#include "inslab/scenario/vehicle_class.hpp"
 
 namespace inslab::scenario {
 
@@ -26,7 +26,7 @@ struct FileMotion {
   TrajectoryLimits limits;
   double position_feedback_per_s = 0.01;  ///< inverse_mechanization
   bool full_rotation_term = false;        ///< inverse_mechanization
-  PathAttitude attitude_from_path;        ///< spline
+  VehicleAttitude attitude_from_path;     ///< spline
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {

@@ -130,6 +130,19 @@ std::shared_ptr<const TrajectoryFile> load_rows(const std::filesystem::path& fil
   return std::make_shared<const TrajectoryFile>(std::move(reading.file));
 }
 
+/// A class has nothing to do where the rows have an attitude: who names one believes that it does.
+void check_class_is_of_use(const LoadedScenario& loaded) {
+  const FileMotion& motion = loaded.scenario.trajectory.file;
+  const VehicleClass vehicle_class = motion.attitude_from_path.vehicle_class;
+  if (motion.method != FileMethod::Spline || vehicle_class == VehicleClass::NoseAlongTrack) return;
+  if (!loaded.trajectory_file->rows.front().rpy) return;
+  throw json::Error(loaded.file.string(),
+                    {Rule::FileAttitude, "trajectory.file.attitude_from_path.vehicle_class",
+                     "is " + std::string(enum_name(vehicle_class)) +
+                         "; the rows have an attitude of their own, which holds; expected no vehicle_class, or a "
+                         "file without attitude"});
+}
+
 void check_rows_cover_run(const LoadedScenario& loaded) {
   const time::Nanoseconds last_sample =
       loaded.truth_grid().at_or_before(time::from_seconds(loaded.scenario.duration_s));
@@ -173,6 +186,7 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit, 
   loaded.truth_samples = 1 + loaded.truth_grid().index(time::from_seconds(scenario.duration_s));
   if (scenario.trajectory.source == TrajectorySource::File && rows == TrajectoryRows::Read) {
     loaded.trajectory_file = load_rows(folder / scenario.trajectory.file.path, scenario.trajectory.file);
+    check_class_is_of_use(loaded);
     check_rows_cover_run(loaded);
   }
   take_segments_from_file(loaded.scenario.trajectory, folder);

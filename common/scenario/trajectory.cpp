@@ -1,9 +1,7 @@
 #include "inslab/scenario/trajectory.hpp"
 
-#include <cmath>
 #include <sstream>
 
-#include "inslab/foundation/units/units.hpp"
 #include "inslab/scenario/waypoint_route.hpp"
 
 namespace inslab::scenario {
@@ -66,27 +64,19 @@ std::optional<Violation> yaw_violation(const Trajectory& trajectory) {
 
 /// A path that leans a multirotor further than it can.
 std::optional<Violation> tilt_violation(const Trajectory& trajectory) {
-  constexpr double kG_m_per_s2 = 9.80665;
   const VehicleAttitude& attitude = trajectory.attitude_from_path;
   if (attitude.vehicle_class != VehicleClass::Multirotor) return std::nullopt;
   const WaypointRoute route(trajectory.waypoints, route_options(trajectory));
   for (std::size_t i = 0; i < route.pieces(); ++i) {
     const PathPiece piece = route.piece(i);
-    const double span_s = time::to_seconds(piece.end - piece.start);
-    for (const double part : {0.0, 0.5, 1.0}) {
-      // The piece's own axes are level but for its length over the Earth's radius.
-      const nav::Vector3 thrust =
-          piece.acceleration_k(part * span_s) + attitude.drag_per_s * piece.velocity_k(part * span_s);
-      const double tilt_deg =
-          units::kDegPerRad * std::atan2(std::hypot(thrust.x(), thrust.y()), kG_m_per_s2 - thrust.z());
-      if (tilt_deg <= attitude.max_tilt_deg) continue;
-      std::ostringstream why;
-      why.precision(4);
-      why << "leads into a tilt of " << tilt_deg << " deg at " << time::to_seconds(piece.start) + part * span_s
-          << " s; expected at most " << attitude.max_tilt_deg
-          << " (attitude_from_path.max_tilt_deg): a lower speed, a wider bend or less leg_acceleration_m_per_s2";
-      return Violation{Rule::WaypointTilt, "waypoints[" + std::to_string(piece.index) + "]", why.str()};
-    }
+    const auto excess = excess_tilt(piece, attitude);
+    if (!excess) continue;
+    std::ostringstream why;
+    why.precision(4);
+    why << "leads into a tilt of " << excess->tilt_deg << " deg at " << excess->at_s << " s; expected at most "
+        << attitude.max_tilt_deg
+        << " (attitude_from_path.max_tilt_deg): a lower speed, a wider bend or less leg_acceleration_m_per_s2";
+    return Violation{Rule::WaypointTilt, "waypoints[" + std::to_string(piece.index) + "]", why.str()};
   }
   return std::nullopt;
 }
@@ -117,7 +107,15 @@ std::optional<Violation> violation(const Trajectory& trajectory) {
   if (!trajectory.segments.empty() && !trajectory.segments_file.empty()) {
     return Violation{Rule::SegmentsOnce, "segments_file", "is given beside segments; expected one of the two"};
   }
+  if (trajectory.source == TrajectorySource::File) {
+    if (auto broken = violation(trajectory.file.attitude_from_path)) {
+      return Violation{broken->rule, "file.attitude_from_path." + broken->path, broken->reason};
+    }
+  }
   if (trajectory.source == TrajectorySource::Waypoints) {
+    if (auto broken = violation(trajectory.attitude_from_path)) {
+      return Violation{broken->rule, "attitude_from_path." + broken->path, broken->reason};
+    }
     if (auto broken = yaw_violation(trajectory)) return broken;
     if (auto broken =
             violation(trajectory.waypoints, trajectory.max_acceleration_m_per_s2, route_options(trajectory))) {

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.max_open_bytes = 1 << 22;
   try {
     const mcap::McapReader reader(file.path(), options);
-    reader.for_each([](const io::mcap::Message&) { return true; }, mcap::McapReader::Order::LogTime);
+    reader.for_each([](const mcap::Message&) { return true; }, mcap::McapReader::Order::LogTime);
   } catch (const files::ReadError&) {
   }
   return 0;

@@ -56,6 +56,8 @@ enum class Rule : std::uint32_t {
   WaypointAcceleration,  ///< within the scenario's limit
   WaypointTilt,          ///< of a multirotor, likewise
   WaypointYaw,           ///< only a vehicle whose nose is free is told where it points
+  ShipHeave,             ///< a ship's heave is within what the steepest wave gives
+  FileAttitude,          ///< a class makes the attitude of rows that have none
   RouteCoversRun,        ///< a path that ends in motion reaches to the end of the run
   MethodNeeds,           ///< the file has the columns that the method works on
   FileCoversRun,         ///< the file's rows reach to the end of the run
@@ -93,7 +95,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 72> values{"readable",
+  static constexpr std::array<std::string_view, 74> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -138,6 +140,8 @@ struct EnumNames<Rule> {
                                                            "waypoint_acceleration",
                                                            "waypoint_tilt",
                                                            "waypoint_yaw",
+                                                           "ship_heave",
+                                                           "file_attitude",
                                                            "route_covers_run",
                                                            "method_needs",
                                                            "file_covers_run",

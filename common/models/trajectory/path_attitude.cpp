@@ -15,6 +15,10 @@ double horizontal(const nav::Vector3& v_n) { return std::hypot(v_n.x(), v_n.y())
 
 }  // namespace
 
+bool is_moving(const PathMotion& motion, const scenario::VehicleAttitude& options) {
+  return horizontal(motion.v_n) >= options.standstill_speed_m_per_s;
+}
+
 double bank_of_turn_rad(const PathMotion& motion, double max_bank_rad) {
   const double speed = horizontal(motion.v_n);
   if (speed == 0.0) return 0.0;
@@ -23,10 +27,8 @@ double bank_of_turn_rad(const PathMotion& motion, double max_bank_rad) {
 }
 
 std::vector<nav::RollPitchYaw> attitudes_along(const std::vector<PathMotion>& motions,
-                                               const scenario::PathAttitude& options) {
-  const auto moves = [&](const PathMotion& motion) {
-    return horizontal(motion.v_n) >= options.standstill_speed_m_per_s;
-  };
+                                               const scenario::VehicleAttitude& options) {
+  const auto moves = [&](const PathMotion& motion) { return is_moving(motion, options); };
   const auto heading = [](const PathMotion& motion) {
     return nav::RollPitchYaw{0.0, std::atan2(-motion.v_n.z(), horizontal(motion.v_n)),
                              std::atan2(motion.v_n.y(), motion.v_n.x())};

@@ -1,13 +1,20 @@
 #include "inslab/models/trajectory/row_motion.hpp"
 
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "inslab/foundation/units/units.hpp"
+#include "inslab/models/trajectory/attitude_sampler.hpp"
 #include "inslab/models/trajectory/path_attitude.hpp"
 
 namespace inslab::trajectory {
 
 namespace {
+
+constexpr JumpWords kJumpOfRows{"row",
+                                "smoother rows, attitude_from_path.standstill_speed_m_per_s above their noise, or "
+                                "attitude_from_path.vehicle_class multirotor"};
 
 nav::Matrix3 C_en_at(const nav::Geodetic& position) { return nav::C_en(position.latitude_rad, position.longitude_rad); }
 
@@ -58,33 +65,61 @@ std::vector<PathMotion> motions_at_points(const nav::PositionSpline& spline) {
   return motions;
 }
 
-std::vector<nav::RollPitchYaw> attitudes(const TrajectoryFile& file, const nav::PositionSpline& spline,
-                                         const scenario::PathAttitude& path_attitude) {
-  if (!file.rows.front().rpy) return attitudes_along(motions_at_points(spline), path_attitude);
+/// Through the rows' own attitudes, or those of their path with the nose along it.
+std::unique_ptr<const AttitudeCurve> attitude_of_rows(const TrajectoryFile& file,
+                                                      const std::vector<time::Nanoseconds>& times,
+                                                      const nav::PositionSpline& spline,
+                                                      const scenario::VehicleAttitude& attitude) {
   std::vector<nav::RollPitchYaw> rpy;
-  rpy.reserve(file.rows.size());
-  for (const TrajectoryRow& row : file.rows) rpy.push_back(row.rpy.value());
-  return rpy;
+  if (file.rows.front().rpy) {
+    rpy.reserve(file.rows.size());
+    for (const TrajectoryRow& row : file.rows) rpy.push_back(row.rpy.value());
+  } else {
+    rpy = attitudes_along(motions_at_points(spline), attitude);
+  }
+  std::vector<nav::Quaternion> q_ev;
+  q_ev.reserve(file.rows.size());
+  for (const TrajectoryRow& row : file.rows) {
+    q_ev.push_back(nav::quaternion_from_matrix(C_en_at(row.position)) * nav::quaternion_from_rpy(rpy[q_ev.size()]));
+  }
+  return std::make_unique<AttitudeCurve>(times, std::move(q_ev));
+}
+
+void check_tilt(const Path& path, const scenario::VehicleAttitude& attitude) {
+  for (std::size_t k = 0; k < path.pieces(); ++k) {
+    const auto excess = scenario::excess_tilt(path.piece(k), attitude);
+    if (!excess) continue;
+    std::ostringstream why;
+    why.precision(4);
+    why << "the way from row " << k << " leads into a tilt of " << excess->tilt_deg << " deg at " << excess->at_s
+        << " s; expected at most " << attitude.max_tilt_deg
+        << " (attitude_from_path.max_tilt_deg): smoother or slower rows";
+    throw std::domain_error(why.str());
+  }
 }
 
 }  // namespace
 
-SmoothMotion motion_through(const TrajectoryFile& file, const scenario::PathAttitude& path_attitude) {
+SmoothMotion motion_through(const TrajectoryFile& file, const scenario::VehicleAttitude& attitude,
+                            const nav::Gravity& gravity) {
   if (file.rows.size() < 2) throw std::invalid_argument(file.name + ": a motion needs at least two rows");
   std::vector<time::Nanoseconds> times;
   times.reserve(file.rows.size());
   for (const TrajectoryRow& row : file.rows) times.push_back(row.time);
   try {
     nav::PositionSpline spline = position_spline(file);
-    std::vector<nav::Quaternion> q_ev;
-    q_ev.reserve(file.rows.size());
-    for (const nav::RollPitchYaw& rpy : attitudes(file, spline, path_attitude)) {
-      q_ev.push_back(nav::quaternion_from_matrix(C_en_at(file.rows[q_ev.size()].position)) *
-                     nav::quaternion_from_rpy(rpy));
-    }
     SmoothMotion motion;
-    motion.attitude = std::make_unique<AttitudeCurve>(times, std::move(q_ev));
+    if (file.rows.front().rpy || attitude.vehicle_class == scenario::VehicleClass::NoseAlongTrack) {
+      motion.attitude = attitude_of_rows(file, times, spline, attitude);
+      motion.path = std::make_unique<RowPath>(std::move(times), std::move(spline));
+      return motion;
+    }
+    ClassAttitude law(attitude, YawSchedule(attitude.yaw_deg * units::kDeg), gravity,
+                      RowNose(motions_at_points(spline), attitude));
     motion.path = std::make_unique<RowPath>(std::move(times), std::move(spline));
+    check_tilt(*motion.path, attitude);
+    motion.attitude = sampled_attitude(*motion.path, law, kJumpOfRows);
+    motion.heave = heave_of(attitude);
     return motion;
   } catch (const std::domain_error& error) {
     throw std::domain_error(file.name + ": " + error.what());

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "inslab/models/trajectory/heave.hpp"
 #include "inslab/nav/rotation_spline.hpp"
 #include "inslab/scenario/path_piece.hpp"
 
@@ -39,10 +40,11 @@ class AttitudeCurve {
   nav::RotationSpline spline_;
 };
 
-/// Both curves. They last equally long.
+/// Both curves, which last equally long, and how the vehicle heaves about the path.
 struct SmoothMotion {
   std::unique_ptr<const Path> path;
   std::unique_ptr<const AttitudeCurve> attitude;
+  Heave heave;
 };
 
 }  // namespace inslab::trajectory

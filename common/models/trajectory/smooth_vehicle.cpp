@@ -107,6 +107,10 @@ void SmoothVehicle::step(time::Nanoseconds end) {
   now_ = end;
 }
 
+Heave::Instant SmoothVehicle::heave(double path_time_s) const {
+  return motion_.heave.at(time::to_seconds(piece_.start) + path_time_s);
+}
+
 /// Everything of `instant` that depends on the path alone.
 void SmoothVehicle::place(double path_time_s, Instant& instant) const {
   using namespace nav::wgs84;
@@ -115,11 +119,16 @@ void SmoothVehicle::place(double path_time_s, Instant& instant) const {
   instant.position = {origin.latitude_rad + change.latitude_rad,
                       nav::wrapped_to_pi(origin.longitude_rad + change.longitude_rad),
                       origin.height_m + change.height_m};
-  const double latitude = instant.position.latitude_rad, height = instant.position.height_m;
+  const double latitude = instant.position.latitude_rad;
   const Matrix3 C_kn = C_kn_at(latitude, change.longitude_rad);
   instant.C_nk = C_kn.transpose();
   instant.v_n = instant.C_nk * piece_.velocity_k(path_time_s);
-  const double s = std::sin(latitude), c = std::cos(latitude);
+  if (!motion_.heave.is_none()) {
+    const Heave::Instant up = heave(path_time_s);
+    instant.v_n += heave_motion(path_instant(piece_, path_time_s, gravity_), up).v_n;
+    instant.position.height_m += up.up_m;
+  }
+  const double s = std::sin(latitude), c = std::cos(latitude), height = instant.position.height_m;
   instant.position_rate = {instant.v_n.x() / (meridian_radius_from_sine_m(s) + height),
                            instant.v_n.y() / ((transverse_radius_from_sine_m(s) + height) * c), -instant.v_n.z()};
   instant.g_k = C_kn * gravity_.g_n(s, height);
@@ -143,8 +152,15 @@ Vector3 SmoothVehicle::g_k_between(const Instant& start, const Instant& end, dou
 }
 
 SmoothVehicle::Forces SmoothVehicle::forces(double path_time_s, double rotation_time_s, const Vector3& g_k) const {
-  const Vector3 f_k =
-      piece_.acceleration_k(path_time_s) + 2.0 * omega_ie_k_.cross(piece_.velocity_k(path_time_s)) - g_k;
+  Vector3 v_k = piece_.velocity_k(path_time_s), a_k = piece_.acceleration_k(path_time_s);
+  if (!motion_.heave.is_none()) {
+    const PathInstant path = path_instant(piece_, path_time_s, gravity_);
+    const HeaveMotion added = heave_motion(path, heave(path_time_s));
+    const Matrix3 C_kn = C_ek_.transpose() * path.C_en;
+    v_k += C_kn * added.v_n;
+    a_k += C_kn * added.a_n;
+  }
+  const Vector3 f_k = a_k + 2.0 * omega_ie_k_.cross(v_k) - g_k;
 
   const Vector3 phi = rotation_.phi(rotation_time_s);
   const nav::RotationFactors factors(phi.squaredNorm());

@@ -11,9 +11,9 @@ namespace inslab::trajectory {
 ///
 ///   omega_iv_v = omega_ev_v + C_vk omega_ie_k      f_v = C_vk (r_k'' + 2 omega_ie_k x r_k' - g_k)
 ///
-/// Position, velocity and attitude are the curves themselves; only the increments are quadratures: Gauss's rule of
-/// three nodes (exact to the fifth degree) on steps of at most 5 ms, less where the vehicle turns fast, split at every
-/// joint of either curve.
+/// where a ship's heave is added to r_k. Position, velocity and attitude are the curves themselves; only the increments
+/// are quadratures: Gauss's rule of three nodes (exact to the fifth degree) on steps of at most 5 ms, less where the
+/// vehicle turns fast, split at every joint of either curve.
 class SmoothVehicle {
  public:
   /// The motion begins at time 0 and must outlive the vehicle. Throws std::domain_error where geodesy does.
@@ -57,6 +57,7 @@ class SmoothVehicle {
   void step(time::Nanoseconds end);
   time::Nanoseconds longest_step() const;
   void place(double path_time_s, Instant& instant) const;
+  Heave::Instant heave(double path_time_s) const;
   Matrix3 C_kn_at(double latitude_rad, double longitude_rad) const;
   Vector3 g_k_between(const Instant& start, const Instant& end, double dt_s) const;
   Forces forces(double path_time_s, double rotation_time_s, const Vector3& g_k) const;

@@ -23,10 +23,14 @@ std::unique_ptr<TruthModel> make_file_model(const scenario::LoadedScenario& scen
         scenario.truth_grid(), start);
   }
   try {
-    return std::make_unique<SmoothModel>(motion_through(*scenario.trajectory_file, motion.attitude_from_path), "row",
-                                         scenario.gravity(), scenario.truth_grid(), start);
+    return std::make_unique<SmoothModel>(
+        motion_through(*scenario.trajectory_file, motion.attitude_from_path, scenario.gravity()), "row",
+        scenario.gravity(), scenario.truth_grid(), start);
   } catch (const std::domain_error& error) {
-    throw json::Error(scenario.file.string(), {Rule::MethodNeeds, "trajectory.file.method", error.what()});
+    const bool has_attitude = scenario.trajectory_file->rows.front().rpy.has_value();
+    throw json::Error(scenario.file.string(),
+                      {Rule::MethodNeeds,
+                       has_attitude ? "trajectory.file.method" : "trajectory.file.attitude_from_path", error.what()});
   }
 }
 

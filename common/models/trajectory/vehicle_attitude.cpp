@@ -8,21 +8,17 @@
 
 namespace inslab::trajectory {
 
-namespace {
-
-/// From 0 to 1 with no rate and no acceleration at either end.
 double smooth_step(double x) {
   const double in = std::clamp(x, 0.0, 1.0);
   return in * in * in * (10.0 + in * (-15.0 + 6.0 * in));
 }
-
-}  // namespace
 
 PathInstant path_instant(const scenario::PathPiece& piece, double t_s, const nav::Gravity& gravity) {
   const double u = piece.law.value(t_s);
   const nav::Geodetic& origin = piece.curve.origin;
   const nav::Geodetic here = nav::displaced(origin, piece.curve.displacement_k(u));
   PathInstant instant;
+  instant.position = here;
   instant.C_en = nav::C_en(here.latitude_rad, here.longitude_rad);
   const nav::Matrix3 C_nk = instant.C_en.transpose() * nav::C_en(origin.latitude_rad, origin.longitude_rad);
   instant.along_n = C_nk * piece.curve.first_k(u);
@@ -58,8 +54,10 @@ double share_of_flight(double speed_m_per_s, double lift_off_speed_m_per_s) {
   return smooth_step((speed_m_per_s / lift_off_speed_m_per_s - 1.0) / 0.25);
 }
 
-YawSchedule::YawSchedule(const std::vector<scenario::Waypoint>& waypoints, const scenario::WaypointRoute& route) {
-  first_rad_ = units::kDeg * waypoints.front().yaw_deg.value_or(0.0);
+YawSchedule::YawSchedule(double first_rad, const std::vector<scenario::Waypoint>& waypoints,
+                         const scenario::WaypointRoute& route)
+    : first_rad_(first_rad) {
+  if (waypoints.front().yaw_deg) first_rad_ = units::kDeg * *waypoints.front().yaw_deg;
   double yaw_rad = first_rad_;
   for (std::size_t k = 1; k < waypoints.size(); ++k) {
     if (!waypoints[k].yaw_deg) continue;

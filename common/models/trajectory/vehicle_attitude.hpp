@@ -9,6 +9,7 @@ namespace inslab::trajectory {
 
 /// Where a vehicle on a path is at one instant and what carries it there, in that place's n.
 struct PathInstant {
+  nav::Geodetic position;
   nav::Matrix3 C_en = nav::Matrix3::Identity();
   nav::Vector3 along_n = nav::Vector3::UnitX();  ///< direction of the line, at rest too; not of length 1
   nav::Vector3 v_n = nav::Vector3::Zero();       ///< m/s
@@ -17,6 +18,9 @@ struct PathInstant {
 };
 
 PathInstant path_instant(const scenario::PathPiece& piece, double t_s, const nav::Gravity& gravity);
+
+/// From 0 at 0 to 1 at 1 with no rate and no acceleration at either end: 10 x^3 - 15 x^4 + 6 x^5.
+double smooth_step(double x);
 
 /// C_nv whose -z_v points along the thrust and whose Z-Y-X yaw is `yaw_rad`.
 nav::Matrix3 attitude_of_thrust(const nav::Vector3& thrust_n, double yaw_rad);
@@ -32,7 +36,10 @@ double share_of_flight(double speed_m_per_s, double lift_off_speed_m_per_s);
 /// 10 x^3 - 15 x^4 + 6 x^5 over the wait there, or over the leg that leads there when there is none.
 class YawSchedule {
  public:
-  YawSchedule(const std::vector<scenario::Waypoint>& waypoints, const scenario::WaypointRoute& route);
+  /// `first_rad` until a waypoint says otherwise.
+  YawSchedule(double first_rad, const std::vector<scenario::Waypoint>& waypoints, const scenario::WaypointRoute& route);
+  /// Always the same.
+  explicit YawSchedule(double yaw_rad) : first_rad_(yaw_rad) {}
 
   double at(time::Nanoseconds instant) const;
   /// Whether the yaw changes somewhere between two instants.

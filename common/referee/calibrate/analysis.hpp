@@ -29,7 +29,7 @@ struct CurvePoint {
 };
 
 struct AxisAnalysis {
-  std::size_t axis = 0;  ///< of io::kImuAxisNames
+  std::size_t axis = 0;  ///< of recordings::kImuAxisNames
   double mean = 0.0;     ///< rad/s | m/s^2
   double span_s = 0.0;
   allan::Fit fit;

@@ -122,7 +122,7 @@ TEST(RowMotion, WithoutAttitudesATurnIsBankedUntilNothingPullsSideways) {
 
 TEST(RowMotion, WithoutAttitudesTheBankStopsAtItsLimit) {
   TrajectoryFile file = eastward(20.0, 60, [](int k) { return 80.0 * std::sin(0.3 * k); });
-  scenario::PathAttitude level;
+  scenario::VehicleAttitude level;
   level.max_bank_deg = 0.0;
   SmoothModel model(motion_through(file, level), "row", nav::Gravity(), time::Rate(1.0), {2300, 0});
   for (int k = 0; k < 59; ++k) {

@@ -66,6 +66,17 @@ struct Case {
 scenario::LoadedScenario drone() { return shipped("delivery_drone"); }
 scenario::LoadedScenario ferry() { return shipped("ferry"); }
 scenario::LoadedScenario car() { return shipped("car_tunnel"); }
+/// The ferry in a swell.
+scenario::LoadedScenario swell() {
+  scenario::LoadedScenario loaded = ferry();
+  loaded.scenario.trajectory.attitude_from_path.heave_amplitude_m = 2.0;
+  loaded.scenario.trajectory.attitude_from_path.heave_period_s = 7.0;
+  return loaded;
+}
+/// A drone along the rows of a file without attitudes.
+scenario::LoadedScenario rows() {
+  return scenario::load(std::filesystem::path(INSLAB_SOURCE_DIR) / "tests" / "data" / "drone_rows.json");
+}
 
 class VehicleClasses : public testing::TestWithParam<Case> {};
 
@@ -180,7 +191,7 @@ TEST_P(VehicleClasses, MoveAsAnIndependentIntegrationOfTheirRateAndForce) {
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, VehicleClasses,
                          testing::Values(Case{"drone", drone}, Case{"ferry", ferry}, Case{"car", car},
-                                         Case{"aeroplane", aeroplane}),
+                                         Case{"swell", swell}, Case{"aeroplane", aeroplane}, Case{"rows", rows}),
                          [](const auto& one) { return one.param.name; });
 
 TEST(Multirotor, FeelsItsThrustAlongMinusZAndNothingElseButDrag) {
