@@ -5,7 +5,6 @@
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/samples/credit.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
-#include "inslab/scenario/service_names.hpp"
 
 namespace inslab::app {
 
@@ -18,7 +17,7 @@ inline constexpr time::Nanoseconds kTimeToComeBack = std::chrono::seconds(30);
 inline Credit log_word(const RunId& run, bool is_closed) {
   Credit word;
   word.run_id = run;
-  word.consumer = kTruthLogger;
+  word.consumer = catalog::kTruthLogger;
   word.topic = catalog::kServiceStatus.name;
   word.next_sequence = is_closed ? 1 : 0;
   return word;
@@ -30,7 +29,7 @@ class LogWord {
  public:
   /// Takes a credit when it is the logger's word; false when it is another one.
   bool take(const Credit& credit) {
-    if (credit.consumer != kTruthLogger || credit.topic != catalog::kServiceStatus.name) return false;
+    if (credit.consumer != catalog::kTruthLogger || credit.topic != catalog::kServiceStatus.name) return false;
     newest_ = credit;
     return true;
   }
