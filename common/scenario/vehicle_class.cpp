@@ -1,8 +1,9 @@
+#include "inslab/scenario/vehicle_class.hpp"
+
 #include <cmath>
 #include <sstream>
 
 #include "inslab/foundation/units/units.hpp"
-#include "inslab/scenario/vehicle_class.hpp"
 
 namespace inslab::scenario {
 

@@ -14,13 +14,15 @@ struct LogTail::Head {
 
 namespace {
 
-constexpr std::uint64_t kMagic = 0x31'6c'69'61'74'6c'73'6e;  // "nsltail1"
+constexpr std::uint64_t kMagic = 0x32'6c'69'61'74'6c'73'6e;  // "nsltail2"
 
 struct MessageHead {
   std::int64_t received_realtime_ns;
   std::uint64_t size;
   std::uint32_t channel;
   std::uint32_t reserved;
+  std::uint64_t number;
+  std::array<std::uint8_t, 16> writer;
 };
 
 }  // namespace
@@ -40,7 +42,8 @@ void LogTail::for_each(std::uint64_t generation, const std::function<void(const 
     MessageHead head;
     std::memcpy(&head, place, sizeof(head));
     if (head.size > used_ - at - sizeof(head)) return;
-    visit({head.channel, head.received_realtime_ns, place + sizeof(head), static_cast<std::size_t>(head.size)});
+    visit({head.channel, head.received_realtime_ns, place + sizeof(head), static_cast<std::size_t>(head.size),
+           head.writer, head.number});
     at += sizeof(head) + static_cast<std::size_t>(head.size);
   }
 }
@@ -52,7 +55,8 @@ void LogTail::begin(std::uint64_t generation) {
 }
 
 void LogTail::add(const Message& message) {
-  const MessageHead head{message.received_realtime_ns, message.size, message.channel, 0};
+  const MessageHead head{
+      message.received_realtime_ns, message.size, message.channel, 0, message.number, message.writer};
   const std::size_t end = sizeof(Head) + used_ + sizeof(head) + message.size;
   if (end > file_.size()) file_.grow(2 * end);
   std::uint8_t* place = file_.data() + sizeof(Head) + used_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -20,6 +21,8 @@ class LogTail {
     std::int64_t received_realtime_ns;
     const std::uint8_t* data;
     std::size_t size;
+    std::array<std::uint8_t, 16> writer{};  ///< its GUID
+    std::uint64_t number = 0;               ///< its count there
   };
   /// The messages of `generation`, in order; none when the file holds another one.
   void for_each(std::uint64_t generation, const std::function<void(const Message&)>& visit);

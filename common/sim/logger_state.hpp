@@ -37,6 +37,32 @@ struct LoggedStream {
   }
 };
 
+/// Numbers without a gap.
+struct NumberRange {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("first"), self.first);
+    visit(Field("last"), self.last);
+  }
+};
+
+/// Which messages of one of an app's writers are in the log, by that writer's own count.
+struct LoggedWriter {
+  std::string topic;
+  RunId writer;  ///< its GUID, which has as many bytes
+  std::vector<NumberRange> numbers;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("topic"), self.topic);
+    visit(Field("writer"), self.writer);
+    visit(Field("numbers").at_most(512), self.numbers);
+  }
+};
+
 /// What a logger needs to go on with the log of a run after it was killed: written with every flush of the log, which
 /// the LogTail of the same generation completes.
 struct LoggerState {
@@ -50,6 +76,7 @@ struct LoggerState {
   bool run_ended = false;
   ClockMode clock = ClockMode::RealTime;
   std::vector<LoggedService> services;
+  std::vector<LoggedWriter> app_writers;
   std::vector<LoggedStream> sent;  ///< how many samples of each stream its service says it has sent; no next_sequence
 
   template <class Self, class Visitor>
@@ -63,6 +90,7 @@ struct LoggerState {
     visit(Field("run_ended"), self.run_ended);
     visit(Field("clock"), self.clock);
     visit(Field("services").at_most(64), self.services);
+    visit(Field("app_writers").at_most(1024), self.app_writers);
     visit(Field("sent").at_most(64), self.sent);
   }
 };

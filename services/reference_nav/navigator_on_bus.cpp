@@ -31,19 +31,20 @@ NavigatorOnBus::NavigatorOnBus(service::Context& context, const scenario::Refere
       app_(app),
       truth_grid_(context.scenario().truth_grid()),
       navigator_(navigator_for(context.scenario(), app)),
+      run_(context.identity().run_id),
       sent_(dds::topics::nav().name, StreamDirection::Out),
       board_(context, 0,
              [this](ServiceStatus& status) {
                status.streams = {imu_.status(), gnss_.status(), sent_.status()};
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
              }),
-      solutions_(context.participant(), dds::topics::nav()),
-      blocks_(context.participant(), dds::topics::block(dds::topics::nav())),
+      solutions_(context.participant(), dds::topics::kept(dds::topics::nav())),
+      blocks_(context.participant(), dds::topics::kept(dds::topics::block(dds::topics::nav()))),
       imu_(context, dds::topics::stream<ImuSample>(app.imu, context.scenario().sensor<catalog::Imu>(app.imu).rate.hz()),
-           [this](service::Arrived<ImuSample> arrived) { mailbox_.put(std::move(arrived)); }),
+           [this](streams::Arrived<ImuSample> arrived) { mailbox_.put(std::move(arrived)); }),
       gnss_(context,
             dds::topics::stream<GnssFix>(app.gnss, context.scenario().sensor<catalog::Gnss>(app.gnss).rate.hz()),
-            [this](service::Arrived<GnssFix> arrived) { mailbox_.put(std::move(arrived)); }),
+            [this](streams::Arrived<GnssFix> arrived) { mailbox_.put(std::move(arrived)); }),
       credits_(context, dds::topics::credit(),
                [this](const Credit& credit, const dds::SampleOrigin&) {
                  const bool of_our_receiver =
@@ -60,7 +61,7 @@ void NavigatorOnBus::handle(const Message& message) {
   std::visit([this](const auto& what) { handle(what); }, message);
 }
 
-void NavigatorOnBus::handle(const service::Arrived<ImuSample>& arrived) {
+void NavigatorOnBus::handle(const streams::Arrived<ImuSample>& arrived) {
   imu_.add(arrived);
   while (const auto sample = imu_.take()) {
     navigator_.add(*sample);
@@ -68,7 +69,7 @@ void NavigatorOnBus::handle(const service::Arrived<ImuSample>& arrived) {
   }
 }
 
-void NavigatorOnBus::handle(const service::Arrived<GnssFix>& arrived) {
+void NavigatorOnBus::handle(const streams::Arrived<GnssFix>& arrived) {
   gnss_.add(arrived);
   while (const auto fix = gnss_.take()) {
     navigator_.add(*fix);
@@ -77,27 +78,16 @@ void NavigatorOnBus::handle(const service::Arrived<GnssFix>& arrived) {
 }
 
 void NavigatorOnBus::handle(const SimStatus& status) {
-  if (!context_.obeys(status.run_id)) return;
-  // Once a run has begun this process serves no other.
-  if (status.run_id != run_id_ && run_began_) return;
-  if (status.run_id != run_id_) {
-    run_id_ = status.run_id;
-    lockstep_ = status.clock == ClockMode::Lockstep;
-    navigator_.fixes_complete_up_to(lockstep_ ? -1 : navigation::Navigator::kEver);
-    board_.set_run(run_id_);
-    imu_.begin_run(run_id_, status.clock);
-    gnss_.begin_run(run_id_, status.clock);
-  }
-  run_began_ = run_began_ || next_imu_ > 0 || status.state != RunState::Waiting;
-  if (!has_ended(status.state) || run_ended_) return;
-  run_ended_ = true;
-  run_ended_at_ = monotonic_now();
-  if (status.state == RunState::Fault) fault_ = status.message;
+  if (run_.hear(status, monotonic_now()) != streams::RunFollower::Heard::TheRun) return;
+  navigator_.fixes_complete_up_to(run_.is_lockstep() ? -1 : navigation::Navigator::kEver);
+  board_.set_run(run_.run());
+  imu_.begin_run(run_.run(), run_.clock());
+  gnss_.begin_run(run_.run(), run_.clock());
 }
 
 /// What the sensors' services say when they have done.
 void NavigatorOnBus::handle(const ServiceStatus& status) {
-  if (status.run_id != run_id_ || (status.state != ServiceState::Finished && status.state != ServiceState::Fault)) {
+  if (status.run_id != run_.run() || (status.state != ServiceState::Finished && status.state != ServiceState::Fault)) {
     return;
   }
   if (status.service == catalog::Gnss::service && status.sensor_number == app_.gnss) {
@@ -111,8 +101,8 @@ void NavigatorOnBus::handle(const ServiceStatus& status) {
 
 /// The emulator has done with the truth before this credit, and this service has every fix that came of it.
 void NavigatorOnBus::handle(const Credit& credit) {
-  if (log_word_.take(credit)) return;
-  if (!lockstep_ || credit.run_id != run_id_ || credit.next_sequence == 0) return;
+  if (run_.take(credit)) return;
+  if (!run_.is_lockstep() || credit.run_id != run_.run() || credit.next_sequence == 0) return;
   navigator_.fixes_complete_up_to(truth_grid_.at(credit.next_sequence - 1).count());
 }
 
@@ -120,6 +110,7 @@ void NavigatorOnBus::navigate() {
   while (const auto step = navigator_.step()) {
     board_.enter(ServiceState::Running);
     next_imu_ = step->imu_sequence + 1;
+    run_.note_sample(monotonic_now());
     if (step->solution) publish(*step->solution);
   }
   flush_block();
@@ -129,7 +120,7 @@ void NavigatorOnBus::navigate() {
 
 void NavigatorOnBus::publish(const NavSolution& solution) {
   sent_.sent();
-  if (!lockstep_) {
+  if (!run_.is_lockstep()) {
     if (!solutions_.write(solution)) spdlog::warn("a solution could not be sent");
     return;
   }
@@ -152,13 +143,13 @@ std::string NavigatorOnBus::missing() const {
 }
 
 bool NavigatorOnBus::finished() const {
-  if (!run_ended_) return false;
+  if (!run_.has_ended()) return false;
   // What has not come some seconds after the end will not come.
-  return (imu_sent_ && next_imu_ >= *imu_sent_) || monotonic_now() - run_ended_at_ > seconds(5);
+  return (imu_sent_ && next_imu_ >= *imu_sent_) || run_.ended_before(seconds(5), monotonic_now());
 }
 
 int NavigatorOnBus::run() {
-  while (!grace_.must_stop(run_began_) && !finished()) {
+  while (!grace_.must_stop(run_.has_begun()) && !finished()) {
     if (const auto message = mailbox_.take(milliseconds(50))) handle(*message);
     navigate();
     imu_.tick(next_imu_);
@@ -172,18 +163,12 @@ int NavigatorOnBus::run() {
   return end();
 }
 
-/// A logger that was killed at the end hears the last word of this service when it is back.
 void NavigatorOnBus::stay_for_the_log() {
-  if (!run_ended_ || next_imu_ == 0) return;
-  bool told = false;
-  const time::Nanoseconds begun = monotonic_now();
-  while (!log_word_.is_closed(run_id_) && !host::shutdown_requested() &&
-         monotonic_now() - run_ended_at_ < service::kTimeToComeBack) {
+  while (next_imu_ > 0 && run_.stays_for_the_log(monotonic_now()) && !host::shutdown_requested()) {
     const auto message = mailbox_.take(milliseconds(50));
     if (message && std::holds_alternative<Credit>(*message)) handle(*message);
     board_.tick();
-    if (told || monotonic_now() - begun < seconds(2)) continue;
-    told = true;
+    if (!run_.tells_the_wait(monotonic_now())) continue;
     spdlog::info("waits until the logger has closed its log, at most {} s",
                  std::chrono::duration_cast<seconds>(service::kTimeToComeBack).count());
   }
@@ -196,12 +181,12 @@ int NavigatorOnBus::end() {
                counts.restarts);
   solutions_.wait_for_acknowledgments(seconds(2));
   blocks_.wait_for_acknowledgments(seconds(2));
-  const bool by_signal = host::shutdown_requested() && !run_ended_;
+  const bool by_signal = host::shutdown_requested() && !run_.has_ended();
   std::string failure;
-  if (!fault_.empty()) {
-    failure = "the run ended as a fault: " + fault_;
-  } else if (by_signal && run_began_) {
-    failure = scenario::kEndedBySignal;
+  if (!run_.fault().empty()) {
+    failure = "the run ended as a fault: " + run_.fault();
+  } else if (by_signal && run_.has_begun()) {
+    failure = app::kEndedBySignal;
   } else if (!by_signal && (!imu_sent_ || next_imu_ < *imu_sent_)) {
     failure = "IMU samples are missing";
   }
@@ -210,7 +195,7 @@ int NavigatorOnBus::end() {
                failure.empty() && by_signal ? "ended by a signal before a run" : failure);
   board_.flush(seconds(2));
   stay_for_the_log();
-  return host::after_the_last_word(failure.empty() && context_.writers().fault().empty() ? host::kOk : host::kFailed);
+  return host::after_the_last_word(failure.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed);
 }
 
 }  // namespace inslab::reference_nav

@@ -2,11 +2,11 @@
 
 #include <variant>
 
-#include "inslab/bus/service/log_word.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "inslab/bus/service/set_reader.hpp"
 #include "inslab/bus/service/status_board.hpp"
 #include "inslab/bus/service/stream_input.hpp"
+#include "inslab/data/streams/run_follower.hpp"
 #include "inslab/foundation/host/mailbox.hpp"
 #include "inslab/foundation/host/stop_grace.hpp"
 #include "inslab/models/navigation/navigator.hpp"
@@ -30,11 +30,11 @@ class NavigatorOnBus {
 
  private:
   using Message =
-      std::variant<service::Arrived<ImuSample>, service::Arrived<GnssFix>, SimStatus, ServiceStatus, Credit>;
+      std::variant<streams::Arrived<ImuSample>, streams::Arrived<GnssFix>, SimStatus, ServiceStatus, Credit>;
 
   void handle(const Message& message);
-  void handle(const service::Arrived<ImuSample>& arrived);
-  void handle(const service::Arrived<GnssFix>& arrived);
+  void handle(const streams::Arrived<ImuSample>& arrived);
+  void handle(const streams::Arrived<GnssFix>& arrived);
   void handle(const SimStatus& status);
   void handle(const ServiceStatus& status);
   void handle(const Credit& credit);
@@ -52,14 +52,8 @@ class NavigatorOnBus {
   navigation::Navigator navigator_;
   navigation::Refusals refusals_;  ///< of the alignment, that were said
   host::Mailbox<Message> mailbox_;
-  RunId run_id_;
-  bool lockstep_ = false;
+  streams::RunFollower run_;
   host::StopGrace grace_;
-  bool run_began_ = false;
-  bool run_ended_ = false;
-  time::Nanoseconds run_ended_at_{0};
-  service::LogWord log_word_;
-  std::string fault_;                      ///< why the run ended as a fault; empty: it did not
   std::uint64_t next_imu_ = 0;             ///< samples before this one are answered
   std::uint64_t next_fix_ = 0;             ///< fixes before this one have come
   std::optional<std::uint64_t> imu_sent_;  ///< how many samples there were, when the injector has said it

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "inslab/bus/dds/reader.hpp"
-#include "inslab/bus/service/log_word.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "inslab/bus/service/set_reader.hpp"
 #include "inslab/bus/service/status_board.hpp"
 #include "inslab/bus/service/stream_output.hpp"
+#include "inslab/data/streams/log_word.hpp"
 #include "inslab/foundation/host/mailbox.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/services/trajectory_server/vehicle_on_bus.hpp"

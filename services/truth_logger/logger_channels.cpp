@@ -45,9 +45,10 @@ LoggerOnBus::LoggerOnBus(service::Context& context, const std::string& path)
       interrupted_(interrupted(context, checkpoint_)),
       log_(interrupted_ ? sim::RunLog(interrupted_->path, kChunkBytes) : new_log(context, path)),
       scorer_(context.scenario().scenario),
+      run_(context.identity().run_id),
       board_(context, 0,
              [this](ServiceStatus& status) {
-               for (const auto& [topic, monitor] : streams_) status.streams.push_back(monitor.status());
+               for (const auto& [topic, stream] : streams_) status.streams.push_back(stream.monitor.status());
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
                if (status.state == ServiceState::Running) status.message = score::score_so_far(scorer_);
              }),
@@ -79,7 +80,7 @@ LoggerOnBus::Channel& LoggerOnBus::add_reader(service::Context& context, const d
   Channel& channel = channels_.back();
   channel.topic = topic.name;
   const auto enqueue = [this, index](const dds::Received<T>& sample, const dds::SampleOrigin& origin) {
-    mailbox_.put({index, sample.cdr, host::realtime_now().count(), dds::participant_of(origin)});
+    mailbox_.put({index, sample.cdr, host::realtime_now().count(), origin});
   };
   if (writers == Writers::Anybody) {
     channel.reader = std::make_shared<dds::OpenReader<T>>(context.participant(), topic, enqueue);
@@ -92,6 +93,15 @@ LoggerOnBus::Channel& LoggerOnBus::add_reader(service::Context& context, const d
         context.participant(), topic, context.writers().only_the_app(stream, is_reference_nav, enqueue));
     channel.matched = [reader] { return reader->matched_writers() > 0; };
     channel.reader = reader;
+    if (!interrupted_ || !is_nav) return channel;
+    // What was written while no logger listened was not late: it is logged with the time at which it was written.
+    const auto enqueue_kept = [this, index](const dds::Received<T>& sample, const dds::SampleOrigin& origin) {
+      const bool was_away = origin.written_realtime_ns < listens_since_realtime_ns_;
+      mailbox_.put({index, sample.cdr, was_away ? origin.written_realtime_ns : host::realtime_now().count(), origin});
+    };
+    channel.reader_of_what_is_kept =
+        std::make_shared<dds::Reader<T>>(context.participant(), dds::topics::kept(topic),
+                                         context.writers().only_the_app(stream, is_reference_nav, enqueue_kept));
   } else {
     auto reader = std::make_shared<service::SetReader<T>>(context, topic, enqueue);
     channel.matched = [reader] { return reader->matched_writers() > 0; };
@@ -125,13 +135,13 @@ void LoggerOnBus::log_once(Channel& channel) {
 /// A stream that comes as single samples alone.
 template <class T>
 LoggerOnBus::Channel& LoggerOnBus::add_singles(service::Context& context, const dds::Topic<T>& topic) {
-  streams::StreamMonitor& monitor =
-      streams_.emplace(topic.name, streams::StreamMonitor(topic.name, StreamDirection::In)).first->second;
+  Stream& stream =
+      streams_.emplace(topic.name, Stream{streams::StreamMonitor(topic.name, StreamDirection::In), {}}).first->second;
   Channel& singles = add_channel(context, topic);
-  singles.take = [this, &monitor, &singles](const Message& message) {
+  singles.take = [this, &stream, &singles](const Message& message) {
     T sample;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), sample)) return;
-    if (!note(monitor, sample.header, message)) return;
+    if (!note(stream, sample.header, message)) return;
     add_to(scorer_, sample);
     log(singles, sample.header, message, message.bytes);
   };
@@ -142,18 +152,18 @@ LoggerOnBus::Channel& LoggerOnBus::add_singles(service::Context& context, const 
 template <class T>
 void LoggerOnBus::add_stream(service::Context& context, const dds::Topic<T>& topic) {
   Channel& singles = add_singles(context, topic);
-  streams::StreamMonitor& monitor = streams_.at(topic.name);
+  Stream& stream = streams_.at(topic.name);
   Channel& blocks = add_reader<Block<T>>(context, dds::topics::block(topic), Writers::Ours);
-  blocks.take = [this, &monitor, &singles](const Message& message) {
+  blocks.take = [this, &stream, &singles](const Message& message) {
     Block<T> block;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), block)) return;
     for (const T& sample : block.samples) {
-      if (!note(monitor, sample.header, message)) continue;
+      if (!note(stream, sample.header, message)) continue;
       add_to(scorer_, sample);
       wire::encode(sample, encoded_);
       log(singles, sample.header, message, encoded_);
     }
-    if (clock_ == ClockMode::Lockstep) give_credit(singles.topic, monitor.first_missing(), false);
+    if (run_.is_lockstep()) give_credit(stream, true);
   };
 }
 
@@ -170,7 +180,8 @@ void LoggerOnBus::add_profile_channels(service::Context& context) {
   };
 }
 
-/// The answers of the app under test, single or in blocks: they go to one channel of the log either way.
+/// The answers of the app under test, single or in blocks: they go to one channel of the log either way, each once,
+/// however often its writer gives them to a logger that is started again.
 void LoggerOnBus::add_nav_channels(service::Context& context) {
   Channel& singles = add_channel(context, dds::topics::nav(), Writers::OneApp);
   singles.on_message = [this](const Message& message) {
@@ -178,14 +189,19 @@ void LoggerOnBus::add_nav_channels(service::Context& context) {
     if (!wire::decode(message.bytes.data(), message.bytes.size(), solution)) return;
     scorer_.add(solution, message.received_realtime_ns);
   };
+  const auto log_it = singles.take;
+  singles.take = [this, log_it, topic = singles.topic](const Message& message) {
+    if (app_messages_.take(topic, message.origin)) log_it(message);
+  };
   Channel& blocks = add_reader<Block<NavSolution>>(context, dds::topics::block(dds::topics::nav()), Writers::OneApp);
-  blocks.take = [&singles](const Message& message) {
+  blocks.take = [this, log_it, topic = blocks.topic](const Message& message) {
     Block<NavSolution> block;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), block)) return;
-    Message single{message.channel, {}, message.received_realtime_ns, message.sender};
+    if (!app_messages_.take(topic, message.origin)) return;
+    Message single{message.channel, {}, message.received_realtime_ns, message.origin};
     for (const NavSolution& solution : block.samples) {
       wire::encode(solution, single.bytes);
-      singles.take(single);
+      log_it(single);
     }
   };
   const bool is_required = context.scenario().scenario.require_nav_app;
@@ -214,17 +230,11 @@ void LoggerOnBus::add_control_channels(service::Context& context) {
   add_channel(context, dds::topics::sim_status()).on_message = [this](const Message& message) {
     SimStatus status;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), status)) return;
-    if (!context_.obeys(status.run_id)) return;
-    // Once a run has begun this process logs no other.
-    if (run_id_ != RunId{} && status.run_id != run_id_ && run_began_) return;
-    begin_run(status.run_id);
-    run_began_ = run_began_ || status.state != RunState::Waiting;
-    clock_ = status.clock;
-    if (!has_ended(status.state) || run_ended_) return;
-    run_ended_ = true;
-    run_ended_at_ = host::monotonic_now();
-    next_credits_ = time::Nanoseconds(0);
-    sent_[dds::topics::truth().name] = status.truth_samples;
+    const streams::RunFollower::Heard heard = run_.hear(status, host::monotonic_now());
+    if (heard == streams::RunFollower::Heard::TheRun) begin_run();
+    if (heard == streams::RunFollower::Heard::ItsEnd) change_demands();
+    const bool news = heard == streams::RunFollower::Heard::TheRun || heard == streams::RunFollower::Heard::ItsEnd;
+    if (news && run_.has_ended()) sent_[dds::topics::truth().name] = run_.truth_samples();
   };
   add_channel(context, dds::topics::service_status()).on_message = [this](const Message& message) {
     ServiceStatus status;

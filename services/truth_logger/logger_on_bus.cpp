@@ -19,10 +19,11 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 /// Counts a sample; false when it came before.
-bool LoggerOnBus::note(streams::StreamMonitor& monitor, const StreamHeader& header, const Message& message) {
-  if (!context_.obeys(header.run_id) || (run_id_ != RunId{} && header.run_id != run_id_)) return false;
-  if (!monitor.received(header, message.received_realtime_ns)) return false;
-  watch_the_sender(monitor.topic(), header, message);
+bool LoggerOnBus::note(Stream& stream, const StreamHeader& header, const Message& message) {
+  if (!run_.takes(header.run_id)) return false;
+  if (!stream.monitor.received(header, message.received_realtime_ns)) return false;
+  stream.demand.came(host::monotonic_now());
+  watch_the_sender(stream.monitor.topic(), header, message);
   board_.set_run(header.run_id);
   board_.set_sim_time(header.sim_time_ns);
   if (failure_.empty()) board_.enter(ServiceState::Running);
@@ -37,38 +38,54 @@ void LoggerOnBus::log(const Channel& channel, const StreamHeader& header, const 
                     static_cast<std::uint64_t>(header.publish_realtime_ns), cdr.data(), cdr.size());
 }
 
-void LoggerOnBus::give_credit(const std::string& topic, std::uint64_t next_sequence, bool resend) {
+/// Says how far a stream is in the log, and asks for what is missing.
+void LoggerOnBus::give_credit(Stream& stream, bool moved) {
+  if (run_.run() == RunId{}) return;
+  const streams::StreamMonitor& monitor = stream.monitor;
+  const auto sent = sent_.find(monitor.topic());
+  streams::Known known;
+  known.next = monitor.first_missing();
+  known.newer_came = known.next < monitor.next_sequence();
+  known.more_was_sent = sent != sent_.end() && monitor.next_sequence() < sent->second;
+  known.more_may_have_been_sent = sent == sent_.end();
+  known.moved = moved;
+  const auto ask = stream.demand.look(known, host::monotonic_now());
+  if (!ask) return;
   Credit credit;
-  credit.run_id = run_id_;
+  credit.run_id = run_.run();
   credit.consumer = context_.service();
-  credit.topic = topic;
-  credit.next_sequence = next_sequence;
-  credit.resend = resend;
+  credit.topic = monitor.topic();
+  credit.next_sequence = known.next;
+  credit.resend = ask->resend;
   if (!credits_.write(credit)) spdlog::warn("a credit could not be sent");
 }
 
 /// Whether the others must stay for it.
 void LoggerOnBus::say_of_the_log(bool is_closed) {
-  if (run_id_ == RunId{}) return;
-  if (!log_words_.write(service::log_word(run_id_, is_closed))) spdlog::warn("the word on the log could not be sent");
+  if (run_.run() == RunId{}) return;
+  if (!log_words_.write(service::log_word(run_.run(), is_closed)))
+    spdlog::warn("the word on the log could not be sent");
 }
 
-/// Asks again for what is missing; in lockstep also says again how far this service is, since a credit that got lost
-/// must not stop the run, and so it does when the run has ended: the others stay until everything is here.
-void LoggerOnBus::repeat_credits() {
-  if (run_id_ == RunId{} || host::monotonic_now() < next_credits_) return;
-  next_credits_ = host::monotonic_now() + milliseconds(run_ended_ ? 50 : 200);
-  for (const auto& [topic, monitor] : streams_) {
-    const auto sent = sent_.find(topic);
-    // In lockstep the next block follows upon a credit; one that was sent before this process listened is sent again.
-    // At the end of a run nothing follows the last sample that would show that it is missing.
-    const auto silence_ns = host::realtime_now().count() - sources_[topic].received_realtime_ns;
-    const time::Nanoseconds patience = milliseconds(clock_ == ClockMode::Lockstep ? 400 : 1000);
-    const bool silent = (clock_ == ClockMode::Lockstep || run_ended_) && silence_ns > patience.count();
-    const bool lacks = silent || monitor.first_missing() < monitor.next_sequence() ||
-                       (sent != sent_.end() && monitor.next_sequence() < sent->second);
-    if (lacks || run_ended_ || clock_ == ClockMode::Lockstep) give_credit(topic, monitor.first_missing(), lacks);
+void LoggerOnBus::change_demands() {
+  for (auto& [topic, stream] : streams_) {
+    stream.demand.change(streams::demand_of_log(run_.clock(), run_.has_ended()), host::monotonic_now());
   }
+}
+
+/// A hundred times a second, however many messages come. Whom this process did not hear while it was stopped was not
+/// silent.
+void LoggerOnBus::look_around() {
+  constexpr time::Nanoseconds kPeriod = milliseconds(10);
+  constexpr time::Nanoseconds kStandstill = seconds(2);
+  const time::Nanoseconds now = host::monotonic_now();
+  if (now - looked_at_ < kPeriod) return;
+  if (now - looked_at_ > kStandstill) {
+    for (auto& [service, heard] : services_) heard.at = now;
+  }
+  looked_at_ = now;
+  for (auto& [topic, stream] : streams_) give_credit(stream, false);
+  if (now > account_at_) account_for_the_app();
 }
 
 /// One error is kept and said; the file is left as it is.
@@ -84,7 +101,7 @@ void LoggerOnBus::handle(const Message& message) {
     if (tail_->is_long()) flush();
     try {
       tail_->add({static_cast<std::uint32_t>(message.channel), message.received_realtime_ns, message.bytes.data(),
-                  message.bytes.size()});
+                  message.bytes.size(), message.origin.writer, message.origin.number});
     } catch (const std::exception& error) {
       spdlog::warn("killed, this service would lose what it has not written yet: {}", error.what());
       tail_.reset();
@@ -106,7 +123,7 @@ std::string LoggerOnBus::missing() const {
   for (const Channel& channel : channels_) {
     if (channel.matched()) continue;
     const bool is_of_app = channel.topic == catalog::kNav.name;
-    return (is_of_app ? scenario::kWaitsForApp : std::string("waits for ")) + "a writer of " + channel.topic;
+    return (is_of_app ? app::kWaitsForApp : std::string("waits for ")) + "a writer of " + channel.topic;
   }
   return "";
 }
@@ -115,7 +132,7 @@ std::string LoggerOnBus::missing() const {
 std::string LoggerOnBus::unfinished_services() const {
   std::string names;
   for (const auto& [service, number] : scenario::required_services(context_.scenario())) {
-    if (service == catalog::kTruthLogger) continue;
+    if (service == app::kTruthLogger) continue;
     const auto found = services_.find({service, number});
     const bool ended = found != services_.end() &&
                        (found->second.state == ServiceState::Finished || found->second.state == ServiceState::Fault);
@@ -130,16 +147,16 @@ bool LoggerOnBus::all_services_ended() const {
   constexpr time::Nanoseconds kSilence = seconds(15);
   for (const auto& [service, heard] : services_) {
     const bool ended = heard.state == ServiceState::Finished || heard.state == ServiceState::Fault;
-    if (service.first != catalog::kTruthLogger && !ended && host::monotonic_now() - heard.at < kSilence) return false;
+    if (service.first != app::kTruthLogger && !ended && host::monotonic_now() - heard.at < kSilence) return false;
   }
   return true;
 }
 
 /// Everything that the services say they sent.
 bool LoggerOnBus::all_samples_here() const {
-  for (const auto& [topic, monitor] : streams_) {
+  for (const auto& [topic, stream] : streams_) {
     const auto sent = sent_.find(topic);
-    if (sent != sent_.end() && monitor.samples() < sent->second) return false;
+    if (sent != sent_.end() && stream.monitor.came() < sent->second) return false;
   }
   return true;
 }
@@ -147,14 +164,14 @@ bool LoggerOnBus::all_samples_here() const {
 bool LoggerOnBus::finished() const {
   // The others do not stay for longer.
   constexpr time::Nanoseconds kPatience = service::kTimeToComeBack - seconds(5);
-  return run_ended_ &&
-         ((all_services_ended() && all_samples_here()) || host::monotonic_now() - run_ended_at_ > kPatience);
+  return run_.has_ended() &&
+         ((all_services_ended() && all_samples_here()) || run_.ended_before(kPatience, host::monotonic_now()));
 }
 
 int LoggerOnBus::run() {
-  while (!grace_.must_stop(run_began_) && !finished()) {
+  while (!grace_.must_stop(run_.has_begun()) && !finished()) {
     if (const auto message = mailbox_.take(milliseconds(50))) handle(*message);
-    repeat_credits();
+    look_around();
     if (board_.state() == ServiceState::Starting) {
       const std::string waits_for = missing();
       board_.enter(waits_for.empty() ? ServiceState::Ready : ServiceState::Starting, waits_for);
@@ -171,7 +188,7 @@ int LoggerOnBus::run() {
 /// the log, which has it all, can be scored.
 void LoggerOnBus::add_score() {
   scorer_.finish();
-  if (clock_ == ClockMode::Lockstep) scorer_.without_latency(score::kLockstepHasNoLatency);
+  if (run_.is_lockstep()) scorer_.without_latency(score::kLockstepHasNoLatency);
   if (interrupted_) return;
   const auto verdicts = score::judge(scorer_, context_.scenario().scenario.acceptance);
   log_.file().metadata("score", {{"json", score::score_json(scorer_, verdicts).dump(2)}});
@@ -179,7 +196,7 @@ void LoggerOnBus::add_score() {
 
 int LoggerOnBus::end() {
   while (const auto message = mailbox_.take(milliseconds(0))) handle(*message);
-  const bool by_signal = host::shutdown_requested() && !run_ended_;
+  const bool by_signal = host::shutdown_requested() && !run_.has_ended();
   if (failure_.empty() && !by_signal && !all_samples_here())
     failure_ = "samples that were sent are missing from the log";
   if (failure_.empty() && !by_signal && !unfinished_services().empty()) {
@@ -187,8 +204,8 @@ int LoggerOnBus::end() {
   }
   if (mailbox_.dropped() > 0)
     failure_ = std::to_string(mailbox_.dropped()) + " messages came faster than the disk took them";
-  if (failure_.empty() && by_signal && run_began_)
-    failure_ = std::string(scenario::kEndedBySignal) + ": the rest is missing";
+  if (failure_.empty() && by_signal && run_.has_begun())
+    failure_ = std::string(app::kEndedBySignal) + ": the rest is missing";
   board_.enter(failure_.empty() ? ServiceState::Finished : ServiceState::Fault,
                failure_.empty() && by_signal ? "ended by a signal before a run" : failure_);
   // The others stay for the log and go on saying so, once a second each: there is no end of messages to wait for.
@@ -197,6 +214,7 @@ int LoggerOnBus::end() {
     if (const auto message = mailbox_.take(milliseconds(20))) handle(*message);
   }
   try {
+    if (account_at_ != streams::kNever) account_for_the_app();
     add_score();
     log_.file().close();
   } catch (const files::WriteError& error) {
@@ -208,7 +226,7 @@ int LoggerOnBus::end() {
   log_words_.wait_for_acknowledgments(seconds(2));
   spdlog::info("log {} ({:.1f} MB)", log_.path(), static_cast<double>(log_.file().file_size()) * 1e-6);
   if (!failure_.empty()) spdlog::error("{}", failure_);
-  return host::after_the_last_word(failure_.empty() && context_.writers().fault().empty() ? host::kOk : host::kFailed);
+  return host::after_the_last_word(failure_.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed);
 }
 
 }  // namespace inslab::truth_logger

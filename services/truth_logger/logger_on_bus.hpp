@@ -10,14 +10,17 @@
 #include "inslab/bus/dds/reader.hpp"
 #include "inslab/bus/dds/writer.hpp"
 #include "inslab/bus/service/checkpoint.hpp"
-#include "inslab/bus/service/log_word.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "inslab/bus/service/set_reader.hpp"
 #include "inslab/bus/service/status_board.hpp"
+#include "inslab/data/streams/demand.hpp"
+#include "inslab/data/streams/run_follower.hpp"
 #include "inslab/data/streams/stream_monitor.hpp"
+#include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/mailbox.hpp"
 #include "inslab/foundation/host/stop_grace.hpp"
 #include "inslab/referee/score/scorer.hpp"
+#include "inslab/services/truth_logger/app_messages.hpp"
 #include "inslab/sim/log_tail.hpp"
 #include "inslab/sim/logger_state.hpp"
 #include "inslab/sim/run_log.hpp"
@@ -42,13 +45,18 @@ class LoggerOnBus {
     std::size_t channel;
     std::vector<std::uint8_t> bytes;
     std::int64_t received_realtime_ns;
-    dds::ParticipantKey sender{};
+    dds::SampleOrigin origin;
   };
   /// Whom a stream came from last.
   struct Source {
     dds::ParticipantKey sender{};
     std::int64_t received_realtime_ns = 0;
     std::uint64_t sequence_number = 0;
+  };
+  /// It takes samples as they come, and has no use for an order.
+  struct Stream {
+    streams::StreamMonitor monitor;
+    streams::Demand demand;
   };
   struct Channel {
     std::uint16_t log_id = 0;
@@ -58,13 +66,14 @@ class LoggerOnBus {
     std::uint32_t count = 0;
     std::function<bool()> matched;
     std::shared_ptr<void> reader;
+    std::shared_ptr<void> reader_of_what_is_kept;  ///< by its writer, for a logger that was away
   };
 
   enum class Writers { Ours, OneApp, Anybody };
 
   static std::optional<sim::LoggerState> interrupted(service::Context& context, service::Checkpoint& checkpoint);
   sim::LoggerState state() const;
-  void begin_run(const RunId& run);
+  void begin_run();
   void open_tail();
   void go_on();
   void flush();
@@ -79,13 +88,15 @@ class LoggerOnBus {
   template <class T>
   void add_stream(service::Context& context, const dds::Topic<T>& topic);
   void watch_the_sender(const std::string& topic, const StreamHeader& header, const Message& message);
-  bool note(streams::StreamMonitor& monitor, const StreamHeader& header, const Message& message);
+  bool note(Stream& stream, const StreamHeader& header, const Message& message);
   void log(const Channel& channel, const StreamHeader& header, const Message& message,
            const std::vector<std::uint8_t>& cdr);
   void add_score();
-  void give_credit(const std::string& topic, std::uint64_t next_sequence, bool resend);
+  void give_credit(Stream& stream, bool moved);
   void say_of_the_log(bool is_closed);
-  void repeat_credits();
+  void change_demands();
+  void look_around();
+  void account_for_the_app();
   template <class Profile>
   void add_profile_channels(service::Context& context);
   void add_nav_channels(service::Context& context);
@@ -110,27 +121,26 @@ class LoggerOnBus {
   std::uint64_t generation_ = 1;
   bool replaying_ = false;  ///< what lay in the tail is being logged
   std::map<std::string, Source> sources_;
+  AppMessages app_messages_;
+  std::int64_t listens_since_realtime_ns_ = host::realtime_now().count();
   std::set<std::uint64_t> once_;  ///< hashes of the messages of channels that are logged once
   score::Scorer scorer_;
   std::string failure_;
   host::Mailbox<Message> mailbox_{200'000};
   std::vector<Channel> channels_;
-  std::map<std::string, streams::StreamMonitor> streams_;
+  std::map<std::string, Stream> streams_;
   std::vector<std::uint8_t> encoded_;
-  RunId run_id_;
-  ClockMode clock_ = ClockMode::RealTime;
-  time::Nanoseconds next_flush_{0};            ///< CLOCK_MONOTONIC
-  time::Nanoseconds next_credits_{0};          ///< CLOCK_MONOTONIC
-  std::map<std::string, std::uint64_t> sent_;  ///< by topic, as the services report when they have finished
+  streams::RunFollower run_;
+  time::Nanoseconds next_flush_{0};                 ///< CLOCK_MONOTONIC
+  time::Nanoseconds account_at_ = streams::kNever;  ///< CLOCK_MONOTONIC
+  time::Nanoseconds looked_at_{0};                  ///< CLOCK_MONOTONIC
+  std::map<std::string, std::uint64_t> sent_;       ///< by topic, as the services report when they have finished
   struct Heard {
     ServiceState state;
     time::Nanoseconds at;  ///< CLOCK_MONOTONIC
   };
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
   host::StopGrace grace_;
-  bool run_began_ = false;
-  bool run_ended_ = false;
-  time::Nanoseconds run_ended_at_{0};
   service::StatusBoard board_;
   dds::Writer<Credit> credits_;
   /// A word that is said once stays the first in its writer's history. Among credits by the thousand that would leave a

@@ -42,26 +42,28 @@ sim::LoggerState LoggerOnBus::state() const {
   sim::LoggerState state;
   state.path = log_.path();
   state.generation = generation_;
-  for (const auto& [topic, monitor] : streams_) {
-    state.streams.push_back({topic, monitor.samples(), monitor.first_missing()});
+  for (const auto& [topic, stream] : streams_) {
+    state.streams.push_back({topic, stream.monitor.samples(), stream.monitor.first_missing()});
   }
+  state.app_writers = app_messages_.state();
   for (const Channel& channel : channels_) state.channel_counts.push_back(channel.count);
   state.once.assign(once_.begin(), once_.end());
-  state.run_began = run_began_;
-  state.run_ended = run_ended_;
-  state.clock = clock_;
+  state.run_began = run_.has_begun();
+  state.run_ended = run_.has_ended();
+  state.clock = run_.clock();
   for (const auto& [service, heard] : services_) state.services.push_back({service.first, service.second, heard.state});
   for (const auto& [topic, samples] : sent_) state.sent.push_back({topic, samples, 0});
   return state;
 }
 
-/// From now on `run` is the run. What has been taken before is flushed next, so that nothing of it is in the tail
+/// There is another run now. What has been taken before is flushed next, so that nothing of it is in the tail
 /// alone.
-void LoggerOnBus::begin_run(const RunId& run) {
-  if (run == run_id_) return;
-  run_id_ = run;
+void LoggerOnBus::begin_run() {
+  for (auto& [topic, stream] : streams_) {
+    stream.demand.begin(streams::demand_of_log(run_.clock(), run_.has_ended()), host::monotonic_now());
+  }
   say_of_the_log(false);
-  checkpoint_.begin(run);
+  checkpoint_.begin(run_.run());
   open_tail();
   if (tail_) tail_->begin(generation_);
   next_flush_ = time::Nanoseconds(0);
@@ -77,14 +79,16 @@ void LoggerOnBus::open_tail() {
 }
 
 void LoggerOnBus::go_on() {
-  run_id_ = interrupted_->run_id;
-  run_began_ = interrupted_->run_began;
-  run_ended_ = interrupted_->run_ended;
-  run_ended_at_ = host::monotonic_now();
-  clock_ = interrupted_->clock;
-  for (const sim::LoggedStream& stream : interrupted_->streams) {
-    const auto monitor = streams_.find(stream.topic);
-    if (monitor != streams_.end()) monitor->second.go_on(run_id_, stream.samples, stream.next_sequence);
+  using Phase = streams::RunFollower::Phase;
+  const Phase begun = interrupted_->run_began ? Phase::Begun : Phase::Waiting;
+  const Phase phase = interrupted_->run_ended ? Phase::Ended : begun;
+  run_.go_on(interrupted_->run_id, interrupted_->clock, phase, host::monotonic_now());
+  for (const sim::LoggedStream& logged : interrupted_->streams) {
+    const auto stream = streams_.find(logged.topic);
+    if (stream != streams_.end()) stream->second.monitor.go_on(run_.run(), logged.samples, logged.next_sequence);
+  }
+  for (auto& [topic, stream] : streams_) {
+    stream.demand.begin(streams::demand_of_log(run_.clock(), run_.has_ended()), host::monotonic_now());
   }
   for (std::size_t i = 0; i < std::min(channels_.size(), interrupted_->channel_counts.size()); ++i) {
     channels_[i].count = interrupted_->channel_counts[i];
@@ -94,22 +98,45 @@ void LoggerOnBus::go_on() {
     services_[{service.service, service.number}] = {service.state, host::monotonic_now()};
   }
   for (const sim::LoggedStream& stream : interrupted_->sent) sent_[stream.topic] = stream.samples;
-  board_.set_run(run_id_);
+  board_.set_run(run_.run());
   say_of_the_log(false);
+  app_messages_.go_on(interrupted_->app_writers);
   std::uint64_t rescued = 0;
   replaying_ = true;
   open_tail();
   if (tail_) {
     tail_->for_each(interrupted_->generation, [&](const sim::LogTail::Message& message) {
       if (message.channel >= channels_.size()) return;
-      take({message.channel, {message.data, message.data + message.size}, message.received_realtime_ns});
+      take({message.channel,
+            {message.data, message.data + message.size},
+            message.received_realtime_ns,
+            {message.writer, message.number, 0}});
       ++rescued;
     });
   }
   replaying_ = false;
+  app_messages_.begin_account();
+  account_at_ = host::monotonic_now() + seconds(5);
   generation_ = interrupted_->generation;
   log_.add_recovery("log", {{"rescued_messages", std::to_string(rescued)}});
   flush();
+}
+
+/// Once what the app's writers keep has come: says which of its solutions the log lacks of the time between the kill
+/// and now.
+void LoggerOnBus::account_for_the_app() {
+  account_at_ = streams::kNever;
+  for (const auto& [topic, missing] : app_messages_.missing()) {
+    log_.add_recovery(topic, {{"missing_messages", std::to_string(missing)}});
+    if (missing == 0) {
+      spdlog::info("{}: everything that was sent while this service was away is in the log", topic);
+    } else {
+      spdlog::warn(
+          "{}: {} messages that were sent while this service was away are missing: their writer did not keep "
+          "them",
+          topic, missing);
+    }
+  }
 }
 
 /// Everything taken so far is in the file, and the next process would know it.
@@ -120,7 +147,7 @@ void LoggerOnBus::flush() {
     note_failure(error.what());
     return;
   }
-  if (run_id_ == RunId{}) return;
+  if (run_.run() == RunId{}) return;
   ++generation_;
   const bool kept = checkpoint_.keep(checkpoint_.state([&](state::StateWriter& to) { to(state()); }));
   if (tail_) tail_->begin(generation_);
@@ -131,7 +158,8 @@ void LoggerOnBus::flush() {
 /// A stream that comes from another participant than before comes from a service that was started again.
 void LoggerOnBus::watch_the_sender(const std::string& topic, const StreamHeader& header, const Message& message) {
   Source& source = sources_[topic];
-  const bool another = source.sender != dds::ParticipantKey{} && message.sender != source.sender && !replaying_;
+  const dds::ParticipantKey sender = dds::participant_of(message.origin);
+  const bool another = source.sender != dds::ParticipantKey{} && sender != source.sender && !replaying_;
   if (another) {
     const double silence_s = static_cast<double>(message.received_realtime_ns - source.received_realtime_ns) * 1e-9;
     spdlog::warn("{}: its service was started again; sample {} came {:.3f} s after sample {}", topic,
@@ -141,7 +169,7 @@ void LoggerOnBus::watch_the_sender(const std::string& topic, const StreamHeader&
                               {"first_sim_time_after_ns", std::to_string(header.sim_time_ns)},
                               {"silence_s", fmt::format("{:.3f}", silence_s)}});
   }
-  if (!replaying_) source = {message.sender, message.received_realtime_ns, header.sequence_number};
+  if (!replaying_) source = {sender, message.received_realtime_ns, header.sequence_number};
 }
 
 }  // namespace inslab::truth_logger

@@ -30,6 +30,30 @@ TEST(SeenNumbers, TakesWhatFillsAGapOnce) {
   for (std::uint64_t n = 1; n <= 10; ++n) EXPECT_FALSE(seen.insert(n)) << n;
 }
 
+TEST(SeenNumbers, CountsWhatIsMissingAfterANumberUntilItComes) {
+  SeenNumbers seen;
+  EXPECT_EQ(seen.last(), 0u);
+  for (const std::uint64_t n : {1, 2, 4, 8, 9}) seen.insert(n);
+  EXPECT_EQ(seen.last(), 9u);
+  EXPECT_EQ(seen.missing_after(0), 4u) << "3, 5, 6, 7";
+  EXPECT_EQ(seen.missing_after(2), 4u);
+  EXPECT_EQ(seen.missing_after(5), 2u) << "6, 7";
+  EXPECT_EQ(seen.missing_after(9), 0u);
+  EXPECT_EQ(seen.missing_after(20), 0u);
+  seen.insert(6);
+  EXPECT_EQ(seen.missing_after(4), 2u);
+}
+
+TEST(SeenNumbers, GoOnFromTheRangesOfOthers) {
+  SeenNumbers before;
+  for (const std::uint64_t n : {1, 2, 4}) before.insert(n);
+  SeenNumbers seen(before.ranges());
+  for (const std::uint64_t n : {1, 2, 4}) EXPECT_FALSE(seen.insert(n)) << n;
+  EXPECT_TRUE(seen.insert(3));
+  EXPECT_TRUE(seen.insert(5));
+  EXPECT_EQ(seen.ranges(), (SeenNumbers::Ranges{{1, 5}}));
+}
+
 TEST(SeenNumbers, AgreesWithASetOfAllNumbersInAnyOrder) {
   std::mt19937_64 random(20261129);
   SeenNumbers seen;

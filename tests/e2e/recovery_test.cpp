@@ -6,14 +6,11 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 
-#include "inslab/bus/client/run_client.hpp"
 #include "inslab/bus/dds/reader.hpp"
-#include "inslab/bus/service/service.hpp"
 #include "inslab/foundation/host/mailbox.hpp"
 #include "tests/e2e/logged_samples.hpp"
-#include "tests/e2e/process.hpp"
+#include "tests/e2e/running_set.hpp"
 
 namespace inslab::e2e {
 namespace recovery_test {
@@ -24,29 +21,13 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
-using Names = std::vector<std::string>;
-
-class Recovery : public testing::Test {
+class Recovery : public RunningSet {
  protected:
-  std::string scenario(const std::string& name) const { return source("tests/data/" + name + ".json"); }
-
   /// What the scenario gives when nobody is killed.
   std::string offline(const std::string& name) const {
     Process run("inslab", {"simulate", scenario(name), "-o", folder_ / "offline"});
     EXPECT_EQ(run.wait(seconds(60)), 0) << run.output();
     return folder_ / ("offline/" + name + ".mcap");
-  }
-  std::unique_ptr<Process> service(const std::string& program, const std::string& name, Names more = {}) const {
-    Names all{"--scenario", scenario(name), "--domain", own_domain()};
-    if (program != "inslab-trajectory-server") all.insert(all.end(), {"--state", folder_ / "state"});
-    all.insert(all.end(), more.begin(), more.end());
-    return std::make_unique<Process>(program, all);
-  }
-  /// Ends a service of a running set as a crash does.
-  static void kill_child(const Process& set, const std::string& program) {
-    const auto pids = children_named(set.pid(), program);
-    ASSERT_FALSE(pids.empty()) << program;
-    kill(pids.front(), SIGKILL);
   }
   /// The same, as soon as the set has started it.
   static void kill_child_at_once(const Process& set, const std::string& program) {
@@ -67,22 +48,6 @@ class Recovery : public testing::Test {
     expect_same_bits<GnssFix>(log_, reference, "inslab/gnss/0", samples_of<GnssFix>(reference, "inslab/gnss/0").size());
     EXPECT_TRUE(mcap::McapReader(log_).closed_properly());
   }
-  std::optional<SimStatus> status() { return client_.status(); }
-  bool reaches(double sim_time_s) {
-    return eventually([&] { return status() && static_cast<double>(status()->sim_time_ns) > sim_time_s * 1e9; },
-                      seconds(60));
-  }
-
-  static dds::ParticipantOptions network() {
-    service::NetworkOptions options;
-    options.domain = static_cast<std::uint32_t>(std::stoul(own_domain()));
-    return service::participant_options(options, "bench");
-  }
-
-  TestFolder folder_;
-  std::string log_ = folder_ / "live.mcap";
-  dds::Participant participant_{network()};
-  client::RunClient client_{participant_};
 };
 
 TEST_F(Recovery, EachServiceThatIsKilledGoesOnAndNoBitIsLost) {
@@ -104,7 +69,7 @@ TEST_F(Recovery, EachServiceThatIsKilledGoesOnAndNoBitIsLost) {
   EXPECT_THAT(run.output(), HasSubstr("recovered: the logger was started again and went on with this log"));
   expect_whole_run(reference);
   const mcap::McapReader log(log_);
-  for (const mcap::Metadata& record : log.metadata()) {
+  for (const io::mcap::Metadata& record : log.metadata()) {
     if (record.values.count("silence_s") > 0 && record.values.at("what") == "inslab/imu/0") {
       RecordProperty("imu_silence_s", record.values.at("silence_s"));
     }

@@ -25,8 +25,7 @@ streams::Identity of_any_set(const dds::Participant& participant) {
 RunClient::RunClient(dds::Participant& participant) : RunClient(participant, of_any_set(participant)) {}
 
 RunClient::RunClient(dds::Participant& participant, const streams::Identity& own)
-    : of_one_run_(own.run_id != RunId{}),
-      run_id_(own.run_id),
+    : run_(own.run_id, streams::RunFollower::Changes::WhenItEnded),
       writers_(participant.peers(), participant.key(), own),
       requests_(participant),
       command_(participant, dds::topics::sim_command()),
@@ -43,9 +42,7 @@ RunClient::RunClient(dds::Participant& participant, const streams::Identity& own
 
 void RunClient::hear(const SimStatus& status, const dds::ParticipantKey& server) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool has_left = !of_one_run_ && status_ && has_ended(status_->state);
-  if (run_id_ == RunId{} || has_left) run_id_ = status.run_id;
-  if (status.run_id == run_id_) {
+  if (run_.hear(status, host::monotonic_now()) != streams::RunFollower::Heard::OfAnother) {
     status_ = status;
     server_ = server;
     ++statuses_;

@@ -13,6 +13,7 @@
 #include "inslab/bus/dds/writer.hpp"
 #include "inslab/bus/service/writers.hpp"
 #include "inslab/data/catalog/any_profile.hpp"
+#include "inslab/data/streams/run_follower.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
 namespace inslab::client {
@@ -57,8 +58,7 @@ class RunClient : public RunLink {
     }
   };
 
-  const bool of_one_run_;
-  RunId run_id_;  ///< zero: of none yet
+  streams::RunFollower run_;
   service::Writers writers_;
   Applied<RequestWriters, catalog::ProfileKinds> requests_;
   dds::Writer<SimCommand> command_;

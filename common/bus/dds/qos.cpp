@@ -78,11 +78,12 @@ bool is_latched(Delivery delivery) {
 
 }  // namespace
 
-efd::DataWriterQos writer_qos(Delivery delivery, double nominal_rate_hz) {
+efd::DataWriterQos writer_qos(Delivery delivery, double nominal_rate_hz, bool is_kept) {
   efd::DataWriterQos qos = efd::DATAWRITER_QOS_DEFAULT;
   qos.reliability().kind = efd::RELIABLE_RELIABILITY_QOS;
   qos.reliability().max_blocking_time = Duration_t(0, 100 * kMillisecond_ns);
-  qos.durability().kind = is_latched(delivery) ? efd::TRANSIENT_LOCAL_DURABILITY_QOS : efd::VOLATILE_DURABILITY_QOS;
+  qos.durability().kind =
+      is_kept || is_latched(delivery) ? efd::TRANSIENT_LOCAL_DURABILITY_QOS : efd::VOLATILE_DURABILITY_QOS;
   qos.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
   // Data sharing crashes, hangs at teardown and loses latched data in 2.9.
   qos.data_sharing().off();
@@ -93,11 +94,12 @@ efd::DataWriterQos writer_qos(Delivery delivery, double nominal_rate_hz) {
   return qos;
 }
 
-efd::DataReaderQos reader_qos(Delivery delivery, double nominal_rate_hz, Reliability reliability) {
+efd::DataReaderQos reader_qos(Delivery delivery, double nominal_rate_hz, Reliability reliability, bool is_kept) {
   efd::DataReaderQos qos = efd::DATAREADER_QOS_DEFAULT;
   qos.reliability().kind =
       reliability == Reliability::Reliable ? efd::RELIABLE_RELIABILITY_QOS : efd::BEST_EFFORT_RELIABILITY_QOS;
-  qos.durability().kind = is_latched(delivery) ? efd::TRANSIENT_LOCAL_DURABILITY_QOS : efd::VOLATILE_DURABILITY_QOS;
+  qos.durability().kind =
+      is_kept || is_latched(delivery) ? efd::TRANSIENT_LOCAL_DURABILITY_QOS : efd::VOLATILE_DURABILITY_QOS;
   qos.data_sharing().off();
   set_history(qos, delivery, std::max(kReaderSamples, one_second(nominal_rate_hz)));
   fast_dds::set_times(qos, kResponseDelay);

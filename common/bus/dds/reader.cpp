@@ -26,6 +26,7 @@ struct UntypedReader::Listener : efd::DataReaderListener {
       std::copy(writer.guidPrefix.value, writer.guidPrefix.value + 12, origin.writer.begin());
       std::copy(writer.entityId.value, writer.entityId.value + 4, origin.writer.begin() + 12);
       origin.number = info.sample_identity.sequence_number().to64long();
+      origin.written_realtime_ns = info.source_timestamp.to_ns();
       if (!participant.ignores(origin.writer)) taken(origin);
     }
   }

@@ -15,10 +15,11 @@
 
 namespace inslab::dds {
 
-/// Which writer sent a sample, and its count there.
+/// Which writer sent a sample, its count there, and when it was written.
 struct SampleOrigin {
   std::array<std::uint8_t, 16> writer{};
   std::uint64_t number = 0;
+  std::int64_t written_realtime_ns = 0;  ///< by the clock of the writer's host
 };
 
 inline ParticipantKey participant_of(const SampleOrigin& origin) {
@@ -61,8 +62,8 @@ class Reader {
          Reliability reliability = Reliability::Reliable)
       : callback_(std::move(callback)),
         untyped_(participant, participant.topic<T>(topic.name),
-                 reader_qos(topic.delivery, topic.nominal_rate_hz, reliability), static_cast<T*>(&sample_),
-                 [this](const SampleOrigin& origin) { callback_(sample_, origin); }) {}
+                 reader_qos(topic.delivery, topic.nominal_rate_hz, reliability, topic.is_kept),
+                 static_cast<T*>(&sample_), [this](const SampleOrigin& origin) { callback_(sample_, origin); }) {}
 
   int matched_writers() const { return untyped_.matched_writers(); }
   /// Samples that Fast DDS reports as gone before they could be taken.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <utility>
 
 namespace inslab::dds {
 
@@ -12,6 +13,12 @@ namespace inslab::dds {
 /// without a gap is one entry. Of more gaps than a writer that is repaired has at once the oldest count as closed.
 class SeenNumbers {
  public:
+  using Ranges = std::map<std::uint64_t, std::uint64_t>;  ///< first number to last
+
+  SeenNumbers() = default;
+  /// Goes on from the ranges of another one.
+  explicit SeenNumbers(Ranges ranges) : ranges_(std::move(ranges)) {}
+
   /// True the first time a number comes.
   bool insert(std::uint64_t number) {
     if (number < floor_) return false;
@@ -34,11 +41,25 @@ class SeenNumbers {
     return true;
   }
 
- private:
+  /// What came without a gap, the newest of it at most.
+  const Ranges& ranges() const { return ranges_; }
+  /// The greatest that came; 0: none.
+  std::uint64_t last() const { return ranges_.empty() ? 0 : ranges_.rbegin()->second; }
+  /// How many after `number` have not come, though a greater one has.
+  std::uint64_t missing_after(std::uint64_t number) const {
+    std::uint64_t missing = 0;
+    for (const auto& [first, end] : ranges_) {
+      if (first > number + 1) missing += first - number - 1;
+      number = std::max(number, end);
+    }
+    return missing;
+  }
+
   static constexpr std::size_t kMostRanges = 256;
 
-  std::uint64_t floor_ = 0;                        ///< everything below counts as seen
-  std::map<std::uint64_t, std::uint64_t> ranges_;  ///< first and last number of what came without a gap
+ private:
+  std::uint64_t floor_ = 0;  ///< everything below counts as seen
+  Ranges ranges_;
 };
 
 /// The same of many writers: whether a sample is one that came before. Of more writers than any network has those that

@@ -16,6 +16,7 @@ struct Topic {
   std::string name;
   Delivery delivery;
   double nominal_rate_hz;
+  bool is_kept = false;  ///< by its writer, for a reader that was away
 };
 
 namespace topics {
@@ -54,6 +55,10 @@ Topic<Sample> stream(std::uint32_t number, double rate_hz = catalog::kStream<Sam
 /// The blocks of a stream, for lockstep.
 template <class T>
 Topic<Block<T>> block(const Topic<T>& stream) { return {catalog::block_topic(stream.name), Delivery::Block, stream.nominal_rate_hz}; }
+
+/// The same topic from a writer that keeps the newest of what it wrote, or to a reader that was away and wants them.
+template <class T>
+Topic<T> kept(const Topic<T>& topic) { return {topic.name, topic.delivery == Delivery::Block ? Delivery::Block : Delivery::Answers, topic.nominal_rate_hz, true}; }
 
 template <class Profile>
 Topic<Profile> request() { return {catalog::request_topic(Profile::kind), Delivery::Request, 100.0}; }

@@ -39,7 +39,8 @@ class Writer {
  public:
   /// Throws std::runtime_error when Fast DDS refuses the topic or its settings.
   Writer(Participant& participant, const Topic<T>& topic)
-      : untyped_(participant, participant.topic<T>(topic.name), writer_qos(topic.delivery, topic.nominal_rate_hz)) {}
+      : untyped_(participant, participant.topic<T>(topic.name),
+                 writer_qos(topic.delivery, topic.nominal_rate_hz, topic.is_kept)) {}
 
   /// Sends one sample. 2.9 refuses one now and then while its history empties; asked again it takes it, so three tries
   /// are made. False when all fail: the sample was not sent.

@@ -19,11 +19,12 @@ TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, Trut
       service_(context.service()),
       sensor_number_(sensor_number),
       consumer_(consumer),
-      truth_monitor_(dds::topics::truth().name, StreamDirection::In),
+      run_(context.identity().run_id),
+      truth_(dds::topics::truth().name),
       checkpoint_(context),
       board_(context, sensor_number,
              [this](ServiceStatus& status) {
-               status.streams.push_back(truth_monitor_.status());
+               status.streams.push_back(truth_.monitor().status());
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
                consumer_.report(status);
              }),
@@ -36,11 +37,11 @@ TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, Trut
                      }),
       truth_reader_(context, dds::topics::truth(context.scenario().scenario.truth_rate_hz),
                     [this](const TruthState& state, const dds::SampleOrigin&) {
-                      mailbox_.put(Arrived{{state}, host::realtime_now().count()});
+                      mailbox_.put(streams::Arrived<TruthState>{{state}, host::realtime_now().count()});
                     }),
       block_reader_(context, dds::topics::block(dds::topics::truth(context.scenario().scenario.truth_rate_hz)),
                     [this](const Block<TruthState>& block, const dds::SampleOrigin&) {
-                      mailbox_.put(Arrived{block.samples, host::realtime_now().count()});
+                      mailbox_.put(streams::Arrived<TruthState>{block.samples, host::realtime_now().count()});
                     }) {
   for_each(catalog::ProfileKinds{},
            [this, &context](auto profile) { read_journal<typename decltype(profile)::type>(context); });
@@ -81,14 +82,14 @@ std::string TruthFollower::missing() const {
 }
 
 void TruthFollower::handle(Message message) {
-  if (const auto* arrived = std::get_if<Arrived>(&message)) {
+  if (const auto* arrived = std::get_if<streams::Arrived<TruthState>>(&message)) {
     add_truth(*arrived);
   } else if (const auto* entry = std::get_if<catalog::AnyProfile>(&message)) {
     obey(*entry);
     waiting_since_ = host::monotonic_now();
   } else if (auto* credit = std::get_if<Credit>(&message)) {
-    if (credit->consumer == scenario::kNavApp) credit->run_id = run_id_;
-    if (!log_word_.take(*credit)) consumer_.take(*credit);
+    if (credit->consumer == scenario::kNavApp) credit->run_id = run_.run();
+    if (!run_.take(*credit)) consumer_.take(*credit);
   } else {
     handle(std::get<SimStatus>(message));
   }
@@ -103,64 +104,49 @@ void TruthFollower::obey(const catalog::AnyProfile& entry) {
 }
 
 void TruthFollower::handle(const SimStatus& status) {
-  if (!context_.obeys(status.run_id)) return;
-  // Once a run has begun this process serves no other: a second trajectory server must not turn its head.
-  if (status.run_id != run_id_ && run_began_) return;
-  if (status.run_id != run_id_) begin_run(status);
-  run_began_ = run_began_ || next_ > 0 || status.state != RunState::Waiting;
-  if (!has_ended(status.state)) return;
-  run_ended_ = true;
-  run_ended_at_ = host::monotonic_now();
-  truth_samples_of_run_ = status.truth_samples;
-  if (status.state == RunState::Fault) fault_ = status.message;
+  if (run_.hear(status, host::monotonic_now()) == streams::RunFollower::Heard::TheRun) begin_run();
 }
 
-void TruthFollower::begin_run(const SimStatus& status) {
-  run_id_ = status.run_id;
-  clock_ = status.clock;
-  board_.set_run(run_id_);
-  checkpoint_.begin(run_id_);
-  consumer_.begin_run(run_id_, clock_);
+void TruthFollower::begin_run() {
+  board_.set_run(run_.run());
+  checkpoint_.begin(run_.run());
+  consumer_.begin_run(run_.run(), run_.clock());
+  truth_.begin_run(run_.run(), streams::demand_of_truth(run_.clock()), host::monotonic_now());
   if (!resume()) {
     checkpoint_.keep(checkpoint());
-  } else if (status.state != RunState::Waiting) {
+  } else if (run_.has_begun()) {
     board_.enter(ServiceState::Running);
   }
-  give_credit(true);
 }
 
 /// Goes on where a process before this one stopped in the same run. False when there was none.
 bool TruthFollower::resume() {
-  const auto head = checkpoint_.resume([this](state::StateReader& reader) {
-    reader(next_);
+  std::uint64_t next = 0;
+  const auto head = checkpoint_.resume([&](state::StateReader& reader) {
+    reader(next);
     consumer_.load(reader);
   });
   if (!head) return false;
-  delivered_ = next_;
+  truth_.go_on(next);
+  delivered_ = next;
   resumed_at_ = host::monotonic_now();
-  truth_monitor_.go_on(run_id_, next_, next_);
-  spdlog::warn("goes on with truth sample {}, {:.3f} s after the last sign of life", next_,
+  if (next > 0) run_.note_sample(host::monotonic_now());
+  spdlog::warn("goes on with truth sample {}, {:.3f} s after the last sign of life", next,
                static_cast<double>(host::realtime_now().count() - head->kept_realtime_ns) * 1e-9);
   return true;
 }
 
 std::vector<std::uint8_t> TruthFollower::checkpoint() const {
   return checkpoint_.state([this](state::StateWriter& writer) {
-    writer(next_);
+    writer(truth_.next());
     consumer_.save(writer);
   });
 }
 
-void TruthFollower::add_truth(const Arrived& arrived) {
+void TruthFollower::add_truth(const streams::Arrived<TruthState>& arrived) {
   if (arrived.samples.empty()) return;
-  if (pending_.empty()) waiting_since_ = host::monotonic_now();
-  for (const TruthState& state : arrived.samples) {
-    if (state.header.run_id != run_id_) continue;  // its status has not come yet: it will be asked for again
-    truth_monitor_.received(state.header, arrived.received_realtime_ns);
-    const std::uint64_t sequence = state.header.sequence_number;
-    if (sequence >= next_) pending_.insert_or_assign(sequence, Pending{state, &state == &arrived.samples.back()});
-  }
-  truth_came_at_ = host::monotonic_now();
+  if (truth_.empty()) waiting_since_ = host::monotonic_now();
+  truth_.add(arrived, host::monotonic_now());
   board_.enter(ServiceState::Running);
 }
 
@@ -174,8 +160,8 @@ bool TruthFollower::readers_are_back() {
 }
 
 bool TruthFollower::can_process() {
-  return !pending_.empty() && pending_.begin()->first == next_ && consumer_.ready_for(pending_.begin()->second.state) &&
-         consumer_.has_room() && readers_are_back();
+  const auto* front = truth_.front(host::monotonic_now());
+  return front != nullptr && consumer_.ready_for(front->sample) && consumer_.has_room() && readers_are_back();
 }
 
 /// A writer keeps about a second of its stream for readers that lag. A process that catches up with more than that, in
@@ -183,125 +169,107 @@ bool TruthFollower::can_process() {
 void TruthFollower::pace_the_burst() {
   constexpr std::uint64_t kSamples = 128;
   constexpr time::Nanoseconds kPatience = milliseconds(50);
-  burst_ = pending_.empty() && mailbox_.empty() ? 0 : burst_ + 1;
+  burst_ = truth_.empty() && mailbox_.empty() ? 0 : burst_ + 1;
   if (burst_ % kSamples == kSamples - 1) consumer_.flush(host::monotonic_now() + kPatience);
 }
 
 void TruthFollower::process_pending() {
   while (can_process()) {
-    const Pending& front = pending_.begin()->second;
-    board_.set_sim_time(front.state.header.sim_time_ns);
-    consumer_.process(front.state);
-    const bool ends_block = front.ends_block;
-    pending_.erase(pending_.begin());
-    ++next_;
+    const auto& front = *truth_.front(host::monotonic_now());
+    board_.set_sim_time(front.sample.header.sim_time_ns);
+    consumer_.process(front.sample);
+    const bool ends_block = front.ends_message;
+    truth_.pop();
+    run_.note_sample(host::monotonic_now());
     waiting_since_ = host::monotonic_now();
     stalled_ = false;
-    if (clock_ != ClockMode::Lockstep) {
+    if (!run_.is_lockstep()) {
       checkpoint_.keep(checkpoint());
       pace_the_burst();
     } else if (ends_block) {
       consumer_.flush_blocks();
-      marks_.push_back({next_, consumer_.outputs_end(), checkpoint()});
+      marks_.push_back({truth_.next(), consumer_.outputs_end(), checkpoint()});
     }
   }
-  if (clock_ != ClockMode::Lockstep) return;
-  if (!consumer_.has_room()) consumer_.flush_blocks();
-  auto undelivered = marks_.begin();
-  while (undelivered != marks_.end() && consumer_.outputs_delivered(undelivered->outputs_end)) ++undelivered;
-  if (undelivered == marks_.begin()) return;
-  delivered_ = std::prev(undelivered)->truth_end;
-  checkpoint_.keep(std::prev(undelivered)->checkpoint);
-  marks_.erase(marks_.begin(), undelivered);
-  give_credit(false);
+  if (run_.is_lockstep() && !consumer_.has_room()) consumer_.flush_blocks();
 }
 
-/// Says how far this service is. In lockstep it repeats that now and then: a credit that got lost must not stop the
-/// run.
-void TruthFollower::give_credit(bool resend) {
-  constexpr time::Nanoseconds kRepeat = milliseconds(200);
-  next_credit_ = host::monotonic_now() + kRepeat;
+/// In lockstep: what everybody has by now needs no truth again.
+void TruthFollower::deliver() {
+  auto undelivered = marks_.begin();
+  while (undelivered != marks_.end() && consumer_.outputs_delivered(undelivered->outputs_end)) ++undelivered;
+  const bool moved = undelivered != marks_.begin();
+  if (moved) {
+    delivered_ = std::prev(undelivered)->truth_end;
+    checkpoint_.keep(std::prev(undelivered)->checkpoint);
+    marks_.erase(marks_.begin(), undelivered);
+  }
+  give_credit(moved);
+}
+
+/// Asks for truth that was sent and has not come, and says how far this service is.
+void TruthFollower::give_credit(bool moved) {
+  streams::Receiver<TruthState>::Consumer consumer;
+  consumer.moved = moved;
+  consumer.has_work = !marks_.empty();
+  if (run_.has_ended()) consumer.sent = run_.truth_samples();
+  const auto ask = truth_.look(consumer, host::monotonic_now());
+  if (!ask) return;
   Credit credit;
-  credit.run_id = run_id_;
+  credit.run_id = run_.run();
   credit.consumer = service_;
   credit.consumer_number = sensor_number_;
   credit.topic = dds::topics::truth().name;
   // What lies between the two is needed again if this process is killed before its outputs are delivered.
-  credit.next_sequence = clock_ == ClockMode::Lockstep ? delivered_ : next_;
-  credit.resend = resend;
+  credit.next_sequence = run_.is_lockstep() ? delivered_ : truth_.next();
+  credit.resend = ask->resend;
   if (!credits_.write(credit)) spdlog::warn("a credit could not be sent");
 }
 
-/// Truth that was sent and has not come is asked for again.
-void TruthFollower::watch_for_gaps() {
-  if (run_id_ == RunId{}) return;
-  const bool gap = !pending_.empty() && pending_.begin()->first > next_;
-  if (!gap) gap_since_ = time::Nanoseconds(0);
-  // What was asked for has come and is not all: ask for the rest at once.
-  const bool answered = gap && gap_since_ != time::Nanoseconds(0) && next_ > asked_from_;
-  if (!answered && host::monotonic_now() < next_credit_) return;
-  if (gap && (answered || gap_since_ == time::Nanoseconds(0))) gap_since_ = host::monotonic_now();
-  asked_from_ = next_;
-  const bool tail_is_missing = run_ended_ && pending_.empty() && next_ < truth_samples_of_run_;
-  // In lockstep the next block follows upon a credit; one that was sent before this process listened is sent again.
-  const bool silence = clock_ == ClockMode::Lockstep && pending_.empty() && marks_.empty() && !run_ended_ &&
-                       host::monotonic_now() - truth_came_at_ > milliseconds(400);
-  if (gap || tail_is_missing || silence) {
-    give_credit(true);
-  } else if (clock_ == ClockMode::Lockstep) {
-    give_credit(false);
-  }
-}
-
 void TruthFollower::watch_the_journal() {
-  if (pending_.empty() || stalled_ || host::monotonic_now() - waiting_since_ < seconds(2)) return;
-  const TruthState& front = pending_.begin()->second.state;
-  if (front.header.sequence_number != next_ || consumer_.ready_for(front)) return;
+  const auto* front = truth_.front(host::monotonic_now());
+  if (front == nullptr || stalled_ || host::monotonic_now() - waiting_since_ < seconds(2)) return;
+  if (consumer_.ready_for(front->sample)) return;
   stalled_ = true;  // until it is processed
   board_.enter(board_.state(), "waits for entries of the journal that the truth says are in effect");
-  spdlog::error("waits for the journal: truth sample {} needs {} entries", front.header.sequence_number,
-                front.journal_in_effect);
+  spdlog::error("waits for the journal: truth sample {} needs {} entries", front->sample.header.sequence_number,
+                front->sample.journal_in_effect);
 }
 
 /// What was asked for again and again and does not come is no longer kept: without it there is no going on. Empty when
 /// nothing is lost.
 std::string TruthFollower::lost() const {
-  constexpr time::Nanoseconds kPatience = seconds(8);
-  if (gap_since_ != time::Nanoseconds(0) && host::monotonic_now() - gap_since_ > kPatience) {
-    return "truth samples " + std::to_string(next_) + " to " + std::to_string(pending_.begin()->first - 1) +
+  if (const auto lost = truth_.lost(host::monotonic_now())) {
+    return "truth samples " + std::to_string(lost->first) + " to " + std::to_string(lost->second) +
            " cannot be had: there is no checkpoint of this run to go on from, or it is too old";
   }
-  if (stalled_ && host::monotonic_now() - waiting_since_ > kPatience) {
-    const TruthState& front = pending_.begin()->second.state;
-    return "truth sample " + std::to_string(next_) + " needs " + std::to_string(front.journal_in_effect) +
-           " entries of the journal, and some of them cannot be had";
+  const auto* front = truth_.front(host::monotonic_now());
+  if (stalled_ && front != nullptr && host::monotonic_now() - waiting_since_ > seconds(8)) {
+    return "truth sample " + std::to_string(truth_.next()) + " needs " +
+           std::to_string(front->sample.journal_in_effect) + " entries of the journal, and some of them cannot be had";
   }
   return "";
 }
 
 bool TruthFollower::finished() const {
-  if (!run_ended_) return false;
+  if (!run_.has_ended()) return false;
   // What has not come some seconds after the end, asked for again and again, will not come. A logger that is killed at
   // the end asks for what it lacks when it is back.
-  const bool logged = consumer_.outputs_logged() || log_word_.is_closed(run_id_);
-  const bool delivered = clock_ == ClockMode::RealTime ? logged : marks_.empty();
-  const time::Nanoseconds patience = logged ? seconds(8) : kTimeToComeBack;
-  return (next_ >= truth_samples_of_run_ && delivered) || host::monotonic_now() - run_ended_at_ > patience;
+  const bool logged = consumer_.outputs_logged() || run_.log_is_closed();
+  const bool delivered = run_.is_lockstep() ? marks_.empty() : logged;
+  return (truth_.next() >= run_.truth_samples() && delivered) ||
+         run_.ended_before(logged ? time::Nanoseconds(seconds(8)) : streams::kTimeToComeBack, host::monotonic_now());
 }
 
 void TruthFollower::tell_the_wait() {
-  if (told_wait_ || !run_ended_ || host::monotonic_now() - run_ended_at_ < seconds(2)) return;
-  told_wait_ = true;
+  if (!run_.tells_the_wait(host::monotonic_now())) return;
   spdlog::info("waits until the logger has closed its log, at most {} s",
-               std::chrono::duration_cast<seconds>(kTimeToComeBack).count());
+               std::chrono::duration_cast<seconds>(streams::kTimeToComeBack).count());
 }
 
-/// A logger that was killed has what came before, and hears the last word of this service when it is back. One that was
-/// told to end, and one that has left the run before its end, have no time for that.
+/// One that was told to end, and one that has left the run before its end, have no time for that.
 void TruthFollower::stay_for_the_log() {
-  if (!run_ended_ || next_ == 0) return;
-  const time::Nanoseconds deadline = run_ended_at_ + kTimeToComeBack;
-  while (!log_word_.is_closed(run_id_) && !host::shutdown_requested() && host::monotonic_now() < deadline) {
+  while (truth_.next() > 0 && run_.stays_for_the_log(host::monotonic_now()) && !host::shutdown_requested()) {
     auto message = mailbox_.take(milliseconds(50));
     if (message && std::holds_alternative<Credit>(*message)) handle(std::move(*message));
     tell_the_wait();
@@ -322,14 +290,14 @@ int TruthFollower::fail(const std::string& reason) {
   spdlog::error("{}", reason);
   board_.enter(ServiceState::Fault, reason);
   board_.flush(seconds(2));
-  return host::after_the_last_word(host::kFailed);
+  return host::after_the_last_word(kFailed);
 }
 
 int TruthFollower::follow() {
-  while (!grace_.must_stop(run_began_) && !finished()) {
+  while (!grace_.must_stop(run_.has_begun()) && !finished()) {
     if (auto message = mailbox_.take(milliseconds(50))) handle(std::move(*message));
     process_pending();
-    watch_for_gaps();
+    deliver();
     watch_the_journal();
     if (const std::string reason = lost(); !reason.empty()) return fail(reason);
     if (board_.state() == ServiceState::Starting) {
@@ -344,22 +312,24 @@ int TruthFollower::follow() {
 
 int TruthFollower::end() {
   consumer_.flush_blocks();
-  if (run_ended_) consumer_.end_run(run_id_);
+  if (run_.has_ended()) consumer_.end_run(run_.run());
   consumer_.flush(host::monotonic_now() + seconds(2));
-  const bool complete = run_ended_ && fault_.empty() && mailbox_.dropped() == 0 && next_ == truth_samples_of_run_;
-  const bool left_no_run = host::shutdown_requested() && !run_began_;
+  const bool complete =
+      run_.has_ended() && run_.fault().empty() && mailbox_.dropped() == 0 && truth_.next() == run_.truth_samples();
+  const bool left_no_run = host::shutdown_requested() && !run_.has_begun();
   if (left_no_run) {
     board_.enter(ServiceState::Finished, "ended by a signal before a run");
-  } else if (host::shutdown_requested() && !run_ended_) {
-    const std::string reason = std::string(scenario::kEndedBySignal) + ", after truth sample " + std::to_string(next_);
+  } else if (host::shutdown_requested() && !run_.has_ended()) {
+    const std::string reason =
+        std::string(scenario::kEndedBySignal) + ", after truth sample " + std::to_string(truth_.next());
     board_.enter(ServiceState::Fault, reason);
     spdlog::error("{}: what follows of this run is missing", reason);
-  } else if (!fault_.empty()) {
-    board_.enter(ServiceState::Fault, "the run ended as a fault: " + fault_);
-    spdlog::error("the run ended as a fault: {}", fault_);
+  } else if (!run_.fault().empty()) {
+    board_.enter(ServiceState::Fault, "the run ended as a fault: " + run_.fault());
+    spdlog::error("the run ended as a fault: {}", run_.fault());
   } else if (!complete) {
     board_.enter(ServiceState::Fault, "truth samples are missing");
-    spdlog::error("{} of {} truth samples came", truth_monitor_.samples(), truth_samples_of_run_);
+    spdlog::error("{} of {} truth samples came", truth_.monitor().samples(), run_.truth_samples());
   } else {
     board_.enter(ServiceState::Finished);
   }
@@ -367,7 +337,7 @@ int TruthFollower::end() {
   stay_for_the_log();
   checkpoint_.forget();
   const bool good = (complete && context_.writers().fault().empty()) || left_no_run;
-  return host::after_the_last_word(good ? host::kOk : host::kFailed);
+  return host::after_the_last_word(good ? kOk : kFailed);
 }
 
 }  // namespace inslab::service

@@ -1,19 +1,18 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <variant>
 #include <vector>
 
 #include "inslab/bus/dds/reader.hpp"
 #include "inslab/bus/service/checkpoint.hpp"
-#include "inslab/bus/service/log_word.hpp"
 #include "inslab/bus/service/service.hpp"
 #include "inslab/bus/service/set_reader.hpp"
 #include "inslab/bus/service/status_board.hpp"
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/requests/run_control.hpp"
-#include "inslab/data/streams/stream_monitor.hpp"
+#include "inslab/data/streams/receiver.hpp"
+#include "inslab/data/streams/run_follower.hpp"
 #include "inslab/foundation/host/mailbox.hpp"
 #include "inslab/foundation/host/stop_grace.hpp"
 
@@ -75,15 +74,7 @@ class TruthFollower {
   int run();
 
  private:
-  struct Arrived {
-    std::vector<TruthState> samples;
-    std::int64_t received_realtime_ns;
-  };
-  using Message = std::variant<Arrived, catalog::AnyProfile, SimStatus, Credit>;
-  struct Pending {
-    TruthState state;
-    bool ends_block;
-  };
+  using Message = std::variant<streams::Arrived<TruthState>, catalog::AnyProfile, SimStatus, Credit>;
   /// A point up to which the outputs are complete once they are delivered.
   struct Mark {
     std::uint64_t truth_end;
@@ -96,14 +87,14 @@ class TruthFollower {
   void handle(Message message);
   void handle(const SimStatus& status);
   void obey(const catalog::AnyProfile& entry);
-  void begin_run(const SimStatus& status);
+  void begin_run();
   bool resume();
   std::vector<std::uint8_t> checkpoint() const;
-  void add_truth(const Arrived& arrived);
+  void add_truth(const streams::Arrived<TruthState>& arrived);
   void process_pending();
   void pace_the_burst();
-  void give_credit(bool resend);
-  void watch_for_gaps();
+  void deliver();
+  void give_credit(bool moved);
   void watch_the_journal();
   bool readers_are_back();
   bool can_process();
@@ -120,30 +111,16 @@ class TruthFollower {
   std::string service_;
   std::uint32_t sensor_number_;
   TruthConsumer& consumer_;
-  streams::StreamMonitor truth_monitor_;
   host::Mailbox<Message> mailbox_;
-  std::map<std::uint64_t, Pending> pending_;  ///< truth samples not processed yet, by sequence number
+  streams::RunFollower run_;
+  streams::Receiver<TruthState> truth_;
   Checkpoint checkpoint_;
-  std::uint64_t next_ = 0;              ///< the truth sample to process next
-  std::uint64_t asked_from_ = 0;        ///< next_ when truth was last asked for again
-  time::Nanoseconds gap_since_{0};      ///< CLOCK_MONOTONIC, the sample next_ is missing; 0: it is not
   std::vector<Mark> marks_;             ///< processed, but not yet delivered
   std::uint64_t delivered_ = 0;         ///< truth samples before this one are never needed again
-  time::Nanoseconds truth_came_at_{0};  ///< CLOCK_MONOTONIC, the newest
   time::Nanoseconds waiting_since_{0};  ///< CLOCK_MONOTONIC: no sample was processed since, no journal entry came
   time::Nanoseconds resumed_at_{0};     ///< CLOCK_MONOTONIC; 0: everybody reads what this process sends
-  time::Nanoseconds next_credit_{0};
   bool stalled_ = false;
   std::uint64_t burst_ = 0;  ///< samples processed since this process last had done with all that had come
-  RunId run_id_;
-  ClockMode clock_ = ClockMode::RealTime;
-  bool run_began_ = false;
-  bool run_ended_ = false;
-  std::string fault_;  ///< why the run ended as a fault; empty: it did not
-  std::uint64_t truth_samples_of_run_ = 0;
-  time::Nanoseconds run_ended_at_{0};
-  LogWord log_word_;
-  bool told_wait_ = false;  ///< for the logger at the end
   host::StopGrace grace_;
   StatusBoard board_;
   dds::Writer<Credit> credits_;

@@ -27,6 +27,8 @@ class StreamMonitor {
 
   const std::string& topic() const { return topic_; }
   std::uint64_t samples() const { return samples_; }
+  /// Those that came, each counted once.
+  std::uint64_t came() const { return next_sequence_ - lost_; }
   std::uint64_t lost() const { return lost_; }
   std::uint64_t next_sequence() const { return next_sequence_; }
   /// The least sample that has not come.

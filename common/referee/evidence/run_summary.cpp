@@ -126,6 +126,9 @@ void say_recoveries(const LogSummary& summary, Account& account) {
     if (value("what") == "log") {
       account.say("recovered: the logger was started again and went on with this log; {} messages were rescued\n",
                   value("rescued_messages"));
+    } else if (recovery.count("missing_messages") > 0) {
+      account.say("recovered: {}: {} messages that were sent while the logger was away are missing\n", value("what"),
+                  value("missing_messages"));
     } else {
       account.say("recovered: {}: its service was started again; {} s without a sample between {} and {}\n",
                   value("what"), value("silence_s"), value("last_sequence_before"), value("first_sequence_after"));

@@ -50,6 +50,15 @@ TEST(StreamMonitor, ADuplicateDoesNotHideALoss) {
   expect_counts(after({0, 5, 3, 3, 5, 0}), 3, 1, 3);
 }
 
+TEST(StreamMonitor, ADuplicateDoesNotStandForASampleThatHasNotCome) {
+  StreamMonitor monitor("inslab/truth", StreamDirection::In);
+  for (const std::uint64_t number : {0, 2, 2, 3}) monitor.received(header(number), 0);
+  EXPECT_EQ(monitor.samples(), 4u);
+  EXPECT_EQ(monitor.came(), 3u);
+  monitor.received(header(1), 0);
+  EXPECT_EQ(monitor.came(), 4u);
+}
+
 TEST(StreamMonitor, CountsAnyShuffleRight) {
   std::mt19937_64 engine(8);
   for (int round = 0; round < 50; ++round) {

@@ -5,9 +5,8 @@
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/samples/credit.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
-#include "inslab/scenario/service_names.hpp"
 
-namespace inslab::service {
+namespace inslab::streams::service {
 
 /// How long after the end of a run everybody stays for a service that was killed: until it has been started again, and
 /// has what it lacks.
@@ -41,4 +40,4 @@ class LogWord {
   std::optional<Credit> newest_;
 };
 
-}  // namespace inslab::service
+}  // namespace inslab::streams::service
