@@ -186,7 +186,7 @@ int NavigatorOnBus::end() {
   if (!run_.fault().empty()) {
     failure = "the run ended as a fault: " + run_.fault();
   } else if (by_signal && run_.has_begun()) {
-    failure = app::kEndedBySignal;
+    failure = scenario::kEndedBySignal;
   } else if (!by_signal && (!imu_sent_ || next_imu_ < *imu_sent_)) {
     failure = "IMU samples are missing";
   }
@@ -195,7 +195,7 @@ int NavigatorOnBus::end() {
                failure.empty() && by_signal ? "ended by a signal before a run" : failure);
   board_.flush(seconds(2));
   stay_for_the_log();
-  return host::after_the_last_word(failure.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed);
+  return host::after_the_last_word(failure.empty() && context_.writers().fault().empty() ? host::kOk : host::kFailed);
 }
 
 }  // namespace inslab::reference_nav

@@ -123,7 +123,7 @@ std::string LoggerOnBus::missing() const {
   for (const Channel& channel : channels_) {
     if (channel.matched()) continue;
     const bool is_of_app = channel.topic == catalog::kNav.name;
-    return (is_of_app ? app::kWaitsForApp : std::string("waits for ")) + "a writer of " + channel.topic;
+    return (is_of_app ? scenario::kWaitsForApp : std::string("waits for ")) + "a writer of " + channel.topic;
   }
   return "";
 }
@@ -132,7 +132,7 @@ std::string LoggerOnBus::missing() const {
 std::string LoggerOnBus::unfinished_services() const {
   std::string names;
   for (const auto& [service, number] : scenario::required_services(context_.scenario())) {
-    if (service == app::kTruthLogger) continue;
+    if (service == catalog::kTruthLogger) continue;
     const auto found = services_.find({service, number});
     const bool ended = found != services_.end() &&
                        (found->second.state == ServiceState::Finished || found->second.state == ServiceState::Fault);
@@ -147,7 +147,7 @@ bool LoggerOnBus::all_services_ended() const {
   constexpr time::Nanoseconds kSilence = seconds(15);
   for (const auto& [service, heard] : services_) {
     const bool ended = heard.state == ServiceState::Finished || heard.state == ServiceState::Fault;
-    if (service.first != app::kTruthLogger && !ended && host::monotonic_now() - heard.at < kSilence) return false;
+    if (service.first != catalog::kTruthLogger && !ended && host::monotonic_now() - heard.at < kSilence) return false;
   }
   return true;
 }
@@ -205,7 +205,7 @@ int LoggerOnBus::end() {
   if (mailbox_.dropped() > 0)
     failure_ = std::to_string(mailbox_.dropped()) + " messages came faster than the disk took them";
   if (failure_.empty() && by_signal && run_.has_begun())
-    failure_ = std::string(app::kEndedBySignal) + ": the rest is missing";
+    failure_ = std::string(scenario::kEndedBySignal) + ": the rest is missing";
   board_.enter(failure_.empty() ? ServiceState::Finished : ServiceState::Fault,
                failure_.empty() && by_signal ? "ended by a signal before a run" : failure_);
   // The others stay for the log and go on saying so, once a second each: there is no end of messages to wait for.
@@ -226,7 +226,7 @@ int LoggerOnBus::end() {
   log_words_.wait_for_acknowledgments(seconds(2));
   spdlog::info("log {} ({:.1f} MB)", log_.path(), static_cast<double>(log_.file().file_size()) * 1e-6);
   if (!failure_.empty()) spdlog::error("{}", failure_);
-  return host::after_the_last_word(failure_.empty() && context_.writers().fault().empty() ? app::kOk : app::kFailed);
+  return host::after_the_last_word(failure_.empty() && context_.writers().fault().empty() ? host::kOk : host::kFailed);
 }
 
 }  // namespace inslab::truth_logger

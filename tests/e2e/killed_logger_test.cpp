@@ -26,7 +26,7 @@ class KilledLogger : public RunningSet {
   /// What the log says of the messages of a topic that it lacks; empty: nothing.
   std::string missing(const std::string& topic) const {
     const mcap::McapReader log(log_);
-    for (const io::mcap::Metadata& record : log.metadata()) {
+    for (const mcap::Metadata& record : log.metadata()) {
       if (record.values.count("missing_messages") > 0 && record.values.at("what") == topic) {
         return record.values.at("missing_messages");
       }

@@ -69,7 +69,7 @@ TEST_F(Recovery, EachServiceThatIsKilledGoesOnAndNoBitIsLost) {
   EXPECT_THAT(run.output(), HasSubstr("recovered: the logger was started again and went on with this log"));
   expect_whole_run(reference);
   const mcap::McapReader log(log_);
-  for (const io::mcap::Metadata& record : log.metadata()) {
+  for (const mcap::Metadata& record : log.metadata()) {
     if (record.values.count("silence_s") > 0 && record.values.at("what") == "inslab/imu/0") {
       RecordProperty("imu_silence_s", record.values.at("silence_s"));
     }

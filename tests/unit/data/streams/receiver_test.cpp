@@ -29,7 +29,7 @@ class Consumer {
   explicit Consumer(const DemandPolicy& policy) { receiver_.begin_run(kRun, policy, now_); }
 
   void come(const Numbers& numbers, const RunId& run = kRun) {
-    service::Arrived<GnssFix> arrived;
+    Arrived<GnssFix> arrived;
     for (const std::uint64_t number : numbers) {
       GnssFix fix;
       fix.header.run_id = run;
