@@ -170,7 +170,7 @@ void NavigatorOnBus::stay_for_the_log() {
     board_.tick();
     if (!run_.tells_the_wait(monotonic_now())) continue;
     spdlog::info("waits until the logger has closed its log, at most {} s",
-                 std::chrono::duration_cast<seconds>(service::kTimeToComeBack).count());
+                 std::chrono::duration_cast<seconds>(streams::kTimeToComeBack).count());
   }
 }
 

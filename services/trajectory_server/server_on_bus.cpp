@@ -271,7 +271,7 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   if (vehicle_) vehicle_->report(*source_, run_id_, status_.sim_time_ns);
   sim_status_.write(status_);
   const bool there_was_a_run = source_->taken() > 0;
-  const time::Nanoseconds stays_until = monotonic_now() + (there_was_a_run ? service::kTimeToComeBack : seconds(10));
+  const time::Nanoseconds stays_until = monotonic_now() + (there_was_a_run ? streams::kTimeToComeBack : seconds(10));
   serve_stragglers(stays_until);
   const time::Nanoseconds deadline = monotonic_now() + seconds(2);
   truth_.wait_for_acknowledgments(deadline);

@@ -92,7 +92,7 @@ class ServerOnBus {
   std::optional<time::Nanoseconds> stranger_since_;  ///< CLOCK_MONOTONIC; nothing: there is none
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
   bool fault_heard_ = false;  ///< of a service, in this run
-  service::LogWord log_word_;
+  streams::LogWord log_word_;
   host::Mailbox<Message> mailbox_;
   std::unique_ptr<VehicleOnBus> vehicle_;  ///< null when the scenario has no live vehicle
   service::StreamOutput<TruthState> truth_;

@@ -63,7 +63,7 @@ void LoggerOnBus::give_credit(Stream& stream, bool moved) {
 /// Whether the others must stay for it.
 void LoggerOnBus::say_of_the_log(bool is_closed) {
   if (run_.run() == RunId{}) return;
-  if (!log_words_.write(service::log_word(run_.run(), is_closed)))
+  if (!log_words_.write(streams::log_word(run_.run(), is_closed)))
     spdlog::warn("the word on the log could not be sent");
 }
 
@@ -163,7 +163,7 @@ bool LoggerOnBus::all_samples_here() const {
 
 bool LoggerOnBus::finished() const {
   // The others do not stay for longer.
-  constexpr time::Nanoseconds kPatience = service::kTimeToComeBack - seconds(5);
+  constexpr time::Nanoseconds kPatience = streams::kTimeToComeBack - seconds(5);
   return run_.has_ended() &&
          ((all_services_ended() && all_samples_here()) || run_.ended_before(kPatience, host::monotonic_now()));
 }

@@ -290,7 +290,7 @@ int TruthFollower::fail(const std::string& reason) {
   spdlog::error("{}", reason);
   board_.enter(ServiceState::Fault, reason);
   board_.flush(seconds(2));
-  return host::after_the_last_word(kFailed);
+  return host::after_the_last_word(host::kFailed);
 }
 
 int TruthFollower::follow() {
@@ -337,7 +337,7 @@ int TruthFollower::end() {
   stay_for_the_log();
   checkpoint_.forget();
   const bool good = (complete && context_.writers().fault().empty()) || left_no_run;
-  return host::after_the_last_word(good ? kOk : kFailed);
+  return host::after_the_last_word(good ? host::kOk : host::kFailed);
 }
 
 }  // namespace inslab::service

@@ -62,7 +62,7 @@ class Demand {
   /// What is to be said now; nothing when it is not time, or there is nothing to say.
   std::optional<Ask> look(const Known& known, time::Nanoseconds now);
   /// Whether sample `next`, which newer ones have overtaken, will not come any more.
-  bool service::gave_up(std::uint64_t next, time::Nanoseconds now) const;
+  bool gave_up(std::uint64_t next, time::Nanoseconds now) const;
   const DemandPolicy& policy() const { return policy_; }
 
  private:

@@ -29,7 +29,7 @@ class Receiver {
     bool ends_message;  ///< the last of the message in which it came
   };
 
-  explicit Receiver(std::string topic) : service::monitor_(std::move(topic), StreamDirection::In) {}
+  explicit Receiver(std::string topic) : monitor_(std::move(topic), StreamDirection::In) {}
 
   /// From now on samples of `run` count, from the first on.
   void begin_run(const RunId& run, const DemandPolicy& policy, time::Nanoseconds now) {
@@ -72,7 +72,7 @@ class Receiver {
   /// Both at once.
   std::optional<Sample> take(time::Nanoseconds now) {
     if (front(now) == nullptr) return std::nullopt;
-    std::optional<Sample> service::sample(std::move(pending_.begin()->second.sample));
+    std::optional<Sample> sample(std::move(pending_.begin()->second.sample));
     pop();
     return sample;
   }

@@ -58,14 +58,14 @@ class RunFollower {
   /// Truth samples of the run that has ended.
   std::uint64_t truth_samples() const { return truth_samples_; }
   /// Why it ended as a fault; empty: it did not.
-  const std::string& service::fault() const { return fault_; }
+  const std::string& fault() const { return fault_; }
 
   /// Whether the logger has closed its log of this run, or has left it.
   bool log_is_closed() const { return log_word_.is_closed(run_); }
   /// Whether to stay for a logger that has not closed its log: one that was killed at the end has what came before,
   /// and hears the last word of a service when it is back.
   bool stays_for_the_log(time::Nanoseconds now) const {
-    return has_ended() && !log_is_closed() && !ended_before(service::kTimeToComeBack, now);
+    return has_ended() && !log_is_closed() && !ended_before(kTimeToComeBack, now);
   }
   /// Once in a run: that wait has grown long, which is said.
   bool tells_the_wait(time::Nanoseconds now);
@@ -82,7 +82,7 @@ class RunFollower {
   time::Nanoseconds since_{0};  ///< of the phase
   std::uint64_t truth_samples_ = 0;
   std::string fault_;
-  service::LogWord log_word_;
+  LogWord log_word_;
   bool told_ = false;
 };
 
