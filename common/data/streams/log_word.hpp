@@ -6,7 +6,7 @@
 #include "inslab/data/samples/credit.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
-namespace inslab::streams::service {
+namespace inslab::streams {
 
 /// How long after the end of a run everybody stays for a service that was killed: until it has been started again, and
 /// has what it lacks.
@@ -40,4 +40,4 @@ class LogWord {
   std::optional<Credit> newest_;
 };
 
-}  // namespace inslab::streams::service
+}  // namespace inslab::streams
