@@ -76,8 +76,8 @@ TEST(RowsOfAMultirotor, LeanItByItsThrustAsTheWaypointsThatTheyAreOfDo) {
     ASSERT_LT(thrust.z(), -5.0);
     const nav::Matrix3 C = nav::matrix_from_quaternion(truth[i].q_nv);
     const nav::Matrix3 C_reference = nav::matrix_from_quaternion(reference[before + i].q_nv);
-    // The first and the last piece are parabolas: their jerk jumps to 0.
-    if (seconds(truth[i]) > 1.0 && seconds(truth[i]) < 36.0) {
+    // The first piece is a parabola, whose jerk jumps; from 35.2 s on it brakes from 13 to 10 m/s within 2.8 s.
+    if (seconds(truth[i]) > 1.0 && seconds(truth[i]) < 34.5) {
       off_axis_m_per_s2 = std::max(off_axis_m_per_s2, std::hypot(thrust.x(), thrust.y()));
       off_reference_rad = std::max(off_reference_rad, (C.col(2) - C_reference.col(2)).norm());
     }
@@ -87,12 +87,12 @@ TEST(RowsOfAMultirotor, LeanItByItsThrustAsTheWaypointsThatTheyAreOfDo) {
   RecordProperty("off_axis_m_per_s2", std::to_string(off_axis_m_per_s2));
   RecordProperty("off_reference_rad", std::to_string(off_reference_rad));
   // Where the curve's jerk jumps by J at a row the law's rate jumps by J/g, and a smooth curve through attitudes 0.2 s
-  // apart swings by a tenth of that times 0.2 s, of g: 0.02 s J. J is the ramps' 0.43 m/s^4 times 0.2 s and 60 times
+  // apart swings by a tenth of that times 0.2 s, of g: 0.02 s J. J is the ramp's 0.43 m/s^4 times 0.2 s and 60 times
   // the rounding, 0.5e-5 m, over (0.2 s)^3.
   EXPECT_LT(off_axis_m_per_s2, 0.02 * (0.086 + 0.038));
-  // A cubic through positions 0.2 s apart errs by h^2/12 of the fourth derivative in its second, with the ramps' 2
-  // m/s^4 by 7e-3 m/s^2; the rounding of a row, 0.5e-5 m, by up to 6/h^2 of it: 8e-4 m/s^2. Both over g.
-  EXPECT_LT(off_reference_rad, 2e-3);
+  // A cubic through positions 0.2 s apart errs by h^2/12 of the fourth derivative in its second, 1.4e-3 m/s^2, and the
+  // rounding of a row does up to 6/h^2 of it, 8e-4 m/s^2; both over g, and the swing.
+  EXPECT_LT(off_reference_rad, 5e-4);
   EXPECT_GT(tilt_rad, 10.0 * units::kDeg);
 }
 
@@ -159,6 +159,14 @@ TEST(RowsOfAShip, TurnItToTheNewCourseWhileItGathersWay) {
     }
     // 15/8 of the mean rate.
     ASSERT_LT(sample.omega_iv_v.norm(), 1.1 * 15.0 / 8.0 * 90.0 * units::kDeg) << t_s;
+  }
+}
+
+TEST(RowsOfAShip, DoNotTurnItWhereTheyStopAtOnce) {
+  // North at 1 m/s, then at rest. The curve rings: 0.5 m/s at the last row of the way, 0.13 m/s back at the next.
+  const auto file = rows(41, 1.0, [](double t_s) { return std::pair(std::min(t_s, 20.0), 0.0); });
+  for (const TruthState& sample : run(file, of_class(scenario::VehicleClass::Ship), 20.0)) {
+    ASSERT_NEAR(nav::wrapped_to_pi(rpy(sample).yaw_rad), 0.0, 1e-6) << seconds(sample);
   }
 }
 
