@@ -22,8 +22,8 @@ class AppMessages {
     return writers_[{topic, origin.writer}].numbers.insert(origin.number);
   }
 
-  std::vector<LoggedWriter> state() const {
-    std::vector<LoggedWriter> state;
+  std::vector<sim::LoggedWriter> state() const {
+    std::vector<sim::LoggedWriter> state;
     for (const auto& [key, writer] : writers_) {
       state.push_back({key.first, RunId{key.second}, {}});
       for (const auto& [first, last] : writer.numbers.ranges()) state.back().numbers.push_back({first, last});
@@ -31,8 +31,8 @@ class AppMessages {
     return state;
   }
   /// Goes on for the process that left this state, before what its tail holds is taken.
-  void go_on(const std::vector<LoggedWriter>& state) {
-    for (const LoggedWriter& logged : state) {
+  void go_on(const std::vector<sim::LoggedWriter>& state) {
+    for (const sim::LoggedWriter& logged : state) {
       dds::SeenNumbers::Ranges ranges;
       for (const NumberRange& range : logged.numbers) ranges[range.first] = range.last;
       writers_[{logged.topic, logged.writer.bytes}].numbers = dds::SeenNumbers(std::move(ranges));
