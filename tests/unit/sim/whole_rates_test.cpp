@@ -8,7 +8,7 @@
 
 #include "tests/unit/sim/run_recorder.hpp"
 
-namespace inslab::cli {
+namespace inslab::sim {
 namespace whole_rates_test {
 
 /// Of the last samples but one of ten seconds, and of the last fix.
@@ -126,4 +126,4 @@ INSTANTIATE_TEST_SUITE_P(Hz, WholeRates, testing::ValuesIn(kGolden),
                          [](const auto& golden) { return std::to_string(golden.param.rate_hz); });
 
 }  // namespace whole_rates_test
-}  // namespace inslab::cli
+}  // namespace inslab::sim
