@@ -18,6 +18,8 @@ namespace {
 
 /// Solutions in a message, in lockstep.
 constexpr std::size_t kBlockSolutions = 32;
+/// Sent at once in real time, before the readers must have them.
+constexpr std::size_t kBurstSolutions = 128;
 
 navigation::Navigator navigator_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app) {
   const navigation::AppSetup setup = navigation::setup_for(scenario, app);
@@ -114,6 +116,7 @@ void NavigatorOnBus::navigate() {
     if (step->solution) publish(*step->solution);
   }
   flush_block();
+  if (mailbox_.empty()) burst_ = 0;
   const std::string& why = navigator_.filter().alignment_refusal();
   if (refusals_.note(why)) spdlog::warn("aligns anew: {}; not said again", why);
 }
@@ -122,6 +125,8 @@ void NavigatorOnBus::publish(const NavSolution& solution) {
   sent_.sent();
   if (!run_.is_lockstep()) {
     if (!solutions_.write(solution)) spdlog::warn("a solution could not be sent");
+    // One that was stopped, and catches up, must not overrun the readers' buffers: each hole costs them dearly.
+    if (++burst_ % kBurstSolutions == 0) solutions_.wait_for_acknowledgments(milliseconds(50));
     return;
   }
   gathered_.samples.push_back(solution);

@@ -58,6 +58,7 @@ class NavigatorOnBus {
   std::uint64_t next_fix_ = 0;             ///< fixes before this one have come
   std::optional<std::uint64_t> imu_sent_;  ///< how many samples there were, when the injector has said it
   Block<NavSolution> gathered_;
+  std::size_t burst_ = 0;  ///< solutions sent since this process last had done with all that had come
   streams::StreamMonitor sent_;
   service::StatusBoard board_;
   dds::Writer<NavSolution> solutions_;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +19,8 @@ namespace inslab::truth_logger {
 class AppMessages {
  public:
   /// False when this message is in the log already.
-  bool take(const std::string& topic, const dds::SampleOrigin& origin) {
+  bool take(const std::string& topic, const dds::SampleOrigin& origin, time::Nanoseconds now) {
+    if (accounts_ && !heard_at_) heard_at_ = now;
     return writers_[{topic, origin.writer}].numbers.insert(origin.number);
   }
 
@@ -40,8 +42,18 @@ class AppMessages {
   }
   /// From now on what is missing counts.
   void begin_account() {
+    accounts_ = true;
     for (auto& [key, writer] : writers_) writer.had = writer.numbers.last();
   }
+  /// A writer that keeps what it wrote gives it in order: after something new there is nothing old to come.
+  void caught_up() { caught_up_ = true; }
+  /// Whether it is known what is missing. `they_keep`: some writer keeps what it wrote.
+  bool account_is_due(bool they_keep, time::Nanoseconds now) const {
+    constexpr time::Nanoseconds kToMatch = std::chrono::seconds(5);
+    return accounts_ && heard_at_ && (they_keep ? caught_up_ : now - *heard_at_ > kToMatch);
+  }
+  bool accounts() const { return accounts_; }
+  void end_account() { accounts_ = false; }
   /// By topic, how many messages of those after begin_account() have not come though later ones have. Those of a writer
   /// that has gone meanwhile, or that has written nothing since, nobody knows of.
   std::map<std::string, std::uint64_t> missing() const {
@@ -59,6 +71,9 @@ class AppMessages {
   };
 
   std::map<std::pair<std::string, std::array<std::uint8_t, 16>>, Writer> writers_;
+  bool accounts_ = false;
+  bool caught_up_ = false;
+  std::optional<time::Nanoseconds> heard_at_;  ///< the first message since begin_account()
 };
 
 }  // namespace inslab::truth_logger

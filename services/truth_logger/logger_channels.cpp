@@ -97,11 +97,14 @@ LoggerOnBus::Channel& LoggerOnBus::add_reader(service::Context& context, const d
     // What was written while no logger listened was not late: it is logged with the time at which it was written.
     const auto enqueue_kept = [this, index](const dds::Received<T>& sample, const dds::SampleOrigin& origin) {
       const bool was_away = origin.written_realtime_ns < listens_since_realtime_ns_;
-      mailbox_.put({index, sample.cdr, was_away ? origin.written_realtime_ns : host::realtime_now().count(), origin});
+      const std::int64_t at_ns = was_away ? origin.written_realtime_ns : host::realtime_now().count();
+      mailbox_.put({index, sample.cdr, at_ns, origin, !was_away});
     };
-    channel.reader_of_what_is_kept =
+    auto kept =
         std::make_shared<dds::Reader<T>>(context.participant(), dds::topics::kept(topic),
                                          context.writers().only_the_app(stream, is_reference_nav, enqueue_kept));
+    channel.is_kept = [kept] { return kept->matched_writers() > 0; };
+    channel.reader_of_what_is_kept = kept;
   } else {
     auto reader = std::make_shared<service::SetReader<T>>(context, topic, enqueue);
     channel.matched = [reader] { return reader->matched_writers() > 0; };
@@ -191,13 +194,15 @@ void LoggerOnBus::add_nav_channels(service::Context& context) {
   };
   const auto log_it = singles.take;
   singles.take = [this, log_it, topic = singles.topic](const Message& message) {
-    if (app_messages_.take(topic, message.origin)) log_it(message);
+    if (message.follows_what_was_kept) app_messages_.caught_up();
+    if (app_messages_.take(topic, message.origin, host::monotonic_now())) log_it(message);
   };
   Channel& blocks = add_reader<Block<NavSolution>>(context, dds::topics::block(dds::topics::nav()), Writers::OneApp);
   blocks.take = [this, log_it, topic = blocks.topic](const Message& message) {
     Block<NavSolution> block;
     if (!wire::decode(message.bytes.data(), message.bytes.size(), block)) return;
-    if (!app_messages_.take(topic, message.origin)) return;
+    if (message.follows_what_was_kept) app_messages_.caught_up();
+    if (!app_messages_.take(topic, message.origin, host::monotonic_now())) return;
     Message single{message.channel, {}, message.received_realtime_ns, message.origin};
     for (const NavSolution& solution : block.samples) {
       wire::encode(solution, single.bytes);

@@ -85,7 +85,7 @@ void LoggerOnBus::look_around() {
   }
   looked_at_ = now;
   for (auto& [topic, stream] : streams_) give_credit(stream, false);
-  if (now > account_at_) account_for_the_app();
+  account_for_the_app(false);
 }
 
 /// One error is kept and said; the file is left as it is.
@@ -214,7 +214,7 @@ int LoggerOnBus::end() {
     if (const auto message = mailbox_.take(milliseconds(20))) handle(*message);
   }
   try {
-    if (account_at_ != streams::kNever) account_for_the_app();
+    account_for_the_app(true);
     add_score();
     log_.file().close();
   } catch (const files::WriteError& error) {

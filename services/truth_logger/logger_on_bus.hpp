@@ -46,6 +46,8 @@ class LoggerOnBus {
     std::vector<std::uint8_t> bytes;
     std::int64_t received_realtime_ns;
     dds::SampleOrigin origin;
+    bool follows_what_was_kept =
+        false;  ///< it is new, and comes behind what its writer kept for a logger that was away
   };
   /// Whom a stream came from last.
   struct Source {
@@ -67,6 +69,7 @@ class LoggerOnBus {
     std::function<bool()> matched;
     std::shared_ptr<void> reader;
     std::shared_ptr<void> reader_of_what_is_kept;  ///< by its writer, for a logger that was away
+    std::function<bool()> is_kept;                 ///< whether there is such a writer
   };
 
   enum class Writers { Ours, OneApp, Anybody };
@@ -96,7 +99,7 @@ class LoggerOnBus {
   void say_of_the_log(bool is_closed);
   void change_demands();
   void look_around();
-  void account_for_the_app();
+  void account_for_the_app(bool at_the_end);
   template <class Profile>
   void add_profile_channels(service::Context& context);
   void add_nav_channels(service::Context& context);
@@ -131,10 +134,9 @@ class LoggerOnBus {
   std::map<std::string, Stream> streams_;
   std::vector<std::uint8_t> encoded_;
   streams::RunFollower run_;
-  time::Nanoseconds next_flush_{0};                 ///< CLOCK_MONOTONIC
-  time::Nanoseconds account_at_ = streams::kNever;  ///< CLOCK_MONOTONIC
-  time::Nanoseconds looked_at_{0};                  ///< CLOCK_MONOTONIC
-  std::map<std::string, std::uint64_t> sent_;       ///< by topic, as the services report when they have finished
+  time::Nanoseconds next_flush_{0};            ///< CLOCK_MONOTONIC
+  time::Nanoseconds looked_at_{0};             ///< CLOCK_MONOTONIC
+  std::map<std::string, std::uint64_t> sent_;  ///< by topic, as the services report when they have finished
   struct Heard {
     ServiceState state;
     time::Nanoseconds at;  ///< CLOCK_MONOTONIC

@@ -116,7 +116,6 @@ void LoggerOnBus::go_on() {
   }
   replaying_ = false;
   app_messages_.begin_account();
-  account_at_ = host::monotonic_now() + seconds(5);
   generation_ = interrupted_->generation;
   log_.add_recovery("log", {{"rescued_messages", std::to_string(rescued)}});
   flush();
@@ -124,8 +123,12 @@ void LoggerOnBus::go_on() {
 
 /// Once what the app's writers keep has come: says which of its solutions the log lacks of the time between the kill
 /// and now.
-void LoggerOnBus::account_for_the_app() {
-  account_at_ = streams::kNever;
+void LoggerOnBus::account_for_the_app(bool at_the_end) {
+  if (!app_messages_.accounts()) return;
+  const bool they_keep = std::any_of(channels_.begin(), channels_.end(),
+                                     [](const Channel& channel) { return channel.is_kept && channel.is_kept(); });
+  if (!at_the_end && !app_messages_.account_is_due(they_keep, host::monotonic_now())) return;
+  app_messages_.end_account();
   for (const auto& [topic, missing] : app_messages_.missing()) {
     log_.add_recovery(topic, {{"missing_messages", std::to_string(missing)}});
     if (missing == 0) {

@@ -58,7 +58,7 @@ Topic<Block<T>> block(const Topic<T>& stream) { return {catalog::block_topic(str
 
 /// The same topic from a writer that keeps the newest of what it wrote, or to a reader that was away and wants them.
 template <class T>
-Topic<T> kept(const Topic<T>& topic) { return {topic.name, topic.delivery == Delivery::Block ? Delivery::Block : Delivery::Answers, topic.nominal_rate_hz, true}; }
+Topic<T> kept(const Topic<T>& topic) { return {topic.name, topic.delivery, topic.nominal_rate_hz, true}; }
 
 template <class Profile>
 Topic<Profile> request() { return {catalog::request_topic(Profile::kind), Delivery::Request, 100.0}; }
