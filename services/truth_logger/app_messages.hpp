@@ -45,12 +45,15 @@ class AppMessages {
     accounts_ = true;
     for (auto& [key, writer] : writers_) writer.had = writer.numbers.last();
   }
-  /// A writer that keeps what it wrote gives it in order: after something new there is nothing old to come.
+  /// Something new has come: a writer that keeps what it wrote knows of this logger, and what lies between is missing.
   void caught_up() { caught_up_ = true; }
-  /// Whether it is known what is missing. `they_keep`: some writer keeps what it wrote.
+  /// Whether it is known what is missing. `they_keep`: some writer keeps what it wrote, and gives it bit by bit.
   bool account_is_due(bool they_keep, time::Nanoseconds now) const {
     constexpr time::Nanoseconds kToMatch = std::chrono::seconds(5);
-    return accounts_ && heard_at_ && (they_keep ? caught_up_ : now - *heard_at_ > kToMatch);
+    constexpr time::Nanoseconds kToGive = std::chrono::seconds(15);
+    if (!accounts_ || !heard_at_) return false;
+    if (they_keep && caught_up_ && missing_in_all() == 0) return true;
+    return now - *heard_at_ > (they_keep ? kToGive : kToMatch);
   }
   bool accounts() const { return accounts_; }
   void end_account() { accounts_ = false; }
@@ -65,6 +68,12 @@ class AppMessages {
   }
 
  private:
+  std::uint64_t missing_in_all() const {
+    std::uint64_t sum = 0;
+    for (const auto& [topic, count] : missing()) sum += count;
+    return sum;
+  }
+
   struct Writer {
     dds::SeenNumbers numbers;
     std::uint64_t had = 0;  ///< the newest when the account began
