@@ -40,7 +40,7 @@ NavigatorOnBus::NavigatorOnBus(service::Context& context, const scenario::Refere
                status.streams = {imu_.status(), gnss_.status(), sent_.status()};
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
              }),
-      solutions_(context.participant(), dds::topics::kept(dds::topics::nav())),
+      solutions_(context.participant(), kept_solutions()),
       blocks_(context.participant(), dds::topics::kept(dds::topics::block(dds::topics::nav()))),
       imu_(context, dds::topics::stream<ImuSample>(app.imu, context.scenario().sensor<catalog::Imu>(app.imu).rate.hz()),
            [this](streams::Arrived<ImuSample> arrived) { mailbox_.put(std::move(arrived)); }),
