@@ -21,6 +21,13 @@ constexpr std::size_t kBlockSolutions = 32;
 /// Sent at once in real time, before the readers must have them.
 constexpr std::size_t kBurstSolutions = 128;
 
+/// For a logger that was away. While it asks for them, new ones take the place of the oldest: hence so many.
+dds::Topic<NavSolution> kept_solutions() {
+  dds::Topic<NavSolution> topic = dds::topics::kept(dds::topics::nav());
+  topic.nominal_rate_hz *= 2.0;
+  return topic;
+}
+
 navigation::Navigator navigator_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app) {
   const navigation::AppSetup setup = navigation::setup_for(scenario, app);
   return navigation::Navigator(setup.parameters, setup.gravity);
