@@ -1,14 +1,15 @@
 #include "inslab/nav/gravity.hpp"
 
 #include <cmath>
+#include <utility>
 
+#include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/wgs84.hpp"
 
 namespace inslab::nav {
 
 namespace {
 
-constexpr double kMPerS2PerMgal = 1e-5;
 constexpr double kRadPerArcsec = 3.14159265358979323846 / 648000.0;
 
 // NIMA TR8350.2, table 3.4: gravity at the equator, the formula's constant, and m = omega^2 a^2 b / GM.
@@ -72,11 +73,18 @@ NormalField normal_field(double sin_latitude, double height_m) {
 
 }  // namespace
 
-Gravity::Gravity(GravityModel model, const Disturbance& disturbance)
+Gravity::Gravity(GravityModel model, const Disturbance& disturbance, std::shared_ptr<const GravityField> field,
+                 std::shared_ptr<const GravityGrid> grid)
     : model_(model),
-      disturbance_m_per_s2_(disturbance.down_mgal * kMPerS2PerMgal),
+      disturbance_m_per_s2_(disturbance.down_mgal * units::kMGal),
       deflection_north_rad_(disturbance.deflection_north_arcsec * kRadPerArcsec),
-      deflection_east_rad_(disturbance.deflection_east_arcsec * kRadPerArcsec) {}
+      deflection_east_rad_(disturbance.deflection_east_arcsec * kRadPerArcsec),
+      field_(std::move(field)),
+      grid_(std::move(grid)) {}
+
+bool Gravity::is_disturbed() const {
+  return field_ || grid_ || disturbance_m_per_s2_ != 0.0 || deflection_north_rad_ != 0.0 || deflection_east_rad_ != 0.0;
+}
 
 double Gravity::normal_m_per_s2(double sin_latitude, double height_m) const {
   const double sin2 = sin_latitude * sin_latitude;
@@ -91,7 +99,7 @@ double Gravity::normal_m_per_s2(double sin_latitude, double height_m) const {
   return somigliana(sin2, height_m);
 }
 
-Vector3 Gravity::g_n(double sin_latitude, double height_m) const {
+Vector3 Gravity::uniform_g_n(double sin_latitude, double height_m) const {
   double north = 0.0, down = 0.0;
   if (model_ == GravityModel::Normal) {
     const NormalField field = normal_field(sin_latitude, height_m);
@@ -104,14 +112,23 @@ Vector3 Gravity::g_n(double sin_latitude, double height_m) const {
   return {north - g * deflection_north_rad_, -g * deflection_east_rad_, g};
 }
 
-Vector3 Gravity::g_n(const Geodetic& position) const { return g_n(std::sin(position.latitude_rad), position.height_m); }
+Vector3 Gravity::varying_n(const Geodetic& position) const {
+  Vector3 sum = Vector3::Zero();
+  if (field_) sum += field_->disturbance_n(position, cell_);
+  if (grid_) sum += grid_->disturbance_n(position);
+  return sum;
+}
+
+Vector3 Gravity::g_n(const Geodetic& position) const {
+  return g_n(std::sin(position.latitude_rad), position.height_m, [&position] { return position; });
+}
 
 Vector3 Gravity::gravitation_e(const Geodetic& position) const {
   const double s = std::sin(position.latitude_rad), c = std::cos(position.latitude_rad);
   const double s_lon = std::sin(position.longitude_rad), c_lon = std::cos(position.longitude_rad);
   const double from_axis_m = (wgs84::transverse_radius_from_sine_m(s) + position.height_m) * c;
   const double to_axis_m_per_s2 = wgs84::omega_e_rad_per_s * wgs84::omega_e_rad_per_s * from_axis_m;
-  return C_en(s, c, s_lon, c_lon) * g_n(s, position.height_m) - to_axis_m_per_s2 * Vector3(c_lon, s_lon, 0.0);
+  return C_en(s, c, s_lon, c_lon) * g_n(position) - to_axis_m_per_s2 * Vector3(c_lon, s_lon, 0.0);
 }
 
 }  // namespace inslab::nav

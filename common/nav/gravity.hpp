@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "inslab/nav/geodesy.hpp"
+#include "inslab/nav/gravity_field.hpp"
+#include "inslab/nav/gravity_grid.hpp"
 
 namespace inslab::nav {
 
@@ -13,7 +16,8 @@ enum class GravityModel : std::uint32_t {
 };
 
 /// Gravity (gravitation and centrifugal acceleration together) over the ellipsoid, with an optional constant
-/// disturbance.
+/// disturbance and optional ones that vary with place. It keeps the powers of the place it was last asked about: one
+/// object is not for two threads at once.
 class Gravity {
  public:
   /// Departure of the Earth from the model, the same everywhere.
@@ -24,7 +28,9 @@ class Gravity {
   };
 
   explicit Gravity(GravityModel model = GravityModel::Somigliana) : Gravity(model, Disturbance{}) {}
-  Gravity(GravityModel model, const Disturbance& disturbance);
+  /// `field` and `grid`: what varies with place; they add up.
+  Gravity(GravityModel model, const Disturbance& disturbance, std::shared_ptr<const GravityField> field = nullptr,
+          std::shared_ptr<const GravityGrid> grid = nullptr);
 
   /// Normal gravity along the ellipsoid's normal, down, in m/s^2, without the disturbance.
   ///
@@ -35,17 +41,33 @@ class Gravity {
 
   /// Gravity in n, m/s^2: (-g xi, -g eta, g) with g the normal gravity plus the disturbance; first order in the angles.
   /// Only the model `normal` knows that the plumb line bends with height: it adds a north component.
-  Vector3 g_n(double sin_latitude, double height_m) const;
   Vector3 g_n(const Geodetic& position) const;
+
+  /// The same for who has the sine of the latitude at hand and not the place: `place()` is asked for the whole position
+  /// only where gravity varies with it.
+  template <class Place>
+  Vector3 g_n(double sin_latitude, double height_m, Place place) const {
+    const Vector3 uniform = uniform_g_n(sin_latitude, height_m);
+    return field_ || grid_ ? Vector3(uniform + varying_n(place())) : uniform;
+  }
+
+  /// Whether the Earth departs from the model at all.
+  bool is_disturbed() const;
 
   /// Gravitation in e, m/s^2: G = g + omega_ie x (omega_ie x r), what a test mass in free fall feels in i.
   Vector3 gravitation_e(const Geodetic& position) const;
 
  private:
+  Vector3 uniform_g_n(double sin_latitude, double height_m) const;
+  Vector3 varying_n(const Geodetic& position) const;
+
   GravityModel model_;
   double disturbance_m_per_s2_;
   double deflection_north_rad_;
   double deflection_east_rad_;
+  std::shared_ptr<const GravityField> field_;
+  std::shared_ptr<const GravityGrid> grid_;
+  mutable GravityField::Cell cell_;  // a cache, not a state
 };
 
 }  // namespace inslab::nav

@@ -19,6 +19,11 @@ Quaternion q_en_at(const Geodetic& position) {
   return Quaternion(c * c_lon, -s * s_lon, s * c_lon, c * s_lon);
 }
 
+Geodetic position_of(const Quaternion& q_en, double height_m) {
+  return {2.0 * std::atan2(std::hypot(q_en.x(), q_en.y()), std::hypot(q_en.w(), q_en.z())) - 0.5 * units::kPi,
+          wrapped_to_pi(2.0 * std::atan2(q_en.z(), q_en.w())), height_m};
+}
+
 /// Sine and cosine of the latitude are entries of C_en; `q_en` need not have norm 1.
 struct Latitude {
   explicit Latitude(const Quaternion& q_en)
@@ -82,15 +87,16 @@ Strapdown::Extrapolated Strapdown::extrapolate(double dt_s) const {
   const Latitude now(q_en);
   const EarthRates rates_now = earth_rates(now.sine, now.cosine, height_m_.value(), v_n_);
   const Vector3 half_way_n = 0.5 * dt_s * (rates_now.omega_ie_n + rates_now.omega_en_n);
-  const Latitude middle(quaternion_from_rotation_vector(earth_turn_e(-0.5 * dt_s)) * q_en *
-                        quaternion_from_rotation_vector(half_way_n));
+  const Quaternion q_en_middle =
+      quaternion_from_rotation_vector(earth_turn_e(-0.5 * dt_s)) * q_en * quaternion_from_rotation_vector(half_way_n);
+  const Latitude middle(q_en_middle);
   const double height_m = height_m_.value() - 0.5 * dt_s * v_n_.z();
   const Vector3 v_n = before_.dt_s > 0.0 ? Vector3(v_n_ + 0.5 * dt_s / before_.dt_s * dv_n_before_) : v_n_;
 
   const EarthRates rates = earth_rates(middle.sine, middle.cosine, height_m, v_n);
   const Vector3 coriolis_n = (2.0 * rates.omega_ie_n + rates.omega_en_n).cross(v_n);
-  return {middle.sine, middle.cosine, 0.5 * dt_s * (rates.omega_ie_n + rates.omega_en_n),
-          dt_s * (gravity_.g_n(middle.sine, height_m) - coriolis_n)};
+  const Vector3 g_n = gravity_.g_n(middle.sine, height_m, [&] { return position_of(q_en_middle, height_m); });
+  return {middle.sine, middle.cosine, 0.5 * dt_s * (rates.omega_ie_n + rates.omega_en_n), dt_s * (g_n - coriolis_n)};
 }
 
 /// Thesis (2-43)..(2-47) with the middle's velocity interpolated, then (2-55), (2-56).
@@ -167,11 +173,7 @@ ImuIncrements Strapdown::increments_to(const Vector3& v_n, const Quaternion& q_n
 
 NavState Strapdown::state() const { return {position(), v_n_, q_nb()}; }
 
-Geodetic Strapdown::position() const {
-  const Quaternion q = q_en_.value();
-  return {2.0 * std::atan2(std::hypot(q.x(), q.y()), std::hypot(q.w(), q.z())) - 0.5 * units::kPi,
-          wrapped_to_pi(2.0 * std::atan2(q.z(), q.w())), height_m_.value()};
-}
+Geodetic Strapdown::position() const { return position_of(q_en_.value(), height_m_.value()); }
 
 Quaternion Strapdown::q_nb() const { return canonical(q_nb_.value()); }
 

@@ -1,12 +1,15 @@
 #include "inslab/scenario/load.hpp"
 
 #include "inslab/data/catalog/profile_rules.hpp"
+#include "inslab/formats/recordings/gravity_text.hpp"
 #include "inslab/formats/trajectory/trajectory_judge.hpp"
 #include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/text/shown.hpp"
+#include "inslab/foundation/units/units.hpp"
 #include "inslab/noise/random/stream.hpp"
 #include "inslab/scenario/motion_matrix.hpp"
 #include "inslab/scenario/read_document.hpp"
+#include "inslab/scenario/terrain_gravity.hpp"
 
 namespace inslab::scenario {
 
@@ -30,6 +33,11 @@ Profile named_profile(const std::filesystem::path& folder, const std::string& na
     return profile;
   }
   return read_profile<Profile>(folder / name, target);
+}
+
+template <class Place>
+nav::Geodetic position_of(const Place& place) {
+  return {place.latitude_deg * units::kDeg, place.longitude_deg * units::kDeg, place.height_m};
 }
 
 /// The parts of a sensor that are no profile.
@@ -86,6 +94,7 @@ std::optional<Violation> missing_file(const Scenario& scenario, const std::files
   const Trajectory& trajectory = scenario.trajectory;
   if (trajectory.source == TrajectorySource::File) files.look_for("trajectory.file.path", trajectory.file.path);
   files.look_for_optional("trajectory.segments_file", trajectory.segments_file);
+  files.look_for_optional("trajectory.gravity.grid_file", trajectory.gravity.grid_file);
   const auto at = [](const std::string& list, std::size_t index) { return list + "[" + std::to_string(index) + "]."; };
   for_each(catalog::SensorKinds{}, [&](auto tag) {
     using Kind = typename decltype(tag)::type;
@@ -105,9 +114,11 @@ std::optional<Violation> missing_file(const Scenario& scenario, const std::files
   return files.missing;
 }
 
-trajectory::TrajectoryReading read_rows(const std::filesystem::path& file, const FileMotion& motion) {
+/// What `read` makes of a file; what is wrong with that is an error of the configuration.
+template <class Read>
+auto reading(const std::filesystem::path& file, const Read& read) {
   try {
-    return trajectory::read_trajectory(file.string(), {motion.columns, motion.topic, true});
+    return read();
   } catch (const files::ReadError& error) {
     const std::string prefix = file.string() + ": ";
     const std::string what = error.what();
@@ -118,16 +129,18 @@ trajectory::TrajectoryReading read_rows(const std::filesystem::path& file, const
 
 /// The rows of a trajectory's file, held to its limits and to what the method needs.
 std::shared_ptr<const TrajectoryFile> load_rows(const std::filesystem::path& file, const FileMotion& motion) {
-  trajectory::TrajectoryReading reading = read_rows(file, motion);
-  if (reading.problems.empty()) trajectory::judge_trajectory(reading, motion.limits, true);
-  if (!reading.problems.empty()) throw json::Error(file.string(), reading.problems.kept().front());
-  const TrajectoryRow& first = reading.file.rows.front();
+  trajectory::TrajectoryReading rows = reading(file, [&] {
+    return trajectory::read_trajectory(file.string(), {motion.columns, motion.topic, true});
+  });
+  if (rows.problems.empty()) trajectory::judge_trajectory(rows, motion.limits, true);
+  if (!rows.problems.empty()) throw json::Error(file.string(), rows.problems.kept().front());
+  const TrajectoryRow& first = rows.file.rows.front();
   if (motion.method == FileMethod::InverseMechanization && !(first.v_n && first.rpy)) {
     throw json::Error(file.string(), {Rule::MethodNeeds, "",
                                       std::string("has no ") + (first.v_n ? "attitude" : "velocity") +
                                           "; expected both for the method inverse_mechanization"});
   }
-  return std::make_shared<const TrajectoryFile>(std::move(reading.file));
+  return std::make_shared<const TrajectoryFile>(std::move(rows.file));
 }
 
 /// A class has nothing to do where the rows have an attitude: who names one believes that it does.
@@ -154,11 +167,58 @@ void check_rows_cover_run(const LoadedScenario& loaded) {
                          number_text(time::to_seconds(last_row)) + " s"});
 }
 
+/// A swap is in effect for the samples after its time: one without such a sample is never acknowledged.
+void check_swaps_are_seen(const LoadedScenario& loaded) {
+  const time::Nanoseconds end = time::from_seconds(loaded.scenario.duration_s);
+  for (std::size_t i = 0; i < loaded.scenario.swaps.size(); ++i) {
+    const ScheduledSwap& swap = loaded.scenario.swaps[i];
+    time::Nanoseconds last{0};
+    for_each_sensor(loaded.scenario, [&](auto tag, const auto& sensor) {
+      const bool is_it = decltype(tag)::type::kind == swap.sensor_kind && sensor.number == swap.sensor_number;
+      if (const time::Rate rate(sensor.rate_hz); is_it) last = rate.at(rate.index(end));
+    });
+    if (loaded.truth_grid().at_or_after(time::from_seconds(swap.at_s)) < last) continue;
+    throw json::Error(loaded.file.string(),
+                      {Rule::SwapBeforeEnd, "swaps[" + std::to_string(i) + "].at_s",
+                       "is " + number_text(swap.at_s) + "; the last sample of " +
+                           catalog::sensor_name({swap.sensor_kind, swap.sensor_number}) + " is at " +
+                           number_text(time::to_seconds(last)) + " s, so none would come out under it"});
+  }
+}
+
 /// Afterwards the scenario says all by itself: what is logged with a run needs no other file.
 void take_segments_from_file(Trajectory& trajectory, const std::filesystem::path& folder) {
   if (trajectory.segments_file.empty()) return;
   trajectory.segments = read_motion_matrix(folder / trajectory.segments_file);
   trajectory.segments_file.clear();
+}
+
+/// The grid must have the places of which the scenario itself speaks.
+void load_gravity_grid(LoadedScenario& loaded) {
+  const std::string& name = loaded.scenario.trajectory.gravity.grid_file;
+  if (name.empty()) return;
+  const std::filesystem::path file = loaded.file.parent_path() / name;
+  const auto grid = reading(file, [&file] { return recordings::read_gravity_grid(file.string()); });
+  loaded.gravity_grid = std::make_shared<const nav::GravityGrid>(grid);
+  const auto must_contain = [&](const nav::Geodetic& place, const std::string& what) {
+    if (grid.contains(place)) return;
+    throw json::Error(loaded.file.string(),
+                      {Rule::GravityGrid, "trajectory.gravity.grid_file",
+                       "names " + text::quoted(name) + ", which does not reach to " + what + ", latitude " +
+                           std::to_string(place.latitude_rad * units::kDegPerRad) + ", longitude " +
+                           std::to_string(place.longitude_rad * units::kDegPerRad) + " deg"});
+  };
+  must_contain(loaded.start_position(), "the start");
+  if (loaded.scenario.trajectory.source == TrajectorySource::Waypoints) {
+    const auto& waypoints = loaded.scenario.trajectory.waypoints;
+    for (std::size_t i = 0; i < waypoints.size(); ++i) {
+      must_contain(position_of(waypoints[i]), "waypoint " + std::to_string(i));
+    }
+  }
+  if (!loaded.trajectory_file) return;
+  for (std::size_t i = 0; i < loaded.trajectory_file->rows.size(); ++i) {
+    must_contain(loaded.trajectory_file->rows[i].position, "row " + std::to_string(i) + " of the trajectory");
+  }
 }
 
 }  // namespace
@@ -190,6 +250,8 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit, 
     check_rows_cover_run(loaded);
   }
   take_segments_from_file(loaded.scenario.trajectory, folder);
+  load_gravity_grid(loaded);
+  check_swaps_are_seen(loaded);
   loaded.swaps = load_swaps(scenario.swaps, folder, 1);
   return loaded;
 }
@@ -238,8 +300,21 @@ std::uint64_t LoadedScenario::stream_seed() const {
 
 nav::Gravity LoadedScenario::gravity() const {
   const GravityOptions& options = scenario.trajectory.gravity;
-  return nav::Gravity(options.model,
-                      {options.disturbance_mgal, options.deflection_north_arcsec, options.deflection_east_arcsec});
+  std::shared_ptr<const nav::GravityField> field;
+  if (options.variation) {
+    field = std::make_shared<nav::GravityField>(gravity_field(*options.variation, start_position(), scenario.seed));
+  }
+  return nav::Gravity(options.model, constant_disturbance(options), std::move(field), gravity_grid);
+}
+
+nav::Gravity LoadedScenario::gravity_model() const { return nav::Gravity(scenario.trajectory.gravity.model); }
+
+nav::Geodetic LoadedScenario::start_position() const {
+  const Trajectory& trajectory = scenario.trajectory;
+  if (trajectory.source == TrajectorySource::File && trajectory_file) return trajectory_file->rows.front().position;
+  if (trajectory.source == TrajectorySource::Waypoints && !trajectory.waypoints.empty())
+    return position_of(trajectory.waypoints.front());
+  return position_of(trajectory.initial);
 }
 
 void LoadedScenario::no_such_sensor(std::string_view kind, const char* singular, std::uint32_t number) const {

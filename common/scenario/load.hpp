@@ -40,6 +40,24 @@ struct LoadedMagnetometer {
   InstallationProfile nominal_installation;
 };
 
+/// One barometer with its profiles read.
+struct LoadedBarometer {
+  std::uint32_t number = 0;
+  time::Rate rate{50.0};
+  BarometerErrorProfile errors;
+  InstallationProfile installation;
+  InstallationProfile nominal_installation;
+};
+
+/// One odometer with its profiles read.
+struct LoadedOdometer {
+  std::uint32_t number = 0;
+  time::Rate rate{100.0};
+  OdometerErrorProfile errors;
+  InstallationProfile installation;
+  InstallationProfile nominal_installation;
+};
+
 /// A scenario with every file it names read and checked.
 struct LoadedScenario {
   std::filesystem::path file;
@@ -49,9 +67,12 @@ struct LoadedScenario {
   /// What the trajectory's file says, judged by its limits; null when the trajectory has none. Its rows reach from sim
   /// time 0 to the last sample at least, and they have what the method needs.
   std::shared_ptr<const TrajectoryFile> trajectory_file;
+  std::shared_ptr<const nav::GravityGrid> gravity_grid;  ///< of trajectory.gravity.grid_file; null: it names none
   std::vector<LoadedImu> imus;
   std::vector<LoadedGnss> gnss;
   std::vector<LoadedMagnetometer> magnetometers;
+  std::vector<LoadedBarometer> barometers;
+  std::vector<LoadedOdometer> odometers;
   std::vector<catalog::AnyProfile> swaps;  ///< requests in order: target and request are filled in
   std::string unit;                        ///< the vehicle's name on the network; empty: it has none
 
@@ -62,8 +83,12 @@ struct LoadedScenario {
   /// The seed of the random streams: the scenario's, or, for a unit with a name, one drawn from that and the name, so
   /// that no two units share a stream.
   std::uint64_t stream_seed() const;
-  /// The gravity that the scenario's options describe.
+  /// The gravity that the scenario's options describe: what the vehicle feels.
   nav::Gravity gravity() const;
+  /// Its model alone: what a navigation app knows of it.
+  nav::Gravity gravity_model() const;
+  /// Where the vehicle begins; of a live vehicle, where it is until it reports.
+  nav::Geodetic start_position() const;
   /// The sensor of that kind and number. Throws json::Error when the scenario has no such sensor.
   template <class Kind>
   const auto& sensor(std::uint32_t number) const;
@@ -115,6 +140,28 @@ struct LoadedSection<catalog::Magnetometer> {
       NamedProfile<MagnetometerSensor, LoadedMagnetometer, InstallationProfile>{
           "installation_profile", "installation", &MagnetometerSensor::installation_profile,
           &LoadedMagnetometer::installation}};
+};
+
+template <>
+struct LoadedSection<catalog::Barometer> {
+  static constexpr auto sensors = &LoadedScenario::barometers;
+  static constexpr std::tuple profiles{
+      NamedProfile<BarometerSensor, LoadedBarometer, BarometerErrorProfile>{
+          "error_profile", "errors", &BarometerSensor::error_profile, &LoadedBarometer::errors},
+      NamedProfile<BarometerSensor, LoadedBarometer, InstallationProfile>{"installation_profile", "installation",
+                                                                          &BarometerSensor::installation_profile,
+                                                                          &LoadedBarometer::installation}};
+};
+
+template <>
+struct LoadedSection<catalog::Odometer> {
+  static constexpr auto sensors = &LoadedScenario::odometers;
+  static constexpr std::tuple profiles{
+      NamedProfile<OdometerSensor, LoadedOdometer, OdometerErrorProfile>{
+          "error_profile", "errors", &OdometerSensor::error_profile, &LoadedOdometer::errors},
+      NamedProfile<OdometerSensor, LoadedOdometer, InstallationProfile>{"installation_profile", "installation",
+                                                                        &OdometerSensor::installation_profile,
+                                                                        &LoadedOdometer::installation}};
 };
 
 template <class Kind>

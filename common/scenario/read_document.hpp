@@ -11,7 +11,7 @@ template <class T>
 T read_document(const std::filesystem::path& file, DocumentKind expected) {
   const json::Json json = json::read_json_file(file);
   try {
-    return json::from_json<T>(json, file.string());
+    return json::struct_from_json<T>(json, file.string());
   } catch (const json::Error& error) {
     const bool is_about_keys = error.rule() == Rule::KnownKey || error.rule() == Rule::RequiredKey;
     const auto kind = document_kind(json, expected);

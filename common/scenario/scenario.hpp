@@ -1,10 +1,14 @@
 #pragma once
 
+#include <optional>
+
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/catalog/sensor_kinds.hpp"
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/data/samples/outage.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/scenario/acceptance.hpp"
+#include "inslab/scenario/aiding_sensors.hpp"
 #include "inslab/scenario/trajectory.hpp"
 
 /// What a scenario file says. Paths in it are relative to the file; scenario/load.hpp follows them.
@@ -177,11 +181,14 @@ struct ReferenceNav {
   std::uint32_t imu = 0;
   std::uint32_t gnss = 0;
   std::string parameters;
+  std::optional<std::uint32_t> magnetometer = std::nullopt;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
     visit(Field("imu", "the N of the inslab/imu/N that it navigates by").in(0.0, 63.0), self.imu);
     visit(Field("gnss", "the N of its inslab/gnss/N").in(0.0, 63.0), self.gnss);
+    visit(Field("magnetometer", "the N of its inslab/magnetometer/N; absent: it takes none").in(0.0, 63.0),
+          self.magnetometer);
     visit(Field("parameters",
                 "file of the filter's parameters; absent: those that match the sensors' profiles and "
                 "nominal installation")
@@ -202,6 +209,8 @@ struct Scenario {
   std::vector<ImuSensor> imu;
   std::vector<GnssSensor> gnss;
   std::vector<MagnetometerSensor> magnetometer;
+  std::vector<BarometerSensor> barometer;
+  std::vector<OdometerSensor> odometer;
   std::vector<ScheduledSwap> swaps;
   Clock clock;
   std::vector<RequiredSubscriber> require_subscribers;
@@ -223,6 +232,8 @@ struct Scenario {
     visit(Field(catalog::Imu::name, "the IMUs of this unit").at_most(8), self.imu);
     visit(Field(catalog::Gnss::name, "the GNSS receivers of this unit").at_most(8), self.gnss);
     visit(Field(catalog::Magnetometer::name, "the magnetometers of this unit").at_most(8), self.magnetometer);
+    visit(Field(catalog::Barometer::name, "the barometers of this unit").at_most(8), self.barometer);
+    visit(Field(catalog::Odometer::name, "the odometers of this unit, one a wheel").at_most(8), self.odometer);
     visit(Field("swaps", "profiles swapped while the run goes on").at_most(10000), self.swaps);
     visit(Field("clock", "what sets the pace of a live run"), self.clock);
     visit(Field("require_subscribers", "readers that are not ours; the barrier waits for them").at_most(32),
@@ -256,6 +267,18 @@ struct Section<catalog::Gnss> {
 template <>
 struct Section<catalog::Magnetometer> {
   static constexpr auto sensors = &Scenario::magnetometer;
+  static constexpr auto of_the_app = &ReferenceNav::magnetometer;
+};
+
+template <>
+struct Section<catalog::Barometer> {
+  static constexpr auto sensors = &Scenario::barometer;
+  static constexpr std::nullptr_t of_the_app = nullptr;
+};
+
+template <>
+struct Section<catalog::Odometer> {
+  static constexpr auto sensors = &Scenario::odometer;
   static constexpr std::nullptr_t of_the_app = nullptr;
 };
 
@@ -267,6 +290,25 @@ const auto& sensors_of(const Scenario& scenario) {
 /// Whether the reference navigation app uses sensors of this kind at all.
 template <class Kind>
 inline constexpr bool is_navigated_by = !std::is_null_pointer_v<decltype(Section<Kind>::of_the_app)>;
+
+namespace detail {
+template <class Kind, bool = is_navigated_by<Kind>>
+inline constexpr bool is_aid = false;
+template <class Kind>
+inline constexpr bool is_aid<Kind, true> =
+    is_optional<std::decay_t<decltype(std::declval<ReferenceNav>().*Section<Kind>::of_the_app)>>;
+
+template <class List>
+struct AidKinds;
+template <class... Kind>
+struct AidKinds<Types<Kind...>> {
+  using type = Joined<std::conditional_t<is_aid<Kind>, Types<Kind>, Types<>>...>;
+};
+}  // namespace detail
+
+/// The kinds of sensor that the app takes besides an IMU and a receiver, where its scenario says so: those whose key
+/// in ReferenceNav is optional. What it does with their streams is made for each of them.
+using AidKinds = typename detail::AidKinds<catalog::SensorKinds>::type;
 
 /// The number of the sensor of that kind that the app navigates by.
 template <class Kind>
@@ -295,7 +337,7 @@ template <class Self, class Visitor>
 void Start::fields(Self& self, Visitor& visit) {
   visit(Field("at", "gps_time: as given; now: the wall clock at the start").required(), self.at);
   if (self.at == StartAt::GpsTime) {
-    visit(Field("gps_week", "full week, no rollover").in(0.0, 100000.0).required(), self.gps_week);
+    visit(Field("gps_week", "full week, no rollover").in(0.0, time::kLastGpsWeek).required(), self.gps_week);
     visit(Field("gps_seconds_of_week_s").in(0.0, 604800.0).required(), self.gps_seconds_of_week_s);
   }
 }

@@ -107,12 +107,33 @@ struct InitialState {
   }
 };
 
-/// The Earth's gravity, of which errors of a navigation filter's own model are made.
+/// How much gravity varies with place.
+enum class GravityTerrain : std::uint32_t { Plain, Hills, Mountains };
+
+/// Gravity that varies with place, drawn from the scenario's seed: see scenario::gravity_field.
+struct GravityVariation {
+  GravityTerrain terrain = GravityTerrain::Hills;
+  std::optional<double> deflection_rms_arcsec = std::nullopt;
+  double correlation_m = 20000.0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("terrain",
+                "RMS of one component of the deflection of the vertical: plain 2, hills 6, mountains 15 arcsec"),
+          self.terrain);
+    visit(Field("deflection_rms_arcsec", "instead of the terrain's").in(0.0, 60.0), self.deflection_rms_arcsec);
+    visit(Field("correlation_m", "D of the third-order model of the undulation").in(5e3, 1e6), self.correlation_m);
+  }
+};
+
+/// The Earth's gravity. Of the model a navigation filter knows; what departs from it, none does.
 struct GravityOptions {
   nav::GravityModel model = nav::GravityModel::Somigliana;
   double disturbance_mgal = 0.0;
   double deflection_north_arcsec = 0.0;
   double deflection_east_arcsec = 0.0;
+  std::optional<GravityVariation> variation = std::nullopt;
+  std::string grid_file;  ///< LoadedScenario::gravity_grid has what it says
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -127,6 +148,13 @@ struct GravityOptions {
           self.deflection_north_arcsec);
     visit(Field("deflection_east_arcsec", "eta: the plumb line's zenith lies east of the normal").in(-200.0, 200.0),
           self.deflection_east_arcsec);
+    visit(Field("variation", "what varies with place, besides"), self.variation);
+    visit(
+        Field("grid_file",
+              "file with what varies with place, besides: latitude deg, longitude deg, and what is added to the north, "
+              "to the east and down, mGal, at the knots of a regular grid; it holds at every height")
+            .at_most(4096),
+        self.grid_file);
   }
 };
 
@@ -271,6 +299,12 @@ struct EnumNames<nav::GravityModel> {
   static constexpr std::string_view type = "GravityModel";
   static constexpr std::string_view prefix = "GRAVITY_";
   static constexpr std::array<std::string_view, 3> values{"somigliana", "normal", "series"};
+};
+template <>
+struct EnumNames<scenario::GravityTerrain> {
+  static constexpr std::string_view type = "GravityTerrain";
+  static constexpr std::string_view prefix = "TERRAIN_";
+  static constexpr std::array<std::string_view, 3> values{"plain", "hills", "mountains"};
 };
 template <>
 struct EnumNames<scenario::MotionType> {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/strapdown.hpp"
@@ -12,7 +13,7 @@ namespace inslab::sim {
 inline nav::NavState drawn_start(const ImuTruth& truth, const Vector9& sigmas, const random::Stream& draws) {
   Vector9 e;
   for (int i = 0; i < 9; ++i) e[i] = sigmas[i] * draws.normal(static_cast<std::uint64_t>(i));
-  const nav::Geodetic place{truth.latitude_rad, truth.longitude_rad, truth.height_m};
+  const nav::Geodetic place = geodetic_of(truth);
   return {nav::displaced(place, e.head<3>()), truth.v_n + e.segment<3>(3),
           nav::quaternion_from_rotation_vector(-e.tail<3>()) * truth.q_nb};
 }

@@ -23,6 +23,14 @@ ProfileAck rejected(const catalog::AnyProfile& request, const std::string& field
   return ack;
 }
 
+namespace {
+
+time::Nanoseconds earliest(const catalog::AnyProfile& request, time::Nanoseconds now) {
+  return time::Nanoseconds(std::max(catalog::request_of(request).apply_at_ns, now.count()));
+}
+
+}  // namespace
+
 Journal::Journal(std::vector<SensorAddress> sensors, time::Grid truth_grid, time::Nanoseconds end)
     : sensors_(std::move(sensors)), truth_grid_(std::move(truth_grid)), end_(end) {}
 
@@ -32,7 +40,7 @@ std::optional<Violation> Journal::rejection_of(const catalog::AnyProfile& reques
     return Violation{Rule::SensorExists, "target_number",
                      "names " + catalog::sensor_name(catalog::target_of(request)) + ", which this unit does not have"};
   }
-  if (std::max(catalog::request_of(request).apply_at_ns, now.count()) >= end_.count()) {
+  if (earliest(request, now) >= end_ || truth_grid_.at_or_after(earliest(request, now)) >= end_) {
     char text[128];
     std::snprintf(text, sizeof text, "lies at or after the end of the run at %.3f s: no sample would come out under it",
                   time::to_seconds(end_));
@@ -46,8 +54,7 @@ std::variant<catalog::AnyProfile, ProfileAck> Journal::submit(catalog::AnyProfil
   ProfileRequest& head = catalog::request_of(request);
   head.requested_at_ns = head.apply_at_ns;
   head.requested_in_the_past = head.apply_at_ns >= 0 && head.apply_at_ns < now.count();
-  const std::int64_t earliest = std::max(head.apply_at_ns, now.count());
-  head.apply_at_ns = truth_grid_.at_or_after(time::Nanoseconds(earliest)).count();
+  head.apply_at_ns = truth_grid_.at_or_after(earliest(request, now)).count();
   head.journal_number = size() + 1;
   apply_times_.insert(std::upper_bound(apply_times_.begin(), apply_times_.end(), head.apply_at_ns), head.apply_at_ns);
   return request;

@@ -21,6 +21,8 @@ class LogSink : public RunSink {
   void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override;
   void gnss(std::size_t index, const GnssFix& fix) override;
   void magnetometer(std::size_t index, const MagneticField& sample) override;
+  void barometer(std::size_t index, const AirPressure& sample) override;
+  void odometer(std::size_t index, const WheelTravel& sample) override;
   void nav(const NavSolution& solution) override;
   void ack(const ProfileAck& ack) override;
 

@@ -6,6 +6,7 @@
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/data/samples/service_status.hpp"
 #include "inslab/data/samples/stream_header.hpp"
+#include "inslab/data/streams/stream_monitor.hpp"
 
 namespace inslab::sim {
 
@@ -23,29 +24,43 @@ struct LoggedService {
   }
 };
 
-/// How far one stream is in the log.
+/// What of one stream is in the log.
 struct LoggedStream {
   std::string topic;
+  streams::StreamProgress progress;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("topic"), self.topic);
+    visit(Field("progress"), self.progress);
+  }
+};
+
+/// How many samples of one stream its service says it has sent.
+struct SentStream {
+  std::string topic;
   std::uint64_t samples = 0;
-  std::uint64_t next_sequence = 0;  ///< the least that is not there
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
     visit(Field("topic"), self.topic);
     visit(Field("samples"), self.samples);
-    visit(Field("next_sequence"), self.next_sequence);
   }
 };
 
-/// Numbers without a gap.
-struct NumberRange {
-  std::uint64_t first = 0;
-  std::uint64_t last = 0;
+/// Whom a stream came from last.
+struct LoggedSource {
+  std::string topic;
+  RunId participant;  ///< its GUID's twelve bytes, which name the participant
+  std::int64_t received_realtime_ns = 0;
+  std::uint64_t sequence_number = 0;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
-    visit(Field("first"), self.first);
-    visit(Field("last"), self.last);
+    visit(Field("topic"), self.topic);
+    visit(Field("participant"), self.participant);
+    visit(Field("received_realtime_ns"), self.received_realtime_ns);
+    visit(Field("sequence_number"), self.sequence_number);
   }
 };
 
@@ -53,7 +68,7 @@ struct NumberRange {
 struct LoggedWriter {
   std::string topic;
   RunId writer;  ///< its GUID, which has as many bytes
-  std::vector<NumberRange> numbers;
+  std::vector<streams::NumberRange> numbers;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -64,12 +79,15 @@ struct LoggedWriter {
 };
 
 /// What a logger needs to go on with the log of a run after it was killed: written with every flush of the log, which
-/// the LogTail of the same generation completes.
+/// the LogTail of the same generation completes. A logger may be killed between the flush and this: what the file has
+/// beyond `file_size` is in the tail too.
 struct LoggerState {
   RunId run_id;  ///< stands in the checkpoint's head
   std::string path;
+  std::uint64_t file_size = 0;
   std::uint64_t generation = 0;
   std::vector<LoggedStream> streams;
+  std::vector<LoggedSource> sources;
   std::vector<std::uint32_t> channel_counts;  ///< messages of each channel, in the order of the channels
   std::vector<std::uint64_t> once;            ///< hashes of the messages that late joiners get again
   bool run_began = false;
@@ -77,13 +95,15 @@ struct LoggerState {
   ClockMode clock = ClockMode::RealTime;
   std::vector<LoggedService> services;
   std::vector<LoggedWriter> app_writers;
-  std::vector<LoggedStream> sent;  ///< how many samples of each stream its service says it has sent; no next_sequence
+  std::vector<SentStream> sent;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
     visit(Field("path").at_most(4096), self.path);
+    visit(Field("file_size"), self.file_size);
     visit(Field("generation"), self.generation);
     visit(Field("streams").at_most(64), self.streams);
+    visit(Field("sources").at_most(64), self.sources);
     visit(Field("channel_counts").at_most(256), self.channel_counts);
     visit(Field("once").at_most(1'000'000), self.once);
     visit(Field("run_began"), self.run_began);

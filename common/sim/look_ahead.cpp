@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "inslab/foundation/host/host.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/navigation/app_setup.hpp"
 #include "inslab/models/navigation/navigation_filter.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr double kG_m_per_s2 = 9.80665;
 
-double seconds(const StreamHeader& header) { return 1e-9 * static_cast<double>(header.sim_time_ns); }
+double seconds(const StreamHeader& header) { return time::to_seconds(header.sim_time_ns); }
 
 class Watcher final : public RunSink {
  public:
@@ -59,7 +60,7 @@ class Watcher final : public RunSink {
       ahead.filter->begins_levelled = levelled_->filter() != nullptr;
     }
     if (!sample.gyro_saturated && !sample.accel_saturated) return;
-    const double dt_s = 1e-9 * static_cast<double>(truth.interval_ns);
+    const double dt_s = time::to_seconds(truth.interval_ns);
     const ImuErrorProfile& errors = in_use(index, sample.header.sim_time_ns);
     if (sample.gyro_saturated) {
       note(index, true, truth.dtheta_b / dt_s / units::kDeg, errors.gyro.full_scale_deg_per_s, sample);
@@ -141,7 +142,11 @@ bool has_limit(const ImuErrorProfile& errors) {
   return !errors.gyro.full_scale_deg_per_s.isZero(0.0) || !errors.accel.full_scale_g.isZero(0.0);
 }
 
-/// Whether an IMU can put out less than what acts on it, now or after a swap.
+/// Whether an IMU can put out less than what acts on it, now or after a swap. No other sensor is asked.
+template <class Sensor>
+bool can_saturate(const scenario::LoadedScenario&, const Sensor&) {
+  return false;
+}
 bool can_saturate(const scenario::LoadedScenario& scenario, const scenario::LoadedImu& imu) {
   return has_limit(imu.errors) ||
          std::any_of(scenario.swaps.begin(), scenario.swaps.end(), [&](const catalog::AnyProfile& swap) {
@@ -152,13 +157,16 @@ bool can_saturate(const scenario::LoadedScenario& scenario, const scenario::Load
 
 /// The sensors that nothing is asked of cost most of the time.
 void leave_out_idle_sensors(scenario::LoadedScenario& scenario) {
-  const auto& app = scenario.scenario.reference_nav;
-  const auto idle_imu = [&](const scenario::LoadedImu& imu) {
-    return !(app && imu.number == app->imu) && !can_saturate(scenario, imu);
-  };
-  const auto idle_receiver = [&](const scenario::LoadedGnss& gnss) { return !(app && gnss.number == app->gnss); };
-  scenario.imus.erase(std::remove_if(scenario.imus.begin(), scenario.imus.end(), idle_imu), scenario.imus.end());
-  scenario.gnss.erase(std::remove_if(scenario.gnss.begin(), scenario.gnss.end(), idle_receiver), scenario.gnss.end());
+  for_each(catalog::SensorKinds{}, [&scenario](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    const auto& app = scenario.scenario.reference_nav;
+    const auto is_idle = [&](const scenario::Loaded<Kind>& sensor) {
+      const bool is_navigated_by = app && scenario::sensor_of_the_app<Kind>(*app) == sensor.number;
+      return !is_navigated_by && !can_saturate(scenario, sensor);
+    };
+    auto& sensors = scenario.*scenario::LoadedSection<Kind>::sensors;
+    sensors.erase(std::remove_if(sensors.begin(), sensors.end(), is_idle), sensors.end());
+  });
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ class ProfileDesk {
   /// The run is over: what becomes of the entries of this sensor under which no sample came out. They are rejected.
   std::vector<ProfileAck> close(const RunId& run);
 
-  /// What it needs to go on from here (recovery/state_stream.hpp): entries that have been taken are not needed again;
+  /// What it needs to go on from here (data/state/state_stream.hpp): entries that have been taken are not needed again;
   /// those that lie ahead come again with the journal.
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {

@@ -29,15 +29,15 @@ RunLog::RunLog(const std::string& path, const scenario::LoadedScenario& scenario
   file_.metadata("scenario", {{"file", scenario.file.filename().string()},
                               {"name", scenario.scenario.name},
                               {"unit", scenario.unit},
-                              {"json", json::to_json(scenario.scenario).dump(2)}});
+                              {"json", json::json_from_struct(scenario.scenario).dump(2)}});
   file_.metadata("build", {{"version", kVersion}, {"cpu_features", cpu_features}});
   for_each_sensor(scenario, [this](auto of_kind, const auto& sensor) {
     for_each_profile(of_kind, sensor, [this](const auto& profile) { add_profile(profile); });
   });
 }
 
-RunLog::RunLog(const std::string& path, std::size_t chunk_bytes)
-    : RunLog(path, mcap::read_unfinished(path), chunk_bytes) {}
+RunLog::RunLog(const std::string& path, std::uint64_t known_size, std::size_t chunk_bytes)
+    : RunLog(path, mcap::read_unfinished(path, known_size), chunk_bytes) {}
 
 RunLog::RunLog(const std::string& path, const mcap::UnfinishedLog& unfinished, std::size_t chunk_bytes)
     : path_(path), file_(path, log_options(chunk_bytes, files::OutputFile::Kind::Log), unfinished) {
@@ -58,11 +58,12 @@ void RunLog::add_profile(const catalog::AnyProfile& entry) {
   const ProfileRequest& request = catalog::request_of(entry);
   const std::string record = profile_record(catalog::kind_of(entry), catalog::target_of(entry), request.journal_number);
   if (!profiles_.insert(record).second) return;
-  file_.metadata(record,
-                 {{"name", catalog::name_of(entry)},
-                  {"journal_number", std::to_string(request.journal_number)},
-                  {"apply_at_ns", std::to_string(request.apply_at_ns)},
-                  {"json", std::visit([](const auto& profile) { return json::to_json(profile).dump(2); }, entry)}});
+  file_.metadata(
+      record,
+      {{"name", catalog::name_of(entry)},
+       {"journal_number", std::to_string(request.journal_number)},
+       {"apply_at_ns", std::to_string(request.apply_at_ns)},
+       {"json", std::visit([](const auto& profile) { return json::json_from_struct(profile).dump(2); }, entry)}});
 }
 
 void RunLog::add_ack(const ProfileAck& ack) {

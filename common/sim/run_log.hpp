@@ -21,12 +21,14 @@ class RunLog {
   RunLog(const std::string& path, const scenario::LoadedScenario& scenario, const std::string& cpu_features,
          std::size_t chunk_bytes = kChunkBytes, files::OutputFile::Kind kind = files::OutputFile::Kind::Log);
 
-  /// Goes on with the log that a killed process left. Throws files::ReadError, files::WriteError.
-  RunLog(const std::string& path, std::size_t chunk_bytes);
+  /// Goes on with the log that a killed process left, from where it was `known_size` bytes long: what came behind is
+  /// cut off. Throws files::ReadError, files::WriteError.
+  RunLog(const std::string& path, std::uint64_t known_size, std::size_t chunk_bytes);
 
   static constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
 
   mcap::McapWriter& file() { return file_; }
+  std::uint64_t file_size() const { return file_.file_size(); }
   const std::string& path() const { return path_; }
 
   /// Keeps an entry of the journal as JSON, once.

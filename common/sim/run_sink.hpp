@@ -2,6 +2,7 @@
 
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/requests/run_control.hpp"
+#include "inslab/data/samples/air_pressure.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_sample.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
@@ -9,6 +10,7 @@
 #include "inslab/data/samples/nav_solution.hpp"
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/data/samples/vehicle_state.hpp"
+#include "inslab/data/samples/wheel_travel.hpp"
 
 namespace inslab::sim {
 
@@ -22,6 +24,8 @@ class RunSink {
   virtual void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) = 0;
   virtual void gnss(std::size_t index, const GnssFix& fix) = 0;
   virtual void magnetometer(std::size_t, const MagneticField&) {}
+  virtual void barometer(std::size_t, const AirPressure&) {}
+  virtual void odometer(std::size_t, const WheelTravel&) {}
   virtual void nav(const NavSolution&) {}  ///< of the reference navigation app, when the scenario has it
   virtual void ack(const ProfileAck& ack) = 0;
 };

@@ -17,7 +17,7 @@ class Folder {
   /// Writes what a declared struct says; returns the file's name.
   template <class T>
   std::string write(const std::string& name, const T& value) const {
-    files::write_file(path_of(name), json::to_json(value).dump(2) + "\n");
+    files::write_file(path_of(name), json::json_from_struct(value).dump(2) + "\n");
     return name;
   }
 

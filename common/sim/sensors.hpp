@@ -2,6 +2,8 @@
 
 /// The models of every kind of sensor.
 
+#include "inslab/sim/barometer_sensor.hpp"
 #include "inslab/sim/gnss_sensor.hpp"
 #include "inslab/sim/imu_sensor.hpp"
 #include "inslab/sim/magnetometer_sensor.hpp"
+#include "inslab/sim/odometer_sensor.hpp"

@@ -5,7 +5,7 @@ import json
 import pathlib
 import re
 
-# Whether there is one for each sensor; the file follows from the catalogue.
+# Of which sensors of a scenario there is one for each, "": of none; the file follows from the catalogue.
 SERVICES = json.loads((pathlib.Path(__file__).resolve().parent / "services.json").read_text(encoding="utf-8"))
 KEYS = {"scenario": str, "domain": int, "unit": str, "discovery": str, "log": str, "hosts": list, "clock": list}
 HOST_KEYS = {"name": str, "address": str, "folder": str, "reach": list, "services": list, "systemd": bool,
@@ -132,3 +132,18 @@ class Inventory:
                 raise InventoryError(f"hosts: {names.count((single, '0'))} run {single}; expected one")
         if len(set(names)) != len(names):
             raise InventoryError("hosts: a service is named twice")
+
+    def check_sensors(self, scenario, sensors):
+        """There is one service for each of the scenario's sensors (their numbers by kind), and none besides."""
+        expected = {(name, number) for name, kind in SERVICES.items() for number in sensors.get(kind, ())}
+        for i, host in enumerate(self.hosts):
+            for j, (name, sensor) in enumerate(host.services):
+                if SERVICES[name] and (name, sensor) not in expected:
+                    numbers = sensors.get(SERVICES[name])
+                    raise InventoryError(f"hosts[{i}].services[{j}]: is '{name}:{sensor}'; {scenario} has "
+                                         + (f"no {SERVICES[name]} {sensor}, its numbers are {', '.join(numbers)}"
+                                            if numbers else f"no {SERVICES[name]}"))
+        named = {service for host in self.hosts for service in host.services}
+        for name, sensor in sorted(expected - named):
+            raise InventoryError(f"hosts: none runs {name}:{sensor}, for which the set would wait: {scenario} has "
+                                 f"{SERVICES[name]} {sensor}")

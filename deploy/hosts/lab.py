@@ -73,6 +73,8 @@ class Lab:
         self.scenario = self.files.place
         for entry in self.inventory.hosts:
             entry.must_suit_systemd(self.scenario, "scenario")
+        self.inventory.check_sensors(self.inventory.scenario, self.files.sensors())
+        self.files.must_take_clock(self.inventory.clock)
 
     def check(self):
         print(f"{self.inventory.path}: good: {len(self.hosts)} hosts, discovery by {self.inventory.discovery}; "

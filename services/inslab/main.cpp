@@ -12,6 +12,7 @@
 #include "inslab/foundation/files/unfinished.hpp"
 #include "inslab/foundation/host/command_ending.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
+#include "inslab/foundation/host/finite_numbers.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
 #include "inslab/foundation/host/usage_error.hpp"
 #include "inslab/foundation/text/shown.hpp"
@@ -59,6 +60,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", INSLAB_VERSION);
   std::function<int()> action;
   commands::add_commands(app, action);
+  host::expect_finite_numbers(app);
   files::set_output_rule(files::OutputRule::KeepResults);  // a command's --overwrite loosens it
   try {
     app.parse(argc, argv);

@@ -38,6 +38,7 @@ navigation::Navigator navigator_for(const scenario::LoadedScenario& scenario, co
 NavigatorOnBus::NavigatorOnBus(service::Context& context, const scenario::ReferenceNav& app)
     : context_(context),
       app_(app),
+      sources_(app),
       truth_grid_(context.scenario().truth_grid()),
       navigator_(navigator_for(context.scenario(), app)),
       run_(context.identity().run_id),
@@ -45,6 +46,7 @@ NavigatorOnBus::NavigatorOnBus(service::Context& context, const scenario::Refere
       board_(context, 0,
              [this](ServiceStatus& status) {
                status.streams = {imu_.status(), gnss_.status(), sent_.status()};
+               for_each_of(aids_, [&status](const auto& aid) { aid.report(status); });
                status.queue_depth_max = static_cast<std::uint32_t>(mailbox_.deepest());
              }),
       solutions_(context.participant(), kept_solutions()),
@@ -54,17 +56,22 @@ NavigatorOnBus::NavigatorOnBus(service::Context& context, const scenario::Refere
       gnss_(context,
             dds::topics::stream<GnssFix>(app.gnss, context.scenario().sensor<catalog::Gnss>(app.gnss).rate.hz()),
             [this](streams::Arrived<GnssFix> arrived) { mailbox_.put(std::move(arrived)); }),
+      aids_(aids_of(scenario::AidKinds{})),
       credits_(context, dds::topics::credit(),
                [this](const Credit& credit, const dds::SampleOrigin&) {
-                 const bool of_our_receiver =
-                     credit.consumer == catalog::Gnss::service && credit.consumer_number == app_.gnss;
-                 const bool counts = of_our_receiver && credit.topic == dds::topics::truth().name;
+                 const bool counts =
+                     credit.topic == dds::topics::truth().name && sources_.has(credit.consumer, credit.consumer_number);
                  if (counts || credit.topic == dds::topics::service_status().name) mailbox_.put(credit);
                }),
       service_status_(context, dds::topics::service_status(),
                       [this](const ServiceStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }),
       sim_status_(context, dds::topics::sim_status(),
                   [this](const SimStatus& status, const dds::SampleOrigin&) { mailbox_.put(status); }) {}
+
+template <class... Kind>
+NavigatorOnBus::Aids NavigatorOnBus::aids_of(Types<Kind...>) {
+  return Aids(AidInput<Kind>(context_, app_, [this](ArrivedOf<Kind> arrived) { mailbox_.put(std::move(arrived)); })...);
+}
 
 void NavigatorOnBus::handle(const Message& message) {
   std::visit([this](const auto& what) { handle(what); }, message);
@@ -86,12 +93,21 @@ void NavigatorOnBus::handle(const streams::Arrived<GnssFix>& arrived) {
   }
 }
 
+/// Of another sensor.
+template <class Sample>
+void NavigatorOnBus::handle(const streams::Arrived<Sample>& arrived) {
+  std::get<AidInput<catalog::SourceOf<Sample>>>(aids_).add(arrived,
+                                                           [this](const Sample& sample) { navigator_.add(sample); });
+}
+
 void NavigatorOnBus::handle(const SimStatus& status) {
   if (run_.hear(status, monotonic_now()) != streams::RunFollower::Heard::TheRun) return;
-  navigator_.fixes_complete_up_to(run_.is_lockstep() ? -1 : navigation::Navigator::kEver);
+  sources_.all_complete_up_to(run_.is_lockstep() ? -1 : Sources::kEver);
+  navigator_.fixes_complete_up_to(sources_.complete_up_to());
   board_.set_run(run_.run());
   imu_.begin_run(run_.run(), run_.clock());
   gnss_.begin_run(run_.run(), run_.clock());
+  for_each_of(aids_, [this](auto& aid) { aid.begin_run(run_.run(), run_.clock()); });
 }
 
 /// What the sensors' services say when they have done.
@@ -99,20 +115,20 @@ void NavigatorOnBus::handle(const ServiceStatus& status) {
   if (status.run_id != run_.run() || (status.state != ServiceState::Finished && status.state != ServiceState::Fault)) {
     return;
   }
-  if (status.service == catalog::Gnss::service && status.sensor_number == app_.gnss) {
-    navigator_.fixes_complete_up_to(navigation::Navigator::kEver);
-  }
+  sources_.complete_up_to(status.service, status.sensor_number, Sources::kEver);
+  navigator_.fixes_complete_up_to(sources_.complete_up_to());
   if (status.service != catalog::Imu::service || status.sensor_number != app_.imu) return;
   for (const StreamStatus& stream : status.streams) {
     if (stream.topic == imu_.topic() && stream.direction == StreamDirection::Out) imu_sent_ = stream.samples;
   }
 }
 
-/// The emulator has done with the truth before this credit, and this service has every fix that came of it.
+/// The sensor's service has done with the truth before this credit, and this service has every sample that came of it.
 void NavigatorOnBus::handle(const Credit& credit) {
   if (run_.take(credit)) return;
   if (!run_.is_lockstep() || credit.run_id != run_.run() || credit.next_sequence == 0) return;
-  navigator_.fixes_complete_up_to(truth_grid_.at(credit.next_sequence - 1).count());
+  sources_.complete_up_to(credit.consumer, credit.consumer_number, truth_grid_.at(credit.next_sequence - 1).count());
+  navigator_.fixes_complete_up_to(sources_.complete_up_to());
 }
 
 void NavigatorOnBus::navigate() {
@@ -151,6 +167,11 @@ std::string NavigatorOnBus::missing() const {
   if (sim_status_.matched_writers() == 0) return "waits for the trajectory server";
   if (!imu_.matched()) return "waits for a writer of " + imu_.topic();
   if (!gnss_.matched()) return "waits for a writer of " + gnss_.topic();
+  std::string aid_is_missing;
+  for_each_of(aids_, [&](const auto& aid) {
+    if (aid_is_missing.empty()) aid_is_missing = aid.missing();
+  });
+  if (!aid_is_missing.empty()) return aid_is_missing;
   return solutions_.matched_readers() > 0 && blocks_.matched_readers() > 0 ? "" : "waits for the logger";
 }
 
@@ -166,6 +187,7 @@ int NavigatorOnBus::run() {
     navigate();
     imu_.tick(next_imu_);
     gnss_.tick(next_fix_);
+    for_each_of(aids_, [](auto& aid) { aid.tick(); });
     if (board_.state() == ServiceState::Starting) {
       const std::string waits_for = missing();
       board_.enter(waits_for.empty() ? ServiceState::Ready : ServiceState::Starting, waits_for);

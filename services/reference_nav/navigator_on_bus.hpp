@@ -11,15 +11,18 @@
 #include "inslab/foundation/host/stop_grace.hpp"
 #include "inslab/models/navigation/navigator.hpp"
 #include "inslab/models/navigation/refusals.hpp"
+#include "inslab/services/reference_nav/aid_input.hpp"
+#include "inslab/services/reference_nav/sources.hpp"
 
 namespace inslab::reference_nav {
 
-/// The navigation app on the bus, as a flight computer would have it: reads one IMU and one receiver, never the truth,
-/// and answers each IMU sample with a NavSolution on inslab/nav, in lockstep in blocks.
+/// The navigation app on the bus, as a flight computer would have it: reads one IMU, one receiver and what other
+/// sensors its scenario gives it, never the truth, and answers each IMU sample with a NavSolution on inslab/nav, in
+/// lockstep in blocks.
 ///
-/// In real time a sample is answered at once, with the fixes that have come. In lockstep it waits for every fix that is
-/// available before it, which the receiver's emulator tells by its credit for the truth; the solutions are then those
-/// of an offline run, bit for bit.
+/// In real time a sample is answered at once, with what has come. In lockstep it waits for every fix, and every sample
+/// of another sensor, that is available before it, which their services tell by their credits for the truth; the
+/// solutions are then those of an offline run, bit for bit.
 class NavigatorOnBus {
  public:
   /// Throws json::Error when what the app is told is not good.
@@ -29,15 +32,23 @@ class NavigatorOnBus {
   int run();
 
  private:
+  template <class Kind>
+  using ArrivedOf = typename AidInput<Kind>::Arrived;
+  using Aids = Applied<std::tuple, Mapped<AidInput, scenario::AidKinds>>;
   using Message =
-      std::variant<streams::Arrived<ImuSample>, streams::Arrived<GnssFix>, SimStatus, ServiceStatus, Credit>;
+      Applied<std::variant, Joined<Types<streams::Arrived<ImuSample>, streams::Arrived<GnssFix>>,
+                                   Mapped<ArrivedOf, scenario::AidKinds>, Types<SimStatus, ServiceStatus, Credit>>>;
 
   void handle(const Message& message);
   void handle(const streams::Arrived<ImuSample>& arrived);
   void handle(const streams::Arrived<GnssFix>& arrived);
+  template <class Sample>
+  void handle(const streams::Arrived<Sample>& arrived);
   void handle(const SimStatus& status);
   void handle(const ServiceStatus& status);
   void handle(const Credit& credit);
+  template <class... Kind>
+  Aids aids_of(Types<Kind...>);
   void navigate();
   void publish(const NavSolution& solution);
   void flush_block();
@@ -48,6 +59,7 @@ class NavigatorOnBus {
 
   service::Context& context_;
   scenario::ReferenceNav app_;
+  Sources sources_;
   time::Grid truth_grid_;
   navigation::Navigator navigator_;
   navigation::Refusals refusals_;  ///< of the alignment, that were said
@@ -65,6 +77,7 @@ class NavigatorOnBus {
   dds::Writer<Block<NavSolution>> blocks_;
   service::StreamInput<ImuSample> imu_;
   service::StreamInput<GnssFix> gnss_;
+  Aids aids_;
   service::SetReader<Credit> credits_;
   service::SetReader<ServiceStatus> service_status_;
   service::SetReader<SimStatus> sim_status_;

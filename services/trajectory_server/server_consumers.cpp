@@ -1,6 +1,8 @@
 // What ServerOnBus makes of those who follow its truth: who is slow, who has left, who still lacks something at the
 // end.
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 
 #include "inslab/foundation/host/host.hpp"
@@ -48,9 +50,9 @@ std::string ServerOnBus::fault_of_a_service() const {
 
 /// Goes on sending again what is asked for until every consumer has everything, or a while has passed: time for one
 /// that was killed at the end to be started again and to go on.
-void ServerOnBus::serve_stragglers(time::Nanoseconds deadline) {
+void ServerOnBus::serve_stragglers(time::Nanoseconds patience) {
   const auto all_ended = [this] {
-    if (log_word_.is_closed(run_id_)) return true;  // nobody else writes down what comes
+    if (run_.log_is_closed()) return true;  // nobody else writes down what comes
     if (status_.clock == ClockMode::Lockstep && truth_.lowest_wanted() < source_->taken()) return false;
     if (!truth_.is_logged()) return false;
     for (const auto& [service, number] : scenario::required_services(scenario_)) {
@@ -61,23 +63,25 @@ void ServerOnBus::serve_stragglers(time::Nanoseconds deadline) {
     }
     return true;
   };
-  while (!all_ended() && monotonic_now() < deadline && !host::shutdown_requested()) {
+  while (!all_ended() && !run_.ended_before(patience, monotonic_now()) && !host::shutdown_requested()) {
     handle_messages(milliseconds(20));
+    if (source_->taken() > 0) tell_the_wait_for_the_log();
     board_.tick();
   }
 }
 
+void ServerOnBus::tell_the_wait_for_the_log() {
+  if (!run_.tells_the_wait(monotonic_now())) return;
+  spdlog::info("waits until the logger has closed its log, at most {} s",
+               std::chrono::duration_cast<seconds>(streams::kTimeToComeBack).count());
+}
+
 /// A logger that was killed at the end hears the last word of this service when it is back.
-void ServerOnBus::stay_for_the_log(time::Nanoseconds deadline) {
-  const time::Nanoseconds begun = monotonic_now();
-  bool told = false;
-  while (!log_word_.is_closed(run_id_) && monotonic_now() < deadline && !host::shutdown_requested()) {
+void ServerOnBus::stay_for_the_log() {
+  while (run_.stays_for_the_log(monotonic_now()) && !host::shutdown_requested()) {
     handle_messages(milliseconds(20));
+    tell_the_wait_for_the_log();
     board_.tick();
-    if (told || monotonic_now() - begun < seconds(2)) continue;
-    told = true;
-    spdlog::info("waits until the logger has closed its log, at most {} s more",
-                 std::chrono::duration_cast<seconds>(deadline - monotonic_now()).count());
   }
 }
 

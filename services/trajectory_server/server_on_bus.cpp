@@ -10,6 +10,7 @@
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/last_word.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/scenario/service_names.hpp"
 
 namespace inslab::trajectory_server {
@@ -34,6 +35,7 @@ ServerOnBus::ServerOnBus(service::Context& context)
       shortest_period_s_(scenario_.truth_grid().shortest_period_s()),
       run_id_(context.identity().run_id == RunId{} ? host::random_run_id() : context.identity().run_id),
       others_(run_id_),
+      run_(run_id_),
       control_(scenario_.scenario.clock.mode, scenario_.scenario.clock.start_paused),
       clock_(time::Nanoseconds(0), scenario_.scenario.clock.rate),
       truth_(context, dds::topics::truth(scenario_.truth_grid().hz()),
@@ -93,7 +95,7 @@ void ServerOnBus::judge(const catalog::AnyProfile& request) {
     spdlog::info("journal {}: {} '{}' for {} from {:.3f} s on", catalog::request_of(*entry).journal_number,
                  enum_name(catalog::kind_of(*entry)), catalog::name_of(*entry),
                  catalog::sensor_name(catalog::target_of(*entry)),
-                 static_cast<double>(catalog::request_of(*entry).apply_at_ns) * 1e-9);
+                 time::to_seconds(catalog::request_of(*entry).apply_at_ns));
     return;
   }
   auto& rejection = std::get<ProfileAck>(verdict);
@@ -133,7 +135,7 @@ void ServerOnBus::handle_messages(time::Nanoseconds patience) {
     } else if (const auto* command = std::get_if<SimCommand>(&*message)) {
       obey(*command);
     } else if (const auto* credit = std::get_if<Credit>(&*message)) {
-      if (!log_word_.take(*credit)) truth_.take(*credit);
+      if (!run_.take(*credit)) truth_.take(*credit);
     } else if (const auto* state = std::get_if<VehicleState>(&*message)) {
       // Before the run there is no time that a state could be of.
       if (status_.state == RunState::Running) vehicle_->take(*state, *source_);
@@ -271,8 +273,8 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   if (vehicle_) vehicle_->report(*source_, run_id_, status_.sim_time_ns);
   sim_status_.write(status_);
   const bool there_was_a_run = source_->taken() > 0;
-  const time::Nanoseconds stays_until = monotonic_now() + (there_was_a_run ? streams::kTimeToComeBack : seconds(10));
-  serve_stragglers(stays_until);
+  run_.hear(status_, monotonic_now());
+  serve_stragglers(there_was_a_run ? streams::kTimeToComeBack : seconds(10));
   const time::Nanoseconds deadline = monotonic_now() + seconds(2);
   truth_.wait_for_acknowledgments(deadline);
   sim_status_.wait_for_acknowledgments(service::time_left(deadline));
@@ -280,7 +282,7 @@ int ServerOnBus::end(RunState state, const std::string& message) {
   const bool good = state != RunState::Fault && context_.writers().fault().empty();
   board_.enter(good ? ServiceState::Finished : ServiceState::Fault, message);
   board_.flush(seconds(2));
-  if (there_was_a_run) stay_for_the_log(stays_until);
+  if (there_was_a_run) stay_for_the_log();
   spdlog::info("{}: {} truth samples, {} overruns, largest lag {:.3f} ms{}", enum_name(state), source_->taken(),
                status_.overruns, status_.lag_max_s * 1e3, message.empty() ? "" : ": " + message);
   return host::after_the_last_word(good ? host::kOk : host::kFailed);

@@ -10,7 +10,7 @@
 #include "inslab/bus/service/set_reader.hpp"
 #include "inslab/bus/service/status_board.hpp"
 #include "inslab/bus/service/stream_output.hpp"
-#include "inslab/data/streams/log_word.hpp"
+#include "inslab/data/streams/run_follower.hpp"
 #include "inslab/foundation/host/mailbox.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/services/trajectory_server/vehicle_on_bus.hpp"
@@ -60,8 +60,9 @@ class ServerOnBus {
   int end_run_of(const ServiceStatus& orphan);
   void begin();
   int run_to_end();
-  void serve_stragglers(time::Nanoseconds deadline);
-  void stay_for_the_log(time::Nanoseconds deadline);
+  void serve_stragglers(time::Nanoseconds patience);
+  void tell_the_wait_for_the_log();
+  void stay_for_the_log();
   void wait_paused();
   void send_at_deadline();
   void send_in_lockstep();
@@ -81,6 +82,7 @@ class ServerOnBus {
   double shortest_period_s_;
   RunId run_id_;
   sim::OtherRuns others_;
+  streams::RunFollower run_;  ///< its own run, from the end on
   std::unique_ptr<sim::TruthSource> source_;
   SimStatus status_;
   sim::RunControl control_;
@@ -92,7 +94,6 @@ class ServerOnBus {
   std::optional<time::Nanoseconds> stranger_since_;  ///< CLOCK_MONOTONIC; nothing: there is none
   std::map<std::pair<std::string, std::uint32_t>, Heard> services_;
   bool fault_heard_ = false;  ///< of a service, in this run
-  streams::LogWord log_word_;
   host::Mailbox<Message> mailbox_;
   std::unique_ptr<VehicleOnBus> vehicle_;  ///< null when the scenario has no live vehicle
   service::StreamOutput<TruthState> truth_;

@@ -36,7 +36,7 @@ class AppMessages {
   void go_on(const std::vector<sim::LoggedWriter>& state) {
     for (const sim::LoggedWriter& logged : state) {
       dds::SeenNumbers::Ranges ranges;
-      for (const sim::NumberRange& range : logged.numbers) ranges[range.first] = range.last;
+      for (const streams::NumberRange& range : logged.numbers) ranges[range.first] = range.last;
       writers_[{logged.topic, logged.writer.bytes}].numbers = dds::SeenNumbers(std::move(ranges));
     }
   }

@@ -43,7 +43,8 @@ LoggerOnBus::LoggerOnBus(service::Context& context, const std::string& path)
     : context_(context),
       checkpoint_(context),
       interrupted_(interrupted(context, checkpoint_)),
-      log_(interrupted_ ? sim::RunLog(interrupted_->path, kChunkBytes) : new_log(context, path)),
+      log_(interrupted_ ? sim::RunLog(interrupted_->path, interrupted_->file_size, kChunkBytes)
+                        : new_log(context, path)),
       scorer_(context.scenario().scenario),
       run_(context.identity().run_id),
       board_(context, 0,
@@ -230,7 +231,7 @@ void LoggerOnBus::add_control_channels(service::Context& context) {
   log_once(acks);
   acks.on_message = [this](const Message& message) {
     ProfileAck ack;
-    if (!replaying_ && wire::decode(message.bytes.data(), message.bytes.size(), ack)) log_.add_ack(ack);
+    if (wire::decode(message.bytes.data(), message.bytes.size(), ack)) log_.add_ack(ack);
   };
   add_channel(context, dds::topics::sim_status()).on_message = [this](const Message& message) {
     SimStatus status;

@@ -122,7 +122,6 @@ class LoggerOnBus {
   sim::RunLog log_;
   std::unique_ptr<sim::LogTail> tail_;  ///< null: there is no place for it
   std::uint64_t generation_ = 1;
-  bool replaying_ = false;  ///< what lay in the tail is being logged
   std::map<std::string, Source> sources_;
   AppMessages app_messages_;
   std::int64_t listens_since_realtime_ns_ = host::realtime_now().count();

@@ -7,6 +7,7 @@
 
 #include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/host/host.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/services/truth_logger/logger_on_bus.hpp"
 
 namespace inslab::truth_logger {
@@ -33,7 +34,7 @@ std::optional<sim::LoggerState> LoggerOnBus::interrupted(service::Context& conte
   const auto head = checkpoint.resume([&](state::StateReader& from) { from(state); });
   if (!head) return std::nullopt;
   spdlog::warn("goes on with {}, {:.3f} s after its last flush", state.path,
-               static_cast<double>(host::realtime_now().count() - head->kept_realtime_ns) * 1e-9);
+               time::to_seconds(host::realtime_now().count() - head->kept_realtime_ns));
   state.run_id = *run;
   return state;
 }
@@ -41,9 +42,12 @@ std::optional<sim::LoggerState> LoggerOnBus::interrupted(service::Context& conte
 sim::LoggerState LoggerOnBus::state() const {
   sim::LoggerState state;
   state.path = log_.path();
+  state.file_size = log_.file_size();
   state.generation = generation_;
-  for (const auto& [topic, stream] : streams_) {
-    state.streams.push_back({topic, stream.monitor.samples(), stream.monitor.first_missing()});
+  for (const auto& [topic, stream] : streams_) state.streams.push_back({topic, stream.monitor.progress()});
+  for (const auto& [topic, source] : sources_) {
+    state.sources.push_back({topic, {}, source.received_realtime_ns, source.sequence_number});
+    std::copy(source.sender.begin(), source.sender.end(), state.sources.back().participant.bytes.begin());
   }
   state.app_writers = app_messages_.state();
   for (const Channel& channel : channels_) state.channel_counts.push_back(channel.count);
@@ -52,7 +56,7 @@ sim::LoggerState LoggerOnBus::state() const {
   state.run_ended = run_.has_ended();
   state.clock = run_.clock();
   for (const auto& [service, heard] : services_) state.services.push_back({service.first, service.second, heard.state});
-  for (const auto& [topic, samples] : sent_) state.sent.push_back({topic, samples, 0});
+  for (const auto& [topic, samples] : sent_) state.sent.push_back({topic, samples});
   return state;
 }
 
@@ -85,7 +89,13 @@ void LoggerOnBus::go_on() {
   run_.go_on(interrupted_->run_id, interrupted_->clock, phase, host::monotonic_now());
   for (const sim::LoggedStream& logged : interrupted_->streams) {
     const auto stream = streams_.find(logged.topic);
-    if (stream != streams_.end()) stream->second.monitor.go_on(run_.run(), logged.samples, logged.next_sequence);
+    if (stream != streams_.end()) stream->second.monitor.go_on(run_.run(), logged.progress);
+  }
+  for (const sim::LoggedSource& logged : interrupted_->sources) {
+    Source& source = sources_[logged.topic];
+    std::copy_n(logged.participant.bytes.begin(), source.sender.size(), source.sender.begin());
+    source.received_realtime_ns = logged.received_realtime_ns;
+    source.sequence_number = logged.sequence_number;
   }
   for (auto& [topic, stream] : streams_) {
     stream.demand.begin(streams::demand_of_log(run_.clock(), run_.has_ended()), host::monotonic_now());
@@ -97,12 +107,11 @@ void LoggerOnBus::go_on() {
   for (const sim::LoggedService& service : interrupted_->services) {
     services_[{service.service, service.number}] = {service.state, host::monotonic_now()};
   }
-  for (const sim::LoggedStream& stream : interrupted_->sent) sent_[stream.topic] = stream.samples;
+  for (const sim::SentStream& stream : interrupted_->sent) sent_[stream.topic] = stream.samples;
   board_.set_run(run_.run());
   say_of_the_log(false);
   app_messages_.go_on(interrupted_->app_writers);
   std::uint64_t rescued = 0;
-  replaying_ = true;
   open_tail();
   if (tail_) {
     tail_->for_each(interrupted_->generation, [&](const sim::LogTail::Message& message) {
@@ -114,7 +123,6 @@ void LoggerOnBus::go_on() {
       ++rescued;
     });
   }
-  replaying_ = false;
   app_messages_.begin_account();
   generation_ = interrupted_->generation;
   log_.add_recovery("log", {{"rescued_messages", std::to_string(rescued)}});
@@ -142,7 +150,8 @@ void LoggerOnBus::account_for_the_app(bool at_the_end) {
   }
 }
 
-/// Everything taken so far is in the file, and the next process would know it.
+/// Everything taken so far is in the file, and the next process would know it; killed before it is told, that one cuts
+/// the file back and takes the same from the tail.
 void LoggerOnBus::flush() {
   try {
     log_.file().flush();
@@ -162,9 +171,9 @@ void LoggerOnBus::flush() {
 void LoggerOnBus::watch_the_sender(const std::string& topic, const StreamHeader& header, const Message& message) {
   Source& source = sources_[topic];
   const dds::ParticipantKey sender = dds::participant_of(message.origin);
-  const bool another = source.sender != dds::ParticipantKey{} && sender != source.sender && !replaying_;
+  const bool another = source.sender != dds::ParticipantKey{} && sender != source.sender;
   if (another) {
-    const double silence_s = static_cast<double>(message.received_realtime_ns - source.received_realtime_ns) * 1e-9;
+    const double silence_s = time::to_seconds(message.received_realtime_ns - source.received_realtime_ns);
     spdlog::warn("{}: its service was started again; sample {} came {:.3f} s after sample {}", topic,
                  header.sequence_number, silence_s, source.sequence_number);
     log_.add_recovery(topic, {{"last_sequence_before", std::to_string(source.sequence_number)},
@@ -172,7 +181,7 @@ void LoggerOnBus::watch_the_sender(const std::string& topic, const StreamHeader&
                               {"first_sim_time_after_ns", std::to_string(header.sim_time_ns)},
                               {"silence_s", fmt::format("{:.3f}", silence_s)}});
   }
-  if (!replaying_) source = {sender, message.received_realtime_ns, header.sequence_number};
+  source = {sender, message.received_realtime_ns, header.sequence_number};
 }
 
 }  // namespace inslab::truth_logger

@@ -18,7 +18,17 @@ MOST_LINES_OF_A_COMMAND = 100
 # What everybody speaks of: declared in inslab itself.
 COMMON_WORDS = ("data/samples", "data/profiles", "data/requests", "foundation/fields")
 NAMESPACE = re.compile(r"namespace (inslab(?:::\w+)*) \{")
-FAST_DDS = re.compile(r"(fastdds|fastcdr|fastrtps)/|\w+PubSubTypes\.h")
+NAMED_HEADER = re.compile(r"(?<![\w/.<])\w+(?:/\w+)+\.hpp")  # a folder and a header
+# Nanoseconds to seconds, written out. Brackets are followed three deep.
+ARGUMENT = r"[^()]*"
+for _ in range(3):
+    ARGUMENT = rf"(?:[^()]|\({ARGUMENT}\))*"
+AS_DOUBLE = rf"\b(?:static_cast<double>|double)\(({ARGUMENT})\)"
+TO_SECONDS = re.compile(rf"(?<![\w.])1e-9\s*\*\s*{AS_DOUBLE}|{AS_DOUBLE}\s*\*\s*1e-9\b")
+OF_NANOSECONDS = re.compile(r"ns_?\b|\bcount\(\)")
+HOLDS_TO_SECONDS = "common/foundation/time/gps_time.hpp"
+# Where it is still written out.
+FAST_DDS = re.compile(r"(fastdds|fastcdr|fastrtps)/|\w+PubSubTypes\.h|generated_types\.hpp")
 
 
 def folders_in_order(tree):
@@ -46,6 +56,21 @@ def literals(path):
     for found in LITERAL.finditer(text):
         if found.group(2) is not None:
             yield text.count("\n", 0, found.start()) + 1, found.group(2)
+
+
+def code(path):
+    """The text with each comment and literal blank, line for line."""
+    return LITERAL.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), path.read_text(encoding="utf-8"))
+
+
+def seconds_written_out(path):
+    """time::to_seconds is the one place where nanoseconds become seconds. After another factor it is another product,
+    with other bits."""
+    text = code(path)
+    for found in TO_SECONDS.finditer(text):
+        follows_a_factor = text[:found.start()].rstrip()[-1:] in ("*", "/")
+        if OF_NANOSECONDS.search(found.group(1) or found.group(2)) and not follows_a_factor:
+            yield text.count("\n", 0, found.start()) + 1, "this is time::to_seconds"
 
 
 def services_of(tree):
@@ -106,6 +131,14 @@ def misnamed_namespaces(path, folder):
             yield number, f"{found.group(1)}: the namespace of this folder is {expected}"
 
 
+def stale_paths(path, headers):
+    """What a comment says of a header by its path leads to it."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        for name in NAMED_HEADER.findall(line.partition("//")[2]):
+            if name not in headers and not FAST_DDS.match(name):
+                yield number, f"{name}: there is no such header below common/"
+
+
 def names_twice(tree):
     """Headers of one basename in two folders: a reader cannot tell which is meant."""
     first = {}
@@ -130,6 +163,7 @@ def breach_of_command(target):
 def check(tree):
     order = folders_in_order(tree)
     services = services_of(tree)
+    headers = {str(path.relative_to(tree)).removeprefix("common/") for path in sources(tree) if path.suffix == ".hpp"}
     findings = []
     for path in sources(tree):
         place = path.relative_to(tree)
@@ -140,6 +174,9 @@ def check(tree):
         if not place.is_relative_to(CATALOG):
             findings += [f"{place}:{number}: {why}" for number, why in named_outside_the_catalogue(path, services)]
         findings += [f"{place}:{number}: {why}" for number, why in misnamed_namespaces(path, folder)]
+        findings += [f"{place}:{number}: {why}" for number, why in stale_paths(path, headers)]
+        if str(place) != HOLDS_TO_SECONDS:
+            findings += [f"{place}:{number}: {why}" for number, why in seconds_written_out(path)]
         lines = len(path.read_text(encoding="utf-8").splitlines())
         if is_command(folder) and lines > MOST_LINES_OF_A_COMMAND:
             findings.append(f"{place}:{MOST_LINES_OF_A_COMMAND + 1}: a command is options and printing, at most "

@@ -22,6 +22,7 @@ BREACHES = {  # what is planted where: (file, include) and what must be said of 
     "the referee sees the bus": ("common/referee/score/scorer.cpp", '"inslab/bus/dds/reader.hpp"', "never include bus"),
     "Fast DDS outside the bus": ("common/sim/offline_run.cpp", "<fastdds/dds/topic/Topic.hpp>", "common/bus alone"),
     "its types outside the bus": ("services/inslab/main.cpp", '"imuPubSubTypes.hpp"', "common/bus alone"),
+    "all of its types outside the bus": ("common/sim/offline_run.cpp", '"generated_types.hpp"', "common/bus alone"),
     "a service in another": ("services/truth_logger/main.cpp", '"inslab/services/inslab/live/progress.hpp"',
                              "a service includes another service"),
     "a library sees a service": ("common/sim/offline_run.cpp", '"inslab/services/inslab/live/progress.hpp"',
@@ -45,6 +46,21 @@ NO_NAMES = (
     'tell("listens to topics such as inslab/imu/0, of inslab-imu-injector 0");',
     'participant_options(network, "inslab-status");',
     'const char* text = R"(say "inslab/imu/0" as you like)";',
+)
+
+WRITTEN_OUT = (
+    "return static_cast<double>(sample.interval_ns) * 1e-9;",
+    "return 1e-9 * static_cast<double>(last_ns_ - first_ns_) / dt_s;",
+    "wait(static_cast<double>((now() - begun).count()) * 1e-9, 2.0 * static_cast<double>(samples));",
+    "return static_cast<double>(\n    status->sim_time_ns) * 1e-9;",
+)
+NOT_WRITTEN_OUT = (
+    "// static_cast<double>(sample.interval_ns) * 1e-9",
+    "return time::to_seconds(sample.interval_ns);",
+    "return g_hz * 1e-9 * static_cast<double>(from_ns);",
+    "return static_cast<double>(info.file_size) * 1e-9;",
+    "return static_cast<double>(sample.interval_ns) * 1e-6;",
+    "return (static_cast<double>(last_ns) - static_cast<double>(first_ns)) * 1e-9;",
 )
 
 
@@ -83,6 +99,17 @@ class Floors(unittest.TestCase):
 
     def test_takes_names_in_comments_and_messages(self):
         for line in NO_NAMES:
+            with self.subTest(line):
+                self.assertEqual(self.plant("common/sim/offline_run.cpp", f"<string>\n{line}"), [])
+
+    def test_finds_seconds_of_nanoseconds_written_out(self):
+        for line in WRITTEN_OUT:
+            with self.subTest(line):
+                found = self.plant("common/sim/offline_run.cpp", f"<string>\n{line}")
+                self.assertEqual(found, ["common/sim/offline_run.cpp:3: this is time::to_seconds"])
+
+    def test_takes_what_is_another_product(self):
+        for line in NOT_WRITTEN_OUT:
             with self.subTest(line):
                 self.assertEqual(self.plant("common/sim/offline_run.cpp", f"<string>\n{line}"), [])
 
@@ -125,6 +152,11 @@ class Floors(unittest.TestCase):
         specialization = "\nnamespace inslab {\n// of ours\ntemplate <>\nstruct EnumNames<nav::Kind> {};\n}\n"
         self.assertEqual(self.text("common/nav/kind.hpp", specialization), [])
         self.assertEqual(self.text("common/nav/detail.hpp", "namespace inslab::nav::detail {\n}\n"), [])
+
+    def test_finds_a_comment_that_names_a_header_where_it_is_not(self):
+        found = self.text("common/nav/strapdown.cpp", "\n// as in geodesy/wgs84.hpp\n")
+        self.assertEqual(found, ["common/nav/strapdown.cpp:2: geodesy/wgs84.hpp: there is no such header below common/"])
+        self.assertEqual(self.text("common/nav/strapdown.hpp", "// see nav/strapdown.hpp\n"), [])
 
     def test_finds_two_headers_of_one_name(self):
         tree = self.tree()

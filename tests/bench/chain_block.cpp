@@ -14,6 +14,7 @@
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/scenario/load.hpp"
 #include "inslab/scenario/service_names.hpp"
 
@@ -81,8 +82,8 @@ void read_latencies(const std::string& log_file, ChainBlock& block) {
     truth[header.sim_time_ns] = header;
     return true;
   });
-  block.wall_s = 1e-9 * static_cast<double>(truth.rbegin()->second.publish_realtime_ns -
-                                            truth.begin()->second.publish_realtime_ns);
+  block.wall_s =
+      time::to_seconds(truth.rbegin()->second.publish_realtime_ns - truth.begin()->second.publish_realtime_ns);
   constexpr std::int64_t kWarmUp_ns = 500'000'000;
   std::map<std::uint64_t, std::int64_t> imu_published_ns;  // CLOCK_REALTIME, by sequence number
   log.for_each([&](const mcap::Message& message) {
@@ -91,9 +92,9 @@ void read_latencies(const std::string& log_file, ChainBlock& block) {
     imu_published_ns[imu.sequence_number] = imu.publish_realtime_ns;
     if (imu.sim_time_ns < kWarmUp_ns) return true;
     const StreamHeader& cause = truth.at(imu.sim_time_ns);
-    block.one_hop_s.push_back(1e-9 * static_cast<double>(imu.publish_monotonic_ns - cause.publish_monotonic_ns));
+    block.one_hop_s.push_back(time::to_seconds(imu.publish_monotonic_ns - cause.publish_monotonic_ns));
     block.two_hops_s.push_back(
-        1e-9 * static_cast<double>(static_cast<std::int64_t>(message.log_time_ns) - cause.publish_realtime_ns));
+        time::to_seconds(static_cast<std::int64_t>(message.log_time_ns) - cause.publish_realtime_ns));
     return true;
   });
   log.for_each([&](const mcap::Message& message) {
@@ -101,8 +102,8 @@ void read_latencies(const std::string& log_file, ChainBlock& block) {
     const auto solution = decoded<NavSolution>(message);
     // While it aligns the filter has nothing to do.
     if (solution.mode != NavMode::Navigating) return true;
-    block.solution_s.push_back(1e-9 * static_cast<double>(static_cast<std::int64_t>(message.log_time_ns) -
-                                                          imu_published_ns.at(solution.imu_sequence)));
+    block.solution_s.push_back(
+        time::to_seconds(static_cast<std::int64_t>(message.log_time_ns) - imu_published_ns.at(solution.imu_sequence)));
     return true;
   });
 }

@@ -1,7 +1,10 @@
 #include <benchmark/benchmark.h>
 
+#include "inslab/models/barometer/barometer_model.hpp"
 #include "inslab/models/gnss/gnss_model.hpp"
 #include "inslab/models/imu/imu_model.hpp"
+#include "inslab/models/magnetometer/magnetometer_model.hpp"
+#include "inslab/models/odometer/odometer_model.hpp"
 #include "inslab/noise/random/stream.hpp"
 
 /// Price of the models on one core. Goals: 12 ns a normal number, 3 M samples/s of an IMU with bias and noise, 1 M of
@@ -181,6 +184,72 @@ void BM_GnssFix(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(BM_GnssFix);
+
+/// Mounting, iron, noise, drift, counts, on a vehicle that drives at 11 m/s: the Earth's field of a cell of the World
+/// Magnetic Model is asked for anew as often as it is then.
+void BM_Magnetometer(benchmark::State& state) {
+  magnetometer::MagnetometerModel::Setup setup{1, 0, time::Rate(200.0), {}, {}};
+  setup.errors.hard_iron_nt = {500.0, -300.0, 200.0};
+  setup.errors.soft_iron.setConstant(0.01);
+  setup.errors.white_sigma_nt.setConstant(15.0);
+  setup.errors.gm_sigma_nt.setConstant(20.0);
+  setup.errors.gm_correlation_time_s.setConstant(600.0);
+  setup.errors.quantization_nt.setConstant(13.0);
+  setup.installation.target.kind = SensorKind::Magnetometer;
+  magnetometer::MagnetometerModel model(setup);
+  TruthState truth = truth_sample(0);
+  truth.header.gps_week = 2446;
+  const double step_rad = 11.0 * 5e-3 / 6.4e6;
+  std::int64_t k = 0;
+  for (auto _ : state) {
+    truth.header.sim_time_ns = ++k * kPeriodNs;
+    truth.interval_ns = kPeriodNs;
+    truth.latitude_rad = 0.53 + step_rad * static_cast<double>(k % 20'000'000);
+    benchmark::DoNotOptimize(model.observe(truth));
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(BM_Magnetometer);
+
+/// Arm, drifting air, static error, lag, noise, drift, counts.
+void BM_Barometer(benchmark::State& state) {
+  barometer::BarometerModel::Setup setup{1, 0, time::Rate(200.0), {}, {}};
+  setup.errors.sea_level_pressure_gm_sigma_pa = 30.0;
+  setup.errors.sea_level_pressure_gm_correlation_time_s = 7200.0;
+  setup.errors.static_pressure_coefficient = 0.1;
+  setup.errors.time_constant_s = 0.05;
+  setup.errors.white_sigma_pa = 1.0;
+  setup.errors.gm_sigma_pa = 3.0;
+  setup.errors.gm_correlation_time_s = 1800.0;
+  setup.errors.quantization_pa = 0.3;
+  setup.installation.target.kind = SensorKind::Barometer;
+  setup.installation.lever_arm_v_m = {1.9, 0.3, -0.5};
+  barometer::BarometerModel model(setup);
+  std::int64_t k = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(model.observe(truth_sample(++k)));
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(BM_Barometer);
+
+/// Arm, misalignment, scale, slip, road, counts.
+void BM_Odometer(benchmark::State& state) {
+  odometer::OdometerModel::Setup setup{1, 0, time::Rate(200.0), {}, {}};
+  setup.errors.scale_factor_gm_sigma_ppm = 300.0;
+  setup.errors.scale_factor_gm_correlation_time_s = 1800.0;
+  setup.errors.tyre_warming_ppm = -1500.0;
+  setup.errors.noise_m_per_sqrt_m = 0.002;
+  setup.errors.longitudinal_slip_threshold_m_per_s2 = 2.0;
+  setup.errors.longitudinal_slip_s2_per_m = 0.01;
+  setup.errors.counts_per_revolution = 1024.0;
+  setup.installation.target.kind = SensorKind::Odometer;
+  setup.installation.lever_arm_v_m = {0.0, -0.78, 0.31};
+  setup.installation.mounting_rpy_deg = {0.0, 0.0, 0.15};
+  odometer::OdometerModel model(setup);
+  std::int64_t k = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(model.measure(truth_sample(++k)));
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(BM_Odometer);
 
 }  // namespace
 }  // namespace inslab::bench

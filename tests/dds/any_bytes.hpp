@@ -17,7 +17,7 @@ class AnyBytes : public fast_dds::TopicDataType {
   explicit AnyBytes(const std::string& name = std::string(catalog::WireType<T>::name)) {
     set_name(name);
     max_serialized_type_size = 65536;
-    is_compute_key_provided = generated_type<T>().is_keyed();
+    is_compute_key_provided = generated_type(catalog::WireType<T>::name).is_keyed();
   }
   bool serialize(const void* data, fast_dds::Payload& payload, fast_dds::Representation) override {
     const auto& bytes = *static_cast<const Bytes*>(data);

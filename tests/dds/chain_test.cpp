@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <condition_variable>
+#include <ctime>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -107,6 +108,28 @@ TEST_P(Chain, LateJoinerGetsTheWholeJournalInOrder) {
   ASSERT_TRUE(received.wait_for(50));
   std::uint32_t expected = 1;
   for (const auto& entry : received.samples()) EXPECT_EQ(entry.request.journal_number, expected++);
+}
+
+/// Processor time, which other work on the machine does not lengthen.
+double used_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+TEST_P(Chain, LateJoinerGetsALongJournalInTimeThatGrowsWithItsLength) {
+  const auto topic = topics::journal<InstallationProfile>();
+  constexpr std::uint32_t kEntries = 20'000;
+  Writer<InstallationProfile> writer(from_, topic);
+  for (std::uint32_t i = 1; i <= kEntries; ++i) {
+    InstallationProfile entry;
+    entry.request.journal_number = i;
+    ASSERT_TRUE(writer.write(entry));
+  }
+  const double before_s = used_s();
+  Collector<InstallationProfile> received;
+  Reader<InstallationProfile> reader(to_, topic,
+                                     [&](const InstallationProfile& p, const SampleOrigin&) { received.add(p); });
+  ASSERT_TRUE(received.wait_for(kEntries, seconds(90)));
+  EXPECT_LT(used_s() - before_s, 20.0);
+  std::uint32_t expected = 1;
+  for (const auto& entry : received.samples()) ASSERT_EQ(entry.request.journal_number, expected++);
 }
 
 TEST_P(Chain, LateJoinerGetsTheLastStatusOfEachService) {

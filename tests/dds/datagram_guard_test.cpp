@@ -196,6 +196,21 @@ TEST(DatagramGuard, InASecuredSetNobodyIsSaidToBeGone) {
             DatagramFault::None);
 }
 
+/// Anybody may say so in the name of another one: who leaves does it, and it is told apart later (farewells_test.cpp).
+TEST(DatagramGuard, WhoSaysThatHeIsGoneHimselfIsToldApart) {
+  const Bytes own = Bytes(12, 0x66) + Bytes{0, 0, 1, 0xc1}, others = Bytes(12, 0x67) + Bytes{0, 0, 1, 0xc1};
+  const Bytes key{0x70, 0, 16, 0};
+  const auto farewell = [](const Bytes& keys) {
+    return Datagram()
+        .add(kData, data(kParticipantWriter, keys + parameter(0x71)), kHasInlineQos)
+        .in(Protection::Secured);
+  };
+  EXPECT_EQ(farewell(key + own), DatagramFault::DisposalOfTheSender);
+  EXPECT_EQ(farewell(key + others), DatagramFault::UnprotectedDisposal);
+  EXPECT_EQ(farewell(key + own + key + others), DatagramFault::UnprotectedDisposal) << "two keys";
+  EXPECT_EQ(farewell(Bytes{0x70, 0, 12, 0} + Bytes(12, 0x66)), DatagramFault::UnprotectedDisposal) << "half a key";
+}
+
 TEST(DatagramGuard, AnEncryptedBodyIsNoLongerThanItsSubmessage) {
   EXPECT_EQ(Datagram().add(0x31, Bytes(20)).add(0x30, Bytes{0, 0, 1, 0} + Bytes(8)).in(Protection::Secured),
             DatagramFault::UnsoundProtection);

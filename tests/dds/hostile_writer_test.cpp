@@ -82,10 +82,7 @@ class HostileWriter : public testing::Test {
 };
 
 /// Every topic that anybody reads, and with blocks lists of samples as well.
-template <class... Types>
-using WithBlocks =
-    testing::Types<Types..., Block<TruthState>, Block<ImuSample>, Block<ImuTruth>, Block<GnssFix>, Block<NavSolution>>;
-using AttackedTypes = catalog::EveryWireType<WithBlocks>;
+using AttackedTypes = Applied<testing::Types, catalog::TravellingTypes>;
 TYPED_TEST_SUITE(HostileWriter, AttackedTypes);
 
 /// One participant is attacked in every way: making three of them for each way would take most of the time.

@@ -73,11 +73,16 @@ TEST_P(AParticipant, OutlivesADatagramThatEndsOthers) {
 INSTANTIATE_TEST_SUITE_P(Transports, AParticipant, testing::Values(Transport::Udp, Transport::Shm, Transport::Default));
 
 TEST(SharedMemory, ThatIsTooSmallIsSaidBeforeAnythingRunsShortOfIt) {
-  EXPECT_EQ(shared_memory_shortage(0), "");
-  const std::string shortage = shared_memory_shortage(1'000'000);
-  EXPECT_EQ(shortage.rfind("/dev/shm has ", 0), 0u) << shortage;
-  EXPECT_NE(shortage.find("1000000 participants need "), std::string::npos) << shortage;
-  EXPECT_NE(shortage.find("--transport udp"), std::string::npos) << shortage;
+  ParticipantOptions options;
+  EXPECT_EQ(shared_memory_shortage(options, 1'000'000), "") << "UDP alone takes none";
+  for (const Transport transport : {Transport::Shm, Transport::Default}) {
+    options.transport = transport;
+    EXPECT_EQ(shared_memory_shortage(options, 0), "");
+    const std::string shortage = shared_memory_shortage(options, 1'000'000);
+    EXPECT_EQ(shortage.rfind("/dev/shm has ", 0), 0u) << shortage;
+    EXPECT_NE(shortage.find("1000000 participants need "), std::string::npos) << shortage;
+    EXPECT_NE(shortage.find("--transport udp"), std::string::npos) << shortage;
+  }
 }
 
 }  // namespace packet_guard_test

@@ -168,6 +168,14 @@ TEST_F(SecurityFilesOf, AnAuthorityThatOthersMayReplaceIsRefused) {
   EXPECT_THAT(refusal(), HasSubstr("ca.cert.pem: can be written by others than its owner (mode 0666)"));
 }
 
+TEST_F(SecurityFilesOf, AFolderInWhichOthersMayReplaceTheKeysIsRefused) {
+  ASSERT_EQ(chmod((keys / ".").c_str(), 0777), 0);
+  EXPECT_THAT(refusal(),
+              HasSubstr("can be written by others than its owner (mode 0777): whoever writes to the folder"));
+  ASSERT_EQ(chmod((keys / ".").c_str(), 0755), 0);
+  EXPECT_EQ(refusal(), "");
+}
+
 /// Gives one user the right to read a file, as systemd does for the credentials of a service. The mode then shows a
 /// right of the group that no group has.
 int let_read(const std::string& file, uid_t user) {
@@ -214,8 +222,9 @@ std::string topics_of(const std::string& permissions_file, const std::string& ru
 
 TEST_F(SecurityFilesOf, GrantWhatSecurityMdSays) {
   std::string expected;
-  for (const char* role : {"inslab-trajectory-server", "inslab-imu-injector", "inslab-gnss-emulator",
-                           "inslab-magnetometer", "inslab-truth-logger", "operator", "nav-app", "vehicle-simulator"}) {
+  for (const char* role :
+       {"inslab-trajectory-server", "inslab-imu-injector", "inslab-gnss-emulator", "inslab-magnetometer",
+        "inslab-barometer", "inslab-odometer", "inslab-truth-logger", "operator", "nav-app", "vehicle-simulator"}) {
     const std::string file = keys / (std::string(role) + ".permissions.xml");
     expected +=
         std::string("| ") + role + " | " + topics_of(file, "publish") + " | " + topics_of(file, "subscribe") + " |\n";

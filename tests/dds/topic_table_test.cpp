@@ -77,9 +77,13 @@ class Permissions {
 /// Whose topic it is.
 std::string writer_role(const std::string& topic) {
   const auto begins = [&topic](const char* prefix) { return topic.rfind(prefix, 0) == 0; };
-  if (begins("inslab/imu") || begins("inslab/block/imu")) return "inslab-imu-injector";
-  if (begins("inslab/gnss") || begins("inslab/block/gnss")) return "inslab-gnss-emulator";
-  if (begins("inslab/magnetometer") || begins("inslab/block/magnetometer")) return "inslab-magnetometer";
+  std::string sensor;
+  for_each(catalog::SensorSamples{}, [&](auto tag) {
+    using Sample = typename decltype(tag)::type;
+    const std::string stream = catalog::stream_topic<Sample>(kSensor);
+    if (topic == stream || topic == catalog::block_topic(stream)) sensor = catalog::SourceOf<Sample>::service;
+  });
+  if (!sensor.empty()) return sensor;
   if (begins("inslab/nav") || begins("inslab/block/nav")) return "nav-app";
   if (begins("inslab/profile/") || begins("inslab/sim/command")) return "operator";
   if (topic == "inslab/vehicle_state") return "vehicle-simulator";
@@ -95,11 +99,11 @@ class TopicTable : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     keys_ = std::make_unique<Keys>();
-    for (const char* role :
-         {"inslab-trajectory-server", "inslab-imu-injector", "inslab-gnss-emulator", "inslab-magnetometer",
-          "inslab-truth-logger", "operator", "nav-app", "vehicle-simulator"}) {
-      roles_.emplace(role, Permissions(keys_->path(), role));
+    std::set<std::string> roles{catalog::kOperatorIdentity, catalog::kNavAppIdentity, catalog::kVehicleIdentity};
+    for (const catalog::Service& service : catalog::services()) {
+      roles.insert(std::string(catalog::security_identity(service.name)));
     }
+    for (const std::string& role : roles) roles_.emplace(role, Permissions(keys_->path(), role));
   }
   static void TearDownTestSuite() {
     keys_.reset();
@@ -166,10 +170,13 @@ TEST_F(TopicTable, LetsTheLoggerAndTheOperatorReadEverything) {
 }
 
 TEST_F(TopicTable, KeepsTheTruthFromTheAppUnderTest) {
-  const std::set<std::string> for_the_app{"inslab/imu/3",        "inslab/block/imu/3",    "inslab/gnss/3",
-                                          "inslab/block/gnss/3", "inslab/magnetometer/3", "inslab/block/magnetometer/3",
-                                          "inslab/installation", "inslab/sim/status",     "inslab/service_status",
-                                          "inslab/credit"};
+  const std::set<std::string> for_the_app{"inslab/imu/3",          "inslab/block/imu/3",
+                                          "inslab/gnss/3",         "inslab/block/gnss/3",
+                                          "inslab/magnetometer/3", "inslab/block/magnetometer/3",
+                                          "inslab/barometer/3",    "inslab/block/barometer/3",
+                                          "inslab/odometer/3",     "inslab/block/odometer/3",
+                                          "inslab/installation",   "inslab/sim/status",
+                                          "inslab/service_status", "inslab/credit"};
   for (const Row& row : table()) {
     EXPECT_EQ(roles_.at("nav-app").may_read(row.name), for_the_app.count(row.name) == 1) << row.name;
   }

@@ -79,6 +79,25 @@ TEST(LiveRun, WithAMagnetometerGivesTheBitsOfTheOfflineRun) {
                                   3000);
 }
 
+TEST(LiveRun, WithABarometerAndOdometersGivesTheBitsOfTheOfflineRun) {
+  const TestFolder folder;
+  const std::string scenario = source("config/scenarios/aiding.json");
+  Process live("inslab",
+               {"run", scenario, "--log", folder / "live.mcap", "--domain", own_domain(), "--clock", "lockstep"});
+  Process offline("inslab", {"simulate", scenario, "-o", folder / "offline"});
+  // Exit 0 also means: nothing lost, all swaps acknowledged and borne out by the samples.
+  ASSERT_EQ(live.wait(seconds(80)), 0) << live.output();
+  ASSERT_EQ(offline.wait(seconds(60)), 0) << offline.output();
+  EXPECT_THAT(live.output(), HasSubstr("barometer_error 'ms5611' for barometer0"));
+  EXPECT_THAT(live.output(), HasSubstr("pressure offset"));
+  EXPECT_THAT(live.output(), HasSubstr("odometer_error 'abs_sensor' for odometer1"));
+  EXPECT_THAT(live.output(), HasSubstr("scale factor of the wheel"));
+  const std::string offline_log = folder / "offline/aiding.mcap";
+  expect_same_bits<AirPressure>(folder / "live.mcap", offline_log, "inslab/barometer/0", 1500);
+  expect_same_bits<WheelTravel>(folder / "live.mcap", offline_log, "inslab/odometer/0", 3000);
+  expect_same_bits<WheelTravel>(folder / "live.mcap", offline_log, "inslab/odometer/1", 1500);
+}
+
 TEST(LiveRun, SummaryNamesStreamsSwapsAndLog) {
   const TestFolder folder;
   Process live("inslab",
@@ -170,7 +189,7 @@ TEST(OutputFiles, NoFormatReplacesTheLogThatItReadsAndNoResultIsReplacedUnasked)
   Process simulate("inslab", {"simulate", source("tests/data/short.json"), "-o", folder / ""});
   ASSERT_EQ(simulate.wait(seconds(60)), 0) << simulate.output();
   const std::string log = folder / "short.mcap";
-  const auto run = [](std::vector<std::string> arguments) {
+  const auto run = [](const std::vector<std::string>& arguments) {
     Process process("inslab", arguments);
     const int code = process.wait(seconds(60)).value_or(-1);
     return std::to_string(code) + ": " + process.output();

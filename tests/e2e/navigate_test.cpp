@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "tests/e2e/logged_samples.hpp"
 #include "tests/e2e/process.hpp"
@@ -79,12 +80,10 @@ class Navigate : public testing::Test {
   static inline TestFolder* folder_ = nullptr;
 };
 
-TEST_F(Navigate, OnALogGivesTheSolutionsOfTheAppThatTookPart) {
-  const std::string said = run({"navigate", log(), "--scenario", kScenario, "-o", *folder_ / "again"});
-  EXPECT_THAT(said, HasSubstr("latency: not judged, the app ran on a log"));
-  EXPECT_THAT(said, HasSubstr("1 outage; largest error in each"));
-  const Rows rows = numbers_of(*folder_ / "again.nav"), sigmas = numbers_of(*folder_ / "again_sigmas.txt");
-  std::vector<NavSolution> solutions = samples_of_kind<NavSolution>(log(), "inslab/nav");
+/// That the files `stem`.nav and `stem`_sigmas.txt say what the app of a log said.
+void expect_the_apps_solutions(const std::string& stem, const std::string& log) {
+  const Rows rows = numbers_of(stem + ".nav"), sigmas = numbers_of(stem + "_sigmas.txt");
+  std::vector<NavSolution> solutions = samples_of_kind<NavSolution>(log, "inslab/nav");
   solutions.erase(std::remove_if(solutions.begin(), solutions.end(),
                                  [](const NavSolution& s) { return s.mode == NavMode::Aligning; }),
                   solutions.end());
@@ -98,7 +97,7 @@ TEST_F(Navigate, OnALogGivesTheSolutionsOfTheAppThatTookPart) {
     ASSERT_EQ(sigmas[i].size(), 11U);
     const NavSolution& s = solutions[i];
     ASSERT_EQ(rows[i][0], s.gps_week);
-    ASSERT_NEAR(rows[i][1], static_cast<double>(s.gps_time_of_week_ns) * 1e-9, 1e-9);
+    ASSERT_NEAR(rows[i][1], time::to_seconds(s.gps_time_of_week_ns), 1e-9);
     ASSERT_NEAR(rows[i][2], s.latitude_rad / units::kDeg, 0.51e-12);
     ASSERT_NEAR(rows[i][3], s.longitude_rad / units::kDeg, 0.51e-12);
     ASSERT_NEAR(rows[i][4], s.height_m, 0.51e-6);
@@ -110,6 +109,21 @@ TEST_F(Navigate, OnALogGivesTheSolutionsOfTheAppThatTookPart) {
       ASSERT_NEAR(sigmas[i][8 + axis], s.attitude_sigma_rad[a] / units::kDeg, 0.51e-9);
     }
   }
+}
+
+TEST_F(Navigate, OnALogGivesTheSolutionsOfTheAppThatTookPart) {
+  const std::string said = run({"navigate", log(), "--scenario", kScenario, "-o", *folder_ / "again"});
+  EXPECT_THAT(said, HasSubstr("latency: not judged, the app ran on a log"));
+  EXPECT_THAT(said, HasSubstr("1 outage; largest error in each"));
+  expect_the_apps_solutions(*folder_ / "again", log());
+}
+
+TEST_F(Navigate, OnALogTakesTheMagnetometerThatTheAppTook) {
+  const std::string scenario = source("tests/data/reference_nav_magnetometer.json");
+  run({"simulate", scenario, "-o", *folder_ / "."});
+  const std::string log = *folder_ / "reference_nav_magnetometer.mcap";
+  run({"navigate", log, "--scenario", scenario, "-o", *folder_ / "aided"});
+  expect_the_apps_solutions(*folder_ / "aided", log);
 }
 
 // scored.json names the same sensors and no app. The first of 2000 samples is where the filter begins.
@@ -130,7 +144,7 @@ TEST_F(Navigate, OnTextFilesWritesElevenColumnsThatAgreeWithTheTruthToTheirSigma
   const std::vector<double>& last = rows.back();
   ASSERT_EQ(last.size(), 11U);
   EXPECT_EQ(last[0], 2446.0);
-  EXPECT_NEAR(last[1], static_cast<double>(truth.header.gps_time_of_week_ns) * 1e-9, 1e-9);
+  EXPECT_NEAR(last[1], time::to_seconds(truth.header.gps_time_of_week_ns), 1e-9);
   const double m_per_rad = 6.37e6;
   const double north_m = (last[2] * units::kDeg - truth.latitude_rad) * m_per_rad;
   const double east_m = (last[3] * units::kDeg - truth.longitude_rad) * m_per_rad * std::cos(truth.latitude_rad);
@@ -147,11 +161,11 @@ TEST_F(Navigate, RefusesLogsThatAreNoneOrLackASensor) {
   expect_refusal({kScenario, "--parameters", kParameters}, "expected the magic bytes of an MCAP file");
   expect_refusal(
       {log(), "--parameters", kParameters, "--imu-number", "3"},
-      "reference_nav.mcap: has no topic inslab/imu/3 of the type inslab::v2::ImuSample; it has inslab/truth");
+      "reference_nav.mcap: has no topic inslab/imu/3 of the type inslab::v3::ImuSample; it has inslab/truth");
   expect_refusal({log(), "--parameters", kParameters, "--gnss-number", "3"},
-                 "reference_nav.mcap: has no topic inslab/gnss/3 of the type inslab::v2::GnssFix");
+                 "reference_nav.mcap: has no topic inslab/gnss/3 of the type inslab::v3::GnssFix");
   expect_refusal({log(), "--parameters", kParameters, "--imu-number", "3", "--start-at-truth"},
-                 "reference_nav.mcap: has no topic inslab/imu_truth/3 of the type inslab::v2::ImuTruth");
+                 "reference_nav.mcap: has no topic inslab/imu_truth/3 of the type inslab::v3::ImuTruth");
 }
 
 TEST_F(Navigate, RefusesImuTextsNamingFileAndLine) {

@@ -1,10 +1,12 @@
-// The commands `inslab predict` and `inslab align`, as a user calls them.
+// The commands `inslab predict`, `inslab align` and `inslab allan`, as a user calls them.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <sstream>
 
 #include "tests/e2e/process.hpp"
@@ -123,6 +125,35 @@ TEST_F(Predict, NamesTheTermsThatItLeavesOut) {
               HasSubstr("left out: bandwidth, full scale, quantization, latency, dropped samples\n"));
 }
 
+TEST_F(Predict, ShowsTheSignedResponseAtRestBesideTheClosedForms) {
+  const std::string printed = inslab({"predict", "--source", "gyro_bias_e=0.01deg/h", "--source", "accel_bias_d=-1mGal",
+                                      "--latitude", "-45", "--hours", "1", "--overwrite", "-o", folder_ / "."});
+  EXPECT_THAT(printed, HasSubstr("rest at latitude -45 deg: signed response, height free"));
+  EXPECT_THAT(printed, HasSubstr("gyro_bias_e=0.01deg/h, m\n"));
+  const std::string rows = text_of(folder_ / "rest_response.csv");
+  EXPECT_THAT(rows, HasSubstr("closed_68_north_m,closed_68_east_m,closed_72_height_m,closed_73_height_m\n"));
+  EXPECT_THAT(rows, HasSubstr("\n\"accel_bias_d=-1mGal\",3600,"));
+  EXPECT_THAT(text_of(folder_ / "rest_response.svg"), HasSubstr("</svg>"));
+}
+
+TEST_F(Predict, FollowsASourceAndWritesTheModelAlongAScenario) {
+  const std::string file = scenario("moves", source("config/profiles/imu/ideal.json"), 4.0,
+                                    R"(, "motions": [{"type": "target_speed", "final_speed_m_per_s": 5}])");
+  inslab({"predict", file, "--source", "gyro_bias_x=1deg/h", "--model", folder_ / "model.csv", "--overwrite", "-o",
+          folder_ / "."});
+  EXPECT_THAT(text_of(folder_ / "model.csv"), testing::ContainsRegex("^end_s,dt_s,.*Phi\\.phi_d\\.phi_d\n0\\.2"));
+  EXPECT_THAT(text_of(folder_ / "moves_response.csv"), HasSubstr("\n\"gyro_bias_x=1deg/h\",4,"));
+  inslab({"predict", "--latitude", "30", "--model", folder_ / "model.h5", "--hours", "0.1"});
+  EXPECT_THAT(text_of(folder_ / "model.h5").substr(1, 3), "HDF");
+}
+
+TEST_F(Predict, RefusesASourceThatItDoesNotKnow) {
+  EXPECT_THAT(inslab({"predict", "--latitude", "30", "--source", "gyro_e=1deg/h"}, kBadInput),
+              HasSubstr("is of none of position, velocity, phi, accel_bias, gyro_bias"));
+  EXPECT_THAT(inslab({"predict", "--source", "gyro_bias_e=1deg/h"}, kBadInput),
+              HasSubstr("expected a scenario, or --latitude with --source or --model"));
+}
+
 TEST_F(Predict, RefusesWhatItCannotPredict) {
   EXPECT_THAT(inslab({"predict", folder_ / "none.json"}, kBadInput), HasSubstr("none.json"));
   EXPECT_THAT(inslab({"predict", source("config/invalid/truncated.json")}, kBadInput), HasSubstr("truncated.json"));
@@ -162,6 +193,18 @@ TEST_F(Align, FindsTheAttitudeOfAnIdealImuAndCountsADamagedLine) {
   EXPECT_THAT(text_of(folder_ / "rest.svg"), HasSubstr("</svg>"));
 }
 
+TEST_F(Align, SaysHowWellYawIsKnownAndWarnsOfATacticalGyro) {
+  const std::string imu = put("tactical_imu.json", R"({"name": "tactical", "gyro": {"bias_constant_deg_per_h": 5.5}})");
+  const std::string file = scenario("tactical", imu, 12.0, "");
+  inslab({"simulate", file, "--overwrite", "-o", folder_ / "."});
+  const std::string printed =
+      inslab({"align", folder_ / "tactical.mcap", "--latitude", "30.53", "--wanted-yaw", "0.1"});
+  EXPECT_THAT(printed, HasSubstr("Yaw's standard deviation: "));
+  EXPECT_THAT(printed, HasSubstr("tactical.mcap: yaw is not known: its standard deviation is "));
+  EXPECT_THAT(printed, HasSubstr("0.1 deg of yaw needs gyros of 0.023 deg/h: aviation grade (0.01 deg/h)"));
+  EXPECT_THAT(inslab({"align", recorded("rest", ""), "--latitude", "30.53"}), Not(HasSubstr("yaw is not known")));
+}
+
 TEST_F(Align, RefusesAPoleAndAMovingImu) {
   expect_refusal(recorded("rest", ""), "no alignment: latitude 89.5 deg is within 1 deg of a pole",
                  {"--latitude", "89.5"});
@@ -199,6 +242,29 @@ TEST_F(Align, SaysWhyARealReceiversFileGivesNoAttitude) {
   expect_refusal(folder + "edie_test_lines.txt", "line 4 is of IMU type 11; expected 41", site);
   expect_refusal(folder + "propak6_aligning_INSPVAXA_derived.asc", "other messages (INSPVAXA)", site);
   expect_refusal(folder + "propak6_ins_INSPVAXA_derived.asc", "other messages (INSPVAXA)", site);
+}
+
+/// White noise, at rest, and a hum that no model has.
+TEST_F(Commands, AllanWritesNoTwinOfAPoorFitUnasked) {
+  std::ostringstream hums, rests;
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  for (int k = 0; k < 20'000; ++k) {
+    const double t_s = 0.01 * k, hum = 0.02 * std::sin(2.0 * 3.14159265358979 * 0.5 * t_s);
+    const double gyro = 1e-3 * normal(random), accel = 9.8 + 0.01 * normal(random);
+    for (std::ostringstream* out : {&hums, &rests}) {
+      *out << (k == 0 ? "time_s,gyro_x_rad_per_s,accel_z_m_per_s2\n" : "") << t_s << ','
+           << gyro + (out == &hums ? hum : 0.0) << ',' << accel << '\n';
+    }
+  }
+  const std::string hum = put("hum.csv", hums.str()), rest = put("rest.csv", rests.str()), twin = folder_ / "twin.json";
+  EXPECT_THAT(inslab({"allan", rest, "--profile", twin}), HasSubstr("twin.json written"));
+  EXPECT_TRUE(std::filesystem::remove(twin));
+  EXPECT_THAT(inslab({"allan", hum, "--profile", twin}, 1), HasSubstr("--accept-poor-fit writes it nevertheless"));
+  EXPECT_FALSE(std::filesystem::exists(twin));
+  EXPECT_THAT(inslab({"allan", hum, "--profile", twin, "--accept-poor-fit", "--overwrite"}),
+              HasSubstr("twin.json written"));
+  EXPECT_TRUE(std::filesystem::exists(twin));
 }
 
 }  // namespace predict_align_test

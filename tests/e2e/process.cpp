@@ -1,11 +1,13 @@
 #include "tests/e2e/process.hpp"
 
+#include <execinfo.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +18,28 @@
 namespace inslab::e2e {
 
 namespace {
+
+/// A test that crashes, or that will not end, says where it is, since what happens among threads seldom comes again.
+/// Addresses in the test itself are relative to its beginning, as addr2line takes them.
+void say_where(int signal) {
+  std::array<void*, 64> frames{};
+  const int depth = backtrace(frames.data(), static_cast<int>(frames.size()));
+  backtrace_symbols_fd(frames.data(), depth, STDERR_FILENO);
+  if (signal == SIGALRM) return;
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
+const bool says_where = [] {
+  std::array<void*, 1> frame{};
+  backtrace(frame.data(), 1);  // loads what it needs now
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGABRT, SIGALRM}) std::signal(signal, &say_where);
+  constexpr unsigned kBeforeItIsEnded_s = 5;
+  if (const char* timeout_s = std::getenv("INSLAB_TEST_TIMEOUT_S")) {
+    alarm(static_cast<unsigned>(std::atoi(timeout_s)) - kBeforeItIsEnded_s);
+  }
+  return true;
+}();
 
 std::string temporary_name(const char* pattern) {
   std::string name = (std::filesystem::temp_directory_path() / pattern).string();

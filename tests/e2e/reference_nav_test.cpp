@@ -92,15 +92,16 @@ TEST(ReferenceNav, SaysHowFarItIs) {
   EXPECT_EQ(last_ns, 10'000'000'000);
 }
 
-TEST(ReferenceNav, InLockstepItsSolutionsAreThoseOfTheOfflineRunToTheBit) {
+/// That the app's solutions in lockstep and those of `inslab navigate` on the log are the offline run's.
+void same_bits_in_lockstep_and_offline(const std::string& name) {
   const TestFolder folder;
-  const std::string scenario = source("tests/data/reference_nav.json"), log = folder / "lockstep.mcap";
+  const std::string scenario = source("tests/data/" + name + ".json"), log = folder / "lockstep.mcap";
   Process run("inslab", {"run", scenario, "--domain", own_domain(), "--log", log, "--clock", "lockstep"});
   ASSERT_EQ(run.wait(seconds(90)), 0) << run.output();
   Process offline("inslab", {"simulate", scenario, "-o", folder / "offline"});
   ASSERT_EQ(offline.wait(seconds(60)), 0) << offline.output();
   const std::vector<NavSolution> live = solutions_of(log);
-  const std::vector<NavSolution> reference = solutions_of(folder / "offline/reference_nav.mcap");
+  const std::vector<NavSolution> reference = solutions_of(folder / ("offline/" + name + ".mcap"));
   ASSERT_EQ(reference.size(), kImuSamples);
   ASSERT_EQ(live.size(), kImuSamples);
   std::vector<std::uint8_t> bytes, expected;
@@ -109,6 +110,30 @@ TEST(ReferenceNav, InLockstepItsSolutionsAreThoseOfTheOfflineRunToTheBit) {
     wire::encode(reference[i], expected);
     ASSERT_EQ(bytes, expected) << "solution " << i;
   }
+}
+
+TEST(ReferenceNav, InLockstepItsSolutionsAreThoseOfTheOfflineRunToTheBit) {
+  same_bits_in_lockstep_and_offline("reference_nav");
+}
+
+TEST(ReferenceNav, InLockstepItWaitsForASensorThatItsScenarioGivesItBesides) {
+  same_bits_in_lockstep_and_offline("reference_nav_magnetometer");
+}
+
+TEST(ReferenceNav, TakesAMagnetometerLive) {
+  const TestFolder folder;
+  const std::string log = folder / "live.mcap";
+  Process run("inslab",
+              {"run", source("tests/data/reference_nav_magnetometer.json"), "--domain", own_domain(), "--log", log});
+  ASSERT_EQ(run.wait(seconds(90)), 0) << run.output();
+  std::uint64_t samples = 0;
+  for (const ServiceStatus& status : samples_of_kind<ServiceStatus>(log, "inslab/service_status")) {
+    if (status.service != "inslab-reference-nav") continue;
+    for (const StreamStatus& stream : status.streams) {
+      if (stream.topic == "inslab/magnetometer/3") samples = stream.samples;
+    }
+  }
+  EXPECT_EQ(samples, 1000U);
 }
 
 TEST(ReferenceNav, TakesPartInASecuredSetAsTheAppUnderTest) {

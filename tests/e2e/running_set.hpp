@@ -9,6 +9,7 @@
 
 #include "inslab/bus/client/run_client.hpp"
 #include "inslab/bus/service/service.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
@@ -37,7 +38,7 @@ class RunningSet : public testing::Test {
     kill(pid, SIGKILL);
   }
   std::optional<SimStatus> status() const { return client_.status(); }
-  double sim_time_s() const { return status() ? static_cast<double>(status()->sim_time_ns) * 1e-9 : -1.0; }
+  double sim_time_s() const { return status() ? time::to_seconds(status()->sim_time_ns) : -1.0; }
   bool reaches(double time_s) const {
     return eventually([&] { return sim_time_s() > time_s; }, std::chrono::seconds(60));
   }

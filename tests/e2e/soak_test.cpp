@@ -14,8 +14,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 
 std::vector<std::string> soak(std::vector<std::string> more) {
-  more.insert(more.begin(), {"soak", source("config/scenarios/soak.json"), "--profiles", source("config/profiles"),
-                             "--domain", own_domain()});
+  more.insert(more.begin(), {"soak", source("config/scenarios/soak.json"), "--domain", own_domain()});
   return more;
 }
 
@@ -36,6 +35,13 @@ TEST(Soak, OfAFewMinutesWithSwapsKillsAndPausesHolds) {
   EXPECT_THAT(run.output(), ContainsRegex("h of sim time in .*: [1-9][0-9]* swaps, [1-9][0-9]* kills, [0-9]+ pauses"));
   EXPECT_THAT(run.output(), HasSubstr("everything held"));
   EXPECT_FALSE(std::filesystem::exists(folder / "soak.mcap"));
+}
+
+TEST(Soak, WithoutProfilesToSwapToIsRefusedByTheFolder) {
+  const TestFolder folder;
+  Process run("inslab", soak({"--hours", "1", "--profiles", folder / "none"}));
+  EXPECT_EQ(run.wait(seconds(30)), 2);
+  EXPECT_THAT(run.output(), HasSubstr("none/imu: has no profiles *.json; --profiles names the folder"));
 }
 
 TEST(Soak, LongerThanItsScenarioIsRefused) {

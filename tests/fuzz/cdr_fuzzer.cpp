@@ -27,9 +27,7 @@ template <class... Types>
 struct Decoders {
   static void choose(std::size_t index, const std::uint8_t* data, std::size_t size) {
     using Decode = void (*)(const std::uint8_t*, std::size_t);
-    constexpr Decode decoders[] = {&decode_twice<Types>...,         &decode_twice<Block<TruthState>>,
-                                   &decode_twice<Block<ImuSample>>, &decode_twice<Block<ImuTruth>>,
-                                   &decode_twice<Block<GnssFix>>,   &decode_twice<Block<NavSolution>>};
+    constexpr Decode decoders[] = {&decode_twice<Types>...};
     decoders[index % (sizeof(decoders) / sizeof(decoders[0]))](data, size);
   }
 };
@@ -38,6 +36,6 @@ struct Decoders {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  catalog::EveryWireType<Decoders>::choose(data[0], data + 1, size - 1);
+  Applied<Decoders, catalog::TravellingTypes>::choose(data[0], data + 1, size - 1);
   return 0;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/models/gnss/gnss_model.hpp"
 #include "inslab/nav/geodesy.hpp"
 
@@ -22,8 +23,7 @@ std::array<std::vector<double>, 6> errors_of(const GnssErrorProfile& profile, st
   for (std::int64_t k = 1; k <= epochs; ++k) {
     truth.header.sim_time_ns = k * 1000000000;
     const auto fix = model.observe(truth);
-    const Vector3 position = nav::ned_from({truth.latitude_rad, truth.longitude_rad, truth.height_m},
-                                           {fix->latitude_rad, fix->longitude_rad, fix->height_m});
+    const Vector3 position = nav::ned_from(geodetic_of(truth), geodetic_of(*fix));
     for (int axis = 0; axis < 3; ++axis) {
       errors[axis].push_back(position[axis]);
       errors[3 + axis].push_back(fix->v_n[axis]);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/models/gnss/gnss_model.hpp"
 #include "inslab/models/imu/imu_model.hpp"
 #include "inslab/nav/geodesy.hpp"
@@ -141,7 +142,7 @@ std::array<std::vector<double>, 6> gnss_errors(std::uint64_t seed, std::uint32_t
   std::array<std::vector<double>, 6> output;
   for (std::int64_t k = 1; k <= epochs; ++k) {
     const auto fix = model.observe(steady(k));
-    const Vector3 position = nav::ned_from({}, {fix->latitude_rad, fix->longitude_rad, fix->height_m});
+    const Vector3 position = nav::ned_from({}, geodetic_of(*fix));
     for (int axis = 0; axis < 3; ++axis) {
       output[axis].push_back(position[axis]);
       output[3 + axis].push_back(fix->v_n[axis]);

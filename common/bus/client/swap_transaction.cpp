@@ -9,6 +9,7 @@
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
 #include "inslab/foundation/text/shown.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 
 namespace inslab::client {
 
@@ -19,10 +20,10 @@ constexpr double kBeyond_s = 10.0;  // the last word of a run
 std::string words_of_wait(const catalog::AnyProfile& swap, const RunLink& link) {
   const std::int64_t at_ns = catalog::request_of(swap).apply_at_ns;
   std::string words = "the first sample of " + catalog::sensor_name(catalog::target_of(swap)) + " under the swap";
-  if (at_ns >= 0) words += fmt::format(" at {:g} s", static_cast<double>(at_ns) * 1e-9);
+  if (at_ns >= 0) words += fmt::format(" at {:g} s", time::to_seconds(at_ns));
   if (const auto status = link.status()) {
-    words += fmt::format("; the run is {} at {:.1f} s", enum_name(status->state),
-                         static_cast<double>(status->sim_time_ns) * 1e-9);
+    words +=
+        fmt::format("; the run is {} at {:.1f} s", enum_name(status->state), time::to_seconds(status->sim_time_ns));
   }
   return words;
 }
@@ -101,9 +102,8 @@ std::string words_of(const ProfileAck& ack) {
     return fmt::format("rejected: {}: {}", text::shown(ack.field), text::shown(ack.reason));
   }
   return fmt::format("{} at {:.9f} s; first sample under it {:.9f} s, sequence {}{}", enum_name(ack.outcome),
-                     static_cast<double>(ack.apply_time_ns) * 1e-9,
-                     static_cast<double>(ack.first_sample_time_ns) * 1e-9, ack.first_sequence,
-                     ack.requested_in_the_past ? "; the time asked for had passed" : "");
+                     time::to_seconds(ack.apply_time_ns), time::to_seconds(ack.first_sample_time_ns),
+                     ack.first_sequence, ack.requested_in_the_past ? "; the time asked for had passed" : "");
 }
 
 }  // namespace inslab::client

@@ -13,6 +13,7 @@
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/mailbox.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 
 namespace inslab::client {
 
@@ -55,7 +56,7 @@ std::optional<double> WatchedMessage::delay_s() const {
   tables::Row row;
   if (column == type.columns.end() || !type.row(cdr.data(), cdr.size(), row)) return std::nullopt;
   const auto sent_ns = std::get<std::int64_t>(row[static_cast<std::size_t>(column - type.columns.begin())]);
-  return static_cast<double>(received_realtime_ns - sent_ns) * 1e-9;
+  return time::to_seconds(received_realtime_ns - sent_ns);
 }
 
 Watched watch_topic(const WatchOptions& options, const std::function<void(const WatchedMessage&)>& each) {
@@ -88,7 +89,7 @@ Watched watch_topic(const WatchOptions& options, const std::function<void(const 
 }
 
 void Intervals::add(std::int64_t received_realtime_ns) {
-  if (last_ns_) intervals_s_.push_back(static_cast<double>(received_realtime_ns - *last_ns_) * 1e-9);
+  if (last_ns_) intervals_s_.push_back(time::to_seconds(received_realtime_ns - *last_ns_));
   last_ns_ = received_realtime_ns;
 }
 

@@ -1,11 +1,16 @@
 #include "inslab/bus/dds/datagram_guard.hpp"
 
+#include <algorithm>
+
 namespace inslab::dds {
 
 namespace {
 
 constexpr std::size_t kRtpsHeaderBytes = 20;
 constexpr std::size_t kSubmessageHeaderBytes = 4;
+/// Where the header has the GUID prefix of who sends it.
+constexpr std::size_t kSenderOffset = 8;
+constexpr std::size_t kGuidPrefixBytes = 12;
 constexpr std::uint8_t kEprosima[2] = {0x01, 0x0f};
 /// sizeof of the body of Fast DDS's own submessage of network statistics.
 constexpr std::size_t kStatisticsBytes = 56;
@@ -79,36 +84,55 @@ bool has_absurd_sequence_number(const Submessage& submessage) {
   return first > kMaxNumber || last > kMaxNumber || (submessage.id == kGap && last > first && last - first > kMaxGap);
 }
 
-/// Whether the parameters that come before the data say that somebody or something is gone. Parameters that cannot be
-/// read count as such: nobody who announces himself sends any.
-bool says_farewell(const Submessage& submessage) {
+/// What the parameters that come before the data say of somebody or something that is gone. Parameters that cannot be
+/// read count as a farewell: nobody who announces himself sends any.
+struct Parameters {
+  bool say_farewell = false;
+  const std::uint8_t* key = nullptr;  ///< GUID of whom they are about; null: they do not say
+};
+
+Parameters parameters_of(const Submessage& submessage) {
   constexpr std::uint8_t kInlineQosFlag = 0x02, kDataFlag = 0x04;
-  if (submessage.id == kData && (submessage.flags & kDataFlag) == 0) return true;
-  if ((submessage.flags & kInlineQosFlag) == 0) return false;
-  constexpr std::uint32_t kStatusInfo = 0x0071, kSentinel = 0x0001;
+  constexpr std::uint32_t kKeyHash = 0x0070, kStatusInfo = 0x0071, kSentinel = 0x0001, kGuidBytes = 16;
+  Parameters found;
+  int keys = 0;
+  if (submessage.id == kData && (submessage.flags & kDataFlag) == 0) found.say_farewell = true;
+  if ((submessage.flags & kInlineQosFlag) == 0) return found;
   const auto half = [&submessage](std::size_t offset) -> std::uint32_t {
     const std::uint8_t* b = submessage.body + offset;
     return submessage.is_little_endian() ? std::uint32_t{b[1]} << 8 | b[0] : std::uint32_t{b[0]} << 8 | b[1];
   };
   std::size_t offset = 4 + half(2);
   while (offset + 4 <= submessage.size) {
-    const std::uint32_t parameter = half(offset);
-    if (parameter == kSentinel) return false;
-    if (parameter == kStatusInfo) return true;
-    offset += 4 + half(offset + 2);
+    const std::uint32_t parameter = half(offset), bytes = half(offset + 2);
+    if (parameter == kSentinel) return found;
+    if (parameter == kStatusInfo) found.say_farewell = true;
+    if (parameter == kKeyHash) {
+      // Of two keys nobody knows which one is believed.
+      const bool is_whole = bytes == kGuidBytes && offset + 4 + bytes <= submessage.size;
+      found.key = ++keys == 1 && is_whole ? submessage.body + offset + 4 : nullptr;
+    }
+    offset += 4 + bytes;
   }
-  return true;
+  return {true, nullptr};
+}
+
+DatagramFault judge_announcement(const Submessage& submessage, const std::uint8_t* sender) {
+  const Parameters parameters = parameters_of(submessage);
+  if (!parameters.say_farewell) return DatagramFault::None;
+  const bool of_the_sender = parameters.key != nullptr && std::equal(sender, sender + kGuidPrefixBytes, parameters.key);
+  return of_the_sender ? DatagramFault::DisposalOfTheSender : DatagramFault::UnprotectedDisposal;
 }
 
 /// Of data, heartbeat, gap or acknowledgement in the clear, in a set whose governance demands that they be encrypted.
-DatagramFault judge_unprotected(const Submessage& submessage) {
+DatagramFault judge_unprotected(const Submessage& submessage, const std::uint8_t* sender) {
   const bool is_data = submessage.id == kData || submessage.id == kDataFrag;
   const std::size_t ids = is_data ? 4 : 0;
   if (submessage.size < ids + 8) return DatagramFault::UnprotectedSubmessage;
   const std::uint32_t reader = submessage.big_endian(ids);
   const std::uint32_t writer = submessage.big_endian(ids + 4);
   if (is_data && writer == kParticipantWriter && (reader == kUnknownEntity || reader == kParticipantReader)) {
-    return says_farewell(submessage) ? DatagramFault::UnprotectedDisposal : DatagramFault::None;
+    return judge_announcement(submessage, sender);
   }
   if (is_data && writer == kStatelessWriter && (reader == kUnknownEntity || reader == kStatelessReader)) {
     return DatagramFault::None;
@@ -137,6 +161,7 @@ std::string_view text(DatagramFault fault) {
     case DatagramFault::UnprotectedSubmessage:
       return "data, a heartbeat or an acknowledgement in the clear, in a set with keys";
     case DatagramFault::UnprotectedDisposal:
+    case DatagramFault::DisposalOfTheSender:
       return "somebody's farewell in the clear, in a set with keys";
     case DatagramFault::UnsoundProtection:
       return "an encrypted part whose lengths contradict each other";
@@ -166,7 +191,8 @@ DatagramFault judge(const std::uint8_t* datagram, std::size_t size, Protection p
     if (is_of_an_endpoint(submessage.id)) {
       if (has_absurd_sequence_number(submessage)) return DatagramFault::AbsurdSequenceNumber;
       if (protection == Protection::Secured) {
-        if (const DatagramFault fault = judge_unprotected(submessage); fault != DatagramFault::None) return fault;
+        const DatagramFault fault = judge_unprotected(submessage, datagram + kSenderOffset);
+        if (fault != DatagramFault::None) return fault;
       }
     }
     if (protection == Protection::Secured && is_unsound(submessage)) return DatagramFault::UnsoundProtection;

@@ -19,6 +19,7 @@ enum class DatagramFault {
   AbsurdSequenceNumber,   ///< beyond any that counting can reach, or a gap wider than any history
   UnprotectedSubmessage,  ///< in a secured set: data, heartbeat, gap or acknowledgement in the clear
   UnprotectedDisposal,    ///< in a secured set: a farewell in anybody's name
+  DisposalOfTheSender,    ///< in a secured set: one in the name of who sends it, if he is whom he says he is
   UnsoundProtection,      ///< a protected submessage whose lengths contradict each other
 };
 

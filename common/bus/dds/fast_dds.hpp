@@ -1,13 +1,14 @@
 #pragma once
 
-/// The place that tells the Fast DDS of Debian 12 (2.9) and of Debian 13 (3.1) apart; dds/fast_dds_network.hpp does so
-/// for transports and for what is heard of others. All other code uses the names and signatures of 3.x.
+/// The place that tells the Fast DDS of Debian 12 (2.9) and of Debian 13 (3.1) apart; bus/dds/fast_dds_network.hpp does
+/// so for transports and for what is heard of others. All other code uses the names and signatures of 3.x.
 
 #include <cstdint>
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 #include <fastdds/dds/topic/TopicDataType.hpp>
 #include <functional>
+#include <memory>
 #include <string>
 
 #if __has_include(<fastdds/utils/IPLocator.hpp>)
@@ -91,6 +92,10 @@ inline bool serialize(eprosima::fastdds::dds::TopicDataType& type, const void* d
 inline bool deserialize(eprosima::fastdds::dds::TopicDataType& type, Payload& payload, void* data) {
   return type.deserialize(payload, data);
 }
+/// A sample for such a type, which must outlive it.
+inline std::shared_ptr<void> sample_of(eprosima::fastdds::dds::TopicDataType& type) {
+  return {type.create_data(), [&type](void* sample) { type.delete_data(sample); }};
+}
 
 #else
 
@@ -144,11 +149,12 @@ inline eprosima::fastdds::dds::DataRepresentationQosPolicy& representation(epros
 inline std::string name_of(const eprosima::fastdds::dds::TopicDataType& type) { return type.getName(); }
 inline std::uint32_t max_size_of(const eprosima::fastdds::dds::TopicDataType& type) { return type.m_typeSize; }
 inline bool is_keyed(const eprosima::fastdds::dds::TopicDataType& type) { return type.m_isGetKeyDefined; }
+inline std::shared_ptr<void> sample_of(eprosima::fastdds::dds::TopicDataType& type) {
+  return {type.createData(), [&type](void* sample) { type.deleteData(sample); }};
+}
 inline bool key_of(eprosima::fastdds::dds::TopicDataType& type, Payload& payload, Handle& handle) {
-  void* sample = type.createData();
-  const bool ok = type.deserialize(&payload, sample) && type.getKey(sample, &handle, false);
-  type.deleteData(sample);
-  return ok;
+  const std::shared_ptr<void> sample = sample_of(type);
+  return type.deserialize(&payload, sample.get()) && type.getKey(sample.get(), &handle, false);
 }
 inline bool serialize(eprosima::fastdds::dds::TopicDataType& type, void* data, Payload& payload) {
   return type.serialize(data, &payload);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Transports, and what is heard of others, under the names of Fast DDS 3.x; see dds/fast_dds.hpp.
+/// Transports, and what is heard of others, under the names of Fast DDS 3.x; see bus/dds/fast_dds.hpp.
 
 #include <chrono>
 #include <cstdint>

@@ -1,9 +1,13 @@
 #include "inslab/bus/dds/packet_guard.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
+
+#include "inslab/bus/dds/farewells.hpp"
 
 namespace inslab::dds {
 
@@ -14,10 +18,10 @@ namespace {
 /// Says the first of each kind of fault.
 class Teller {
  public:
-  void say(DatagramFault fault, const efr::Locator& from) {
+  void say(DatagramFault fault, const std::string& from) {
     if (said_.at(static_cast<std::size_t>(fault)).exchange(true)) return;
-    spdlog::warn("a datagram from {}:{} was not read: it holds {}; more of this kind are counted, not told",
-                 efr::IPLocator::toIPv4string(from), from.port, text(fault));
+    spdlog::warn("a datagram from {} was not read: it holds {}; more of this kind are counted, not told", from,
+                 text(fault));
   }
 
  private:
@@ -46,16 +50,38 @@ class GuardedTransport : public fast_dds::ChainedTransport {
                const efr::Locator& local, const efr::Locator& remote) override {
     const DatagramFault fault = judge(datagram, size, descriptor_.protection);
     if (fault == DatagramFault::None) {
+      if (const auto from = farewells_.belied_by(sender_of(datagram, size), Clock::now())) {
+        refuse(DatagramFault::UnprotectedDisposal, *from);
+      }
       receiver->OnDataReceived(datagram, size, local, remote);
       return;
     }
-    ++*descriptor_.refused;
-    teller_.say(fault, remote);
+    const std::string from = fmt::format("{}:{}", efr::IPLocator::toIPv4string(remote), remote.port);
+    if (fault != DatagramFault::DisposalOfTheSender) {
+      refuse(fault, from);
+    } else if (!farewells_.came(sender_of(datagram, size), from, Clock::now())) {
+      refuse(DatagramFault::UnprotectedDisposal, from);
+    }
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  static Farewells::GuidPrefix sender_of(const efr::octet* datagram, std::uint32_t size) {
+    constexpr std::uint32_t kOffset = 8;
+    Farewells::GuidPrefix prefix{};
+    if (size >= kOffset + prefix.size()) std::copy_n(datagram + kOffset, prefix.size(), prefix.begin());
+    return prefix;
+  }
+
+  void refuse(DatagramFault fault, const std::string& from) {
+    ++*descriptor_.refused;
+    teller_.say(fault, from);
+  }
+
   GuardedDescriptor descriptor_;
   Teller teller_;
+  Farewells farewells_;
 };
 
 efr::TransportInterface* GuardedDescriptor::create_transport() const { return new GuardedTransport(*this); }

@@ -39,8 +39,8 @@ constexpr std::uint32_t kSendBufferBytes = 1u << 20;
 constexpr std::uint32_t kParticipantsOfAPeer = 24;
 constexpr std::uint32_t kShmSegmentBytes = 16u << 20;
 constexpr std::uint32_t kShmQueueCapacity = 4096;
-/// Of one participant: its segment, its ports and what Fast DDS keeps beside them.
-constexpr std::uint64_t kShmParticipantBytes = kShmSegmentBytes + (1u << 20);
+/// Of one participant beside its segment: its ports and what Fast DDS keeps with them.
+constexpr std::uint64_t kShmBesideSegmentBytes = 1u << 20;
 constexpr const char* kShmFolder = "/dev/shm";
 
 /// Fast DDS prints its errors in colour on standard output, one for each packet of a hostile peer: say the first few in
@@ -169,8 +169,10 @@ std::string profiles_file() {
 
 }  // namespace
 
-efd::DomainParticipantQos participant_qos(const ParticipantOptions& options,
-                                          const std::shared_ptr<std::atomic<std::uint32_t>>& refused) {
+namespace {
+
+efd::DomainParticipantQos qos_for(const ParticipantOptions& options,
+                                  const std::shared_ptr<std::atomic<std::uint32_t>>& refused) {
   mend_the_lease_check();
   auto& factory = *efd::DomainParticipantFactory::get_instance();
   efd::DomainParticipantQos qos = efd::PARTICIPANT_QOS_DEFAULT;
@@ -194,11 +196,24 @@ efd::DomainParticipantQos participant_qos(const ParticipantOptions& options,
   return qos;
 }
 
-std::string shared_memory_shortage(int participants) {
+/// What a participant with these transports takes of the shared memory: those of Fast DDS itself and of an XML profile
+/// may have it too.
+std::uint64_t shared_memory_bytes(const efd::DomainParticipantQos& qos) {
+  std::uint64_t bytes = 0;
+  for (const auto& descriptor : qos.transport().user_transports) {
+    if (const auto shm = std::dynamic_pointer_cast<efr::SharedMemTransportDescriptor>(descriptor)) {
+      bytes += shm->segment_size() + kShmBesideSegmentBytes;
+    }
+  }
+  return bytes;
+}
+
+std::string shortage_for(const efd::DomainParticipantQos& qos, int participants) {
+  const std::uint64_t needed_bytes = static_cast<std::uint64_t>(participants) * shared_memory_bytes(qos);
+  if (needed_bytes == 0) return "";
   struct statvfs place {};
   if (statvfs(kShmFolder, &place) != 0) return std::string(kShmFolder) + ": " + std::strerror(errno);
   const std::uint64_t free_bytes = std::uint64_t{place.f_bavail} * place.f_frsize;
-  const std::uint64_t needed_bytes = static_cast<std::uint64_t>(participants) * kShmParticipantBytes;
   if (free_bytes >= needed_bytes) return "";
   const auto mb = [](std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MB"; };
   return std::string(kShmFolder) + " has " + mb(free_bytes) + " left; " + std::to_string(participants) +
@@ -207,12 +222,23 @@ std::string shared_memory_shortage(int participants) {
          "container --shm-size=1g";
 }
 
+}  // namespace
+
+std::string shared_memory_shortage(ParticipantOptions options, int participants) {
+  options.security.clear();  // keys take none
+  return shortage_for(qos_for(options, std::make_shared<std::atomic<std::uint32_t>>()), participants);
+}
+
+efd::DomainParticipantQos participant_qos(const ParticipantOptions& options,
+                                          const std::shared_ptr<std::atomic<std::uint32_t>>& refused) {
+  efd::DomainParticipantQos qos = qos_for(options, refused);
+  if (const std::string shortage = shortage_for(qos, 1); !shortage.empty()) throw std::runtime_error(shortage);
+  return qos;
+}
+
 Participant::Participant(const ParticipantOptions& options)
     : options_(options), listener_(std::make_unique<Listener>(options.unit)) {
   forward_fast_dds_log();
-  if (options.transport == Transport::Shm) {
-    if (const std::string shortage = shared_memory_shortage(1); !shortage.empty()) throw std::runtime_error(shortage);
-  }
   auto& factory = *efd::DomainParticipantFactory::get_instance();
   if (options.domain > 232) {
     throw std::runtime_error("DDS domain " + std::to_string(options.domain) + "; expected 0 to 232");
@@ -259,9 +285,9 @@ bool Participant::ignores(const std::array<std::uint8_t, 16>& writer) const {
   return listener_->ignored.count(writer) > 0;
 }
 
-efd::Topic& Participant::topic_of_type(const std::string& name, const std::string& type_name, AdapterMaker adapter) {
+efd::Topic& Participant::topic_of_type(const std::string& name, const std::string& type_name) {
   if (participant_->find_type(type_name).empty()) {
-    efd::TypeSupport type(adapter(refused_).release());
+    efd::TypeSupport type(type_adapter(type_name, refused_).release());
     if (type.register_type(participant_) != efd::RETCODE_OK) {
       throw std::runtime_error("Fast DDS does not register the type " + type_name);
     }

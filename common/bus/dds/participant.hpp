@@ -36,7 +36,7 @@ struct ParticipantOptions {
   std::string interface_address = "127.0.0.1";  ///< IPv4 address to bind to; empty: every interface
   std::vector<std::string> peers;               ///< hosts to look for by unicast instead of multicast
   std::string discovery_server;                 ///< ADDRESS:PORT of a discovery server with id 0; empty: none
-  std::string security;                         ///< folder of keys, see dds/security.hpp; empty: none
+  std::string security;                         ///< folder of keys, see bus/dds/security.hpp; empty: none
   std::string role;                             ///< whose keys
   std::vector<std::uint8_t> user_data;          ///< what it says of itself in its announcement
   bool looks_on = false;                        ///< it says instead that its readers count for nobody
@@ -50,13 +50,14 @@ struct OtherVersion {
   std::string type;
 };
 
-/// What keeps `participants` participants of Transport::Shm from the shared memory that they need, and what to do about
-/// it; empty when there is enough. One that runs short later is ended by the kernel (SIGBUS).
-std::string shared_memory_shortage(int participants);
+/// What keeps `participants` such participants from the shared memory that their transports need, and what to do about
+/// it; empty when there is enough or none is needed. One that runs short later is ended by the kernel (SIGBUS).
+std::string shared_memory_shortage(ParticipantOptions options, int participants);
 
 /// The settings of a participant: transport and discovery from the options, or from an XML profile when the environment
 /// names one (FASTRTPS_DEFAULT_PROFILES_FILE or, as 3.x calls it, FASTDDS_DEFAULT_PROFILES_FILE). Its UDP transports
-/// leave aside datagrams that Fast DDS had better not read (dds/datagram_guard.hpp), and count them in `refused`.
+/// leave aside datagrams that Fast DDS had better not read (bus/dds/datagram_guard.hpp), and count them in `refused`.
+/// Throws std::runtime_error when there is too little shared memory for them.
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(
     const ParticipantOptions& options, const std::shared_ptr<std::atomic<std::uint32_t>>& refused);
 
@@ -64,7 +65,7 @@ eprosima::fastdds::dds::DomainParticipantQos participant_qos(
 class Participant {
  public:
   /// Throws std::runtime_error when Fast DDS refuses (a domain out of range, no such interface, no free ports) and when
-  /// there is too little shared memory for Transport::Shm.
+  /// there is too little shared memory for its transports.
   explicit Participant(const ParticipantOptions& options);
   ~Participant();
   Participant(const Participant&) = delete;
@@ -80,7 +81,7 @@ class Participant {
   /// std::runtime_error when Fast DDS refuses.
   template <class T>
   eprosima::fastdds::dds::Topic& topic(const std::string& name) {
-    return topic_of_type(name, std::string(catalog::WireType<T>::name), type_adapter<T>);
+    return topic_of_type(name, std::string(catalog::WireType<T>::name));
   }
 
   /// Its own key among the participants of the network.
@@ -98,9 +99,7 @@ class Participant {
  private:
   struct Listener;
 
-  using AdapterMaker = std::unique_ptr<fast_dds::TopicDataType> (*)(const std::shared_ptr<std::atomic<std::uint32_t>>&);
-  eprosima::fastdds::dds::Topic& topic_of_type(const std::string& name, const std::string& type_name,
-                                               AdapterMaker adapter);
+  eprosima::fastdds::dds::Topic& topic_of_type(const std::string& name, const std::string& type_name);
 
   ParticipantOptions options_;
   std::unique_ptr<Listener> listener_;

@@ -21,7 +21,7 @@ struct Peer {
   std::vector<std::uint8_t> user_data;  ///< what it says of itself
 };
 
-/// What one that only looks on says of itself: its readers count for nobody (dds/writer.hpp).
+/// What one that only looks on says of itself: its readers count for nobody (bus/dds/writer.hpp).
 std::vector<std::uint8_t> onlooker_announcement();
 bool looks_on(const Peer& peer);
 

@@ -72,6 +72,22 @@ eprosima::fastdds::rtps::MemoryManagementPolicy_t memory_policy(Delivery deliver
                                      : eprosima::fastdds::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
 }
 
+/// Fast DDS keeps for each reader a list of what the reader still lacks. It is as long as `allocated_samples` from the
+/// start and grows by one entry at a time, copied anew each time, while all discovery waits: a reader that came when
+/// 20,000 swaps had been made held the trajectory server up for minutes, and nobody found it. So the list has its full
+/// length from the start, which costs addresses and no memory; nor are samples allocated before there are any.
+void expect_late_readers(efd::DataWriterQos& qos, Delivery delivery) {
+  if (delivery == Delivery::Journal) {
+    qos.resource_limits().allocated_samples = kJournalSamples;
+  } else if (delivery == Delivery::Answers) {
+    // Equal to the limit it would be a list of fixed length.
+    qos.resource_limits().allocated_samples = kAnswers - 1;
+  } else {
+    return;
+  }
+  qos.endpoint().history_memory_policy = eprosima::fastdds::rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
+}
+
 bool is_latched(Delivery delivery) {
   return delivery == Delivery::Latched || delivery == Delivery::Journal || delivery == Delivery::Answers;
 }
@@ -91,6 +107,7 @@ efd::DataWriterQos writer_qos(Delivery delivery, double nominal_rate_hz, bool is
   fast_dds::set_times(qos, kHeartbeatPeriod, kResponseDelay);
   qos.representation().m_value = {efd::XCDR_DATA_REPRESENTATION};
   qos.endpoint().history_memory_policy = memory_policy(delivery);
+  expect_late_readers(qos, delivery);
   return qos;
 }
 

@@ -218,6 +218,12 @@ SecurityFiles check_security_files(const path& directory, const std::string& rol
   ERR_clear_error();
   SecurityFiles files;
   files.authority = existing(directory, "ca.cert.pem");
+  if (access_of_others(directory).write) {
+    refuse(std::filesystem::absolute(directory), "can be written by others than its owner (mode " +
+                                                     mode_text(directory) +
+                                                     "): whoever writes to the folder of keys can put an authority and "
+                                                     "keys of their own in place of these; chmod 755, or 700");
+  }
   if (access_of_others(files.authority).write) {
     refuse(files.authority, "can be written by others than its owner (mode " + mode_text(files.authority) +
                                 "): whoever writes it decides who is trusted; chmod 644");

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "inslab/bus/dds/fast_dds.hpp"
@@ -33,9 +34,8 @@ class GeneratedType {
   std::unique_ptr<eprosima::fastdds::dds::TopicDataType> type_;
 };
 
-/// The generated type of a plain struct. Defined in type_adapter.cpp for every WireType.
-template <class T>
-GeneratedType generated_type();
+/// The generated type of that name. Throws std::out_of_range when idl/ has none.
+GeneratedType generated_type(std::string_view type);
 
 /// Lets Fast DDS carry the plain struct T under its IDL type's name, with the codec of common/data/wire, which, unlike
 /// the generated one, does not throw on what a hostile writer sends. For Fast DDS a sample is a `void*` made of a `T*`:
@@ -46,7 +46,7 @@ class TypeAdapter : public fast_dds::TopicDataType {
   /// `refused` counts the samples whose bytes are no valid T.
   explicit TypeAdapter(
       std::shared_ptr<std::atomic<std::uint32_t>> refused = std::make_shared<std::atomic<std::uint32_t>>())
-      : generated_(generated_type<T>()), refused_(std::move(refused)) {
+      : generated_(generated_type(catalog::WireType<T>::name)), refused_(std::move(refused)) {
     set_name(generated_.name());
     max_serialized_type_size = generated_.max_size();
     is_compute_key_provided = generated_.is_keyed();
@@ -103,8 +103,9 @@ class TypeAdapter : public fast_dds::TopicDataType {
   std::shared_ptr<std::atomic<std::uint32_t>> refused_;
 };
 
-/// A new TypeAdapter. Defined in type_adapter.cpp for every WireType, so that its codec is compiled there alone.
-template <class T>
-std::unique_ptr<fast_dds::TopicDataType> type_adapter(const std::shared_ptr<std::atomic<std::uint32_t>>& refused);
+/// A new TypeAdapter by the name of its type: the codecs of all are compiled in type_adapter.cpp alone. Throws
+/// std::out_of_range when no such type travels.
+std::unique_ptr<fast_dds::TopicDataType> type_adapter(std::string_view type,
+                                                      const std::shared_ptr<std::atomic<std::uint32_t>>& refused);
 
 }  // namespace inslab::dds

@@ -61,7 +61,7 @@ void add_file(Sha256& hash, const std::filesystem::path& path) {
 
 std::string scenario_hash(const scenario::LoadedScenario& loaded) {
   Sha256 hash;
-  hash.add_text(json::to_json(loaded.scenario).dump());
+  hash.add_text(json::json_from_struct(loaded.scenario).dump());
   for_each_sensor(loaded, [&hash](auto kind, const auto& sensor) {
     for_each_profile(kind, sensor, [&hash](const auto& profile) { hash.add_profile(profile); });
     hash.add_profile(sensor.nominal_installation);
@@ -72,6 +72,9 @@ std::string scenario_hash(const scenario::LoadedScenario& loaded) {
   const scenario::Trajectory& trajectory = loaded.scenario.trajectory;
   if (trajectory.source == scenario::TrajectorySource::File) {
     add_file(hash, loaded.file.parent_path() / trajectory.file.path);
+  }
+  if (!trajectory.gravity.grid_file.empty()) {
+    add_file(hash, loaded.file.parent_path() / trajectory.gravity.grid_file);
   }
   return hash.hexadecimal();
 }

@@ -13,6 +13,7 @@
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/foundation/text/shown.hpp"
 #include "inslab/scenario/service_names.hpp"
 
 namespace inslab::service {
@@ -93,21 +94,22 @@ int run_service(const char* name, const char* purpose, const ServiceTraits& trai
                        traits.makes_truth ? scenario::TrajectoryRows::Read : scenario::TrajectoryRows::LeaveOut);
     const streams::Identity identity = identity_of(name, options, loaded);  // by what the files say
     override_clock(options.clock, loaded);
+    if (options.only_checks) return host::kOk;
     Context context(identity, options, std::move(loaded));
     // Whoever starts services of one run has looked before.
     if (options.run_id == RunId{}) look_around(context.participant(), identity);
     return body(context);
   } catch (const json::Error& error) {
-    spdlog::error("{}", error.what());
+    spdlog::error("{}", text::shown_lines(error.what()));
     return host::kBadInput;
   } catch (const PlaceTaken& taken) {
-    spdlog::error("{}", taken.what());
+    spdlog::error("{}", text::shown_lines(taken.what()));
     return host::kBadInput;
   } catch (const files::OutputRefused& refused) {
-    spdlog::error("{}", refused.what());
+    spdlog::error("{}", text::shown_lines(refused.what()));
     return host::kBadInput;
   } catch (const std::exception& error) {
-    spdlog::error("{}", error.what());
+    spdlog::error("{}", text::shown_lines(error.what()));
     return host::kFailed;
   }
 }

@@ -1,10 +1,12 @@
 #include "inslab/bus/service/service_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/foundation/fields/unit_name.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
+#include "inslab/foundation/host/finite_numbers.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/network_interfaces.hpp"
 #include "inslab/foundation/host/one_of.hpp"
@@ -123,10 +125,14 @@ std::optional<int> parse(const char* name, const char* purpose, const ServiceTra
   app.add_option("--log-level", options.log_level, "debug, info, warn or error")
       ->check(host::one_of({"debug", "info", "warn", "error"}))
       ->capture_default_str();
+  app.add_flag("--check", options.only_checks, "say whether the options and the scenario can be used; start nothing");
+  host::expect_finite_numbers(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? host::kOk : host::kBadInput;
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
+    std::cerr << name << ": " << text::shown(error.what()) << "\n" << name << " --help says what there is\n";
+    return host::kBadInput;
   }
   if (!run.empty()) options.run_id = *host::run_id_of(run);
   return std::nullopt;

@@ -13,7 +13,7 @@ class App;
 
 namespace inslab::service {
 
-/// Adds --unit, which takes what samples/unit_name.hpp calls a unit's name, or nothing.
+/// Adds --unit, which takes what foundation/fields/unit_name.hpp calls a unit's name, or nothing.
 void add_unit_option(CLI::App& app, std::string& unit, const std::string& meaning);
 
 /// Where on the network: the same options on every program.
@@ -54,10 +54,11 @@ struct ServiceOptions {
   std::string log_file;
   bool overwrites = false;   ///< the log may take the place of a file that is there
   std::string go_on;         ///< run id: the log is that of a logger that was killed in this run; empty: find out
-  std::string state_folder;  ///< empty: the user's own, see app/checkpoint.hpp
+  std::string state_folder;  ///< empty: the user's own, see bus/service/checkpoint.hpp
   ClockOptions clock;
   RunId run_id;  ///< the one run to take part in; zero: whichever is there
   std::string log_level = "info";
+  bool only_checks = false;  ///< whether this and the scenario can be used is said, and nothing started
 };
 
 /// Which options a service has besides --scenario and those of the network.

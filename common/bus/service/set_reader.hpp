@@ -5,8 +5,8 @@
 
 namespace inslab::service {
 
-/// Reader of a topic that the set itself writes: hands on what its rightful writers send (app/writers.hpp). Otherwise
-/// as dds::Reader.
+/// Reader of a topic that the set itself writes: hands on what its rightful writers send (bus/service/writers.hpp).
+/// Otherwise as dds::Reader.
 template <class T>
 class SetReader {
  public:

@@ -10,7 +10,7 @@
 namespace inslab::service {
 
 /// The heartbeat of a service: says once a second, and at every change of state, how it is. What was written that must
-/// not be (app/writers.hpp) is said at once, and makes a fault of the end.
+/// not be (bus/service/writers.hpp) is said at once, and makes a fault of the end.
 class StatusBoard {
  public:
   /// `fill` adds the counters just before each report, and may put a message where the state has none.

@@ -67,12 +67,12 @@ class StreamOutput {
     lockstep_ = clock == ClockMode::Lockstep;
   }
 
-  /// What it needs to go on from here in another process (recovery/state_stream.hpp); call begin_run() before.
+  /// What it needs to go on from here in another process (data/state/state_stream.hpp); call begin_run() before.
   void save(state::StateWriter& writer) const { writer(next_, sent_.samples()); }
   void load(state::StateReader& reader) {
     std::uint64_t samples = 0;
     reader(next_, samples);
-    sent_.go_on(run_, samples, next_);
+    sent_.go_on(run_, {samples, next_, 0, {}});
     // Consumers may have more than this process knows of: what the other one sent after it saved its state.
     ahead_ = window_samples_ + kBlockSamples;
   }

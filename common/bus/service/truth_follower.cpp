@@ -7,6 +7,7 @@
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/last_word.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/scenario/service_names.hpp"
 
 namespace inslab::service {
@@ -132,7 +133,7 @@ bool TruthFollower::resume() {
   resumed_at_ = host::monotonic_now();
   if (next > 0) run_.note_sample(host::monotonic_now());
   spdlog::warn("goes on with truth sample {}, {:.3f} s after the last sign of life", next,
-               static_cast<double>(host::realtime_now().count() - head->kept_realtime_ns) * 1e-9);
+               time::to_seconds(host::realtime_now().count() - head->kept_realtime_ns));
   return true;
 }
 

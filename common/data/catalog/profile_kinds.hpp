@@ -1,10 +1,12 @@
 #pragma once
 
+#include "inslab/data/profiles/barometer_error_profile.hpp"
 #include "inslab/data/profiles/fault_profile.hpp"
 #include "inslab/data/profiles/gnss_error_profile.hpp"
 #include "inslab/data/profiles/imu_error_profile.hpp"
 #include "inslab/data/profiles/installation_profile.hpp"
 #include "inslab/data/profiles/magnetometer_error_profile.hpp"
+#include "inslab/data/profiles/odometer_error_profile.hpp"
 #include "inslab/data/profiles/vibration_profile.hpp"
 #include "inslab/foundation/fields/types.hpp"
 
@@ -14,7 +16,7 @@ namespace inslab::catalog {
 
 /// In the order of ProfileKind, whose enumerators have the names.
 using ProfileKinds = Types<ImuErrorProfile, VibrationProfile, InstallationProfile, GnssErrorProfile, FaultProfile,
-                           MagnetometerErrorProfile>;
+                           MagnetometerErrorProfile, BarometerErrorProfile, OdometerErrorProfile>;
 
 /// What a kind of profile is called besides its name.
 struct ProfileWords {
@@ -53,6 +55,14 @@ template <>
 inline constexpr ProfileWords kWords<MagnetometerErrorProfile>{
     "magnetometer", "Magnetometer errors",      "magnetometer error profile", "a",
     "magnetometer", "how one magnetometer errs"};
+
+template <>
+inline constexpr ProfileWords kWords<BarometerErrorProfile>{"barometer", "Barometer errors", "barometer error profile",
+                                                            "a",         "barometer",        "how one barometer errs"};
+
+template <>
+inline constexpr ProfileWords kWords<OdometerErrorProfile>{"odometer", "Odometer errors", "odometer error profile",
+                                                           "an",       "odometer",        "how one odometer errs"};
 
 namespace detail {
 template <class... Profile>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "inslab/data/catalog/any_profile.hpp"
@@ -208,8 +209,9 @@ inline std::optional<Violation> violation(const InstallationProfile& profile) {
                      "is " + std::to_string(profile.lever_arm_v_m.norm()) + " m long; a lever arm has at most 1000 m"};
   }
   if (has_axes(profile.target.kind)) return std::nullopt;
-  return detail::zero_violation(Rule::AntennaMounting, "mounting_rpy_deg", profile.mounting_rpy_deg,
-                                "is not 0; an antenna has no axes");
+  return detail::zero_violation(
+      Rule::AntennaMounting, "mounting_rpy_deg", profile.mounting_rpy_deg,
+      profile.target.kind == SensorKind::Gnss ? "is not 0; an antenna has no axes" : "is not 0; it has no axes");
 }
 
 inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
@@ -239,6 +241,7 @@ class FaultFits {
 
  private:
   static bool is_off(const Vector3& value) { return value.isZero(0.0); }
+  static bool is_off(double value) { return value == 0.0; }
   static bool is_off(bool value) { return !value; }
   static bool is_off(AxisFault value) { return value == AxisFault::None; }
   template <class T>
@@ -266,6 +269,50 @@ inline std::optional<Violation> violation(const MagnetometerErrorProfile& profil
     return broken;
   }
   return detail::in_order_violation("currents", profile.currents);
+}
+
+namespace detail {
+inline std::optional<Violation> correlation_violation(const char* path, const char* quantity, double sigma,
+                                                      double correlation_time_s) {
+  if (sigma == 0.0 || correlation_time_s > 0.0) return std::nullopt;
+  return Violation{Rule::CorrelationTime, path, std::string("is not above 0 where ") + quantity + " is"};
+}
+}  // namespace detail
+
+inline std::optional<Violation> violation(const BarometerErrorProfile& profile) {
+  if (auto broken = detail::target_violation(profile)) return broken;
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::correlation_violation(
+          "sea_level_pressure_gm_correlation_time_s", "sea_level_pressure_gm_sigma_pa",
+          profile.sea_level_pressure_gm_sigma_pa, profile.sea_level_pressure_gm_correlation_time_s)) {
+    return broken;
+  }
+  if (auto broken = detail::correlation_violation(
+          "temperature_deviation_gm_correlation_time_s", "temperature_deviation_gm_sigma_deg_c",
+          profile.temperature_deviation_gm_sigma_deg_c, profile.temperature_deviation_gm_correlation_time_s)) {
+    return broken;
+  }
+  if (auto broken = detail::correlation_violation("gm_correlation_time_s", "gm_sigma_pa", profile.gm_sigma_pa,
+                                                  profile.gm_correlation_time_s)) {
+    return broken;
+  }
+  if (profile.max_pressure_pa == 0.0 || profile.max_pressure_pa > profile.min_pressure_pa) return std::nullopt;
+  return Violation{Rule::PressureRange, "max_pressure_pa",
+                   "is " + number_text(profile.max_pressure_pa) + "; expected above min_pressure_pa, " +
+                       number_text(profile.min_pressure_pa) + " (0: no limit)"};
+}
+
+inline std::optional<Violation> violation(const OdometerErrorProfile& profile) {
+  if (auto broken = detail::target_violation(profile)) return broken;
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::correlation_violation("scale_factor_gm_correlation_time_s", "scale_factor_gm_sigma_ppm",
+                                                  profile.scale_factor_gm_sigma_ppm,
+                                                  profile.scale_factor_gm_correlation_time_s)) {
+    return broken;
+  }
+  if (profile.counts_per_revolution == std::floor(profile.counts_per_revolution)) return std::nullopt;
+  return Violation{Rule::WholeCounts, "counts_per_revolution",
+                   "is " + number_text(profile.counts_per_revolution) + "; expected a whole number"};
 }
 
 /// The first limit or rule that a profile of any kind breaks.

@@ -5,10 +5,12 @@
 #include <tuple>
 
 #include "inslab/data/catalog/profile_kinds.hpp"
+#include "inslab/data/samples/air_pressure.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_sample.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
 #include "inslab/data/samples/magnetic_field.hpp"
+#include "inslab/data/samples/wheel_travel.hpp"
 
 /// The kinds of sensor that there are. What is done for every kind is made for each of SensorKinds: topics, log
 /// channels, the services of a set and what they may do, offline and live run, the words of commands.
@@ -77,8 +79,40 @@ struct Magnetometer {
   static constexpr const char* mountings = "magnetometer_";
 };
 
+struct Barometer {
+  static constexpr SensorKind kind = SensorKind::Barometer;
+  static constexpr std::string_view name = "barometer";
+  static constexpr const char* singular = "barometer";
+  static constexpr const char* plural = "barometers";
+  static constexpr const char* service = "inslab-barometer";
+  static constexpr const char* service_title = "barometer";
+  static constexpr const char* purpose = "Turns the truth into what one barometer puts out";
+  static constexpr std::tuple streams{Stream<AirPressure>{"barometer", Audience::App, 50.0}};
+  using Profiles = Types<BarometerErrorProfile, InstallationProfile, FaultProfile>;
+  static constexpr bool has_axes = false;
+  static constexpr bool sets_the_pace = false;
+  static constexpr bool in_every_set = false;
+  static constexpr const char* mountings = "barometer_";
+};
+
+struct Odometer {
+  static constexpr SensorKind kind = SensorKind::Odometer;
+  static constexpr std::string_view name = "odometer";
+  static constexpr const char* singular = "odometer";
+  static constexpr const char* plural = "odometers";
+  static constexpr const char* service = "inslab-odometer";
+  static constexpr const char* service_title = "odometer";
+  static constexpr const char* purpose = "Turns the truth into what one odometer puts out";
+  static constexpr std::tuple streams{Stream<WheelTravel>{"odometer", Audience::App, 100.0}};
+  using Profiles = Types<OdometerErrorProfile, InstallationProfile, FaultProfile>;
+  static constexpr bool has_axes = true;
+  static constexpr bool sets_the_pace = false;
+  static constexpr bool in_every_set = false;
+  static constexpr const char* mountings = "odometer_";
+};
+
 /// In the order of SensorKind, whose enumerators have the names.
-using SensorKinds = Types<Imu, Gnss, Magnetometer>;
+using SensorKinds = Types<Imu, Gnss, Magnetometer, Barometer, Odometer>;
 
 namespace detail {
 template <class... Kind>
@@ -113,6 +147,10 @@ static_assert(detail::sensors_are_as_their_enumeration(SensorKinds{}));
 /// The samples of a kind's streams, in their order.
 template <class Kind>
 using SamplesOf = typename detail::SamplesOf<decltype(Kind::streams)>::type;
+
+/// Those of its first stream: what an app has of it.
+template <class Kind>
+using FirstSampleOf = std::tuple_element_t<0, Applied<std::tuple, SamplesOf<Kind>>>;
 
 namespace detail {
 template <class List>

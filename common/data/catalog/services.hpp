@@ -40,7 +40,7 @@ inline constexpr const char* kVehicleIdentity = "vehicle-simulator";
 /// One program of a set.
 struct Service {
   std::string_view name;
-  bool one_a_sensor;  ///< there is one for each sensor of its kind
+  std::string_view sensor;  ///< the kind of sensor of which there is one for each; empty: there is one of it
 };
 
 /// Whether a service makes the data of a sensor.
@@ -52,10 +52,12 @@ inline bool is_of_a_sensor_kind(std::string_view service) {
 
 /// All of them.
 inline std::vector<Service> services() {
-  std::vector<Service> all{{kTrajectoryServer, false}};
-  for_each(SensorKinds{}, [&all](auto kind) { all.push_back({decltype(kind)::type::service, true}); });
-  all.push_back({kTruthLogger, false});
-  all.push_back({kReferenceNav, false});
+  std::vector<Service> all{{kTrajectoryServer, ""}};
+  for_each(SensorKinds{}, [&all](auto kind) {
+    all.push_back({decltype(kind)::type::service, decltype(kind)::type::name});
+  });
+  all.push_back({kTruthLogger, ""});
+  all.push_back({kReferenceNav, ""});
   return all;
 }
 

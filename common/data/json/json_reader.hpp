@@ -201,7 +201,7 @@ class JsonReader {
 /// Reads a struct from JSON; `file` is for messages. Absent keys that are not required keep the struct's defaults.
 /// Throws Error naming file and JSON path for an unknown or missing key, a wrong type, or a value outside its limits.
 template <class T>
-T from_json(const Json& json, const std::string& file) {
+T struct_from_json(const Json& json, const std::string& file) {
   T value;
   detail::JsonReader reader(json, file, "");
   T::fields(value, reader);
@@ -209,11 +209,10 @@ T from_json(const Json& json, const std::string& file) {
   return value;
 }
 
-/// Reads a struct from a JSON file. Throws Error as `from_json` and `read_json_file` do.
+/// Reads a struct from a JSON file. Throws Error as `struct_from_json` and `read_json_file` do.
 template <class T>
 T read_file(const std::filesystem::path& path) {
-  // Qualified: nlohmann's own from_json must not be asked whether it fits.
-  return from_json<T>(read_json_file(path), path.string());
+  return struct_from_json<T>(read_json_file(path), path.string());
 }
 
 }  // namespace inslab::json

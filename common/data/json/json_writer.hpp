@@ -60,13 +60,13 @@ class JsonWriter {
 
 /// A struct as JSON, every field written out; reading it back gives the same struct to the bit.
 template <class T>
-Json to_json(const T& value) {
+Json json_from_struct(const T& value) {
   detail::JsonWriter writer;
   T::fields(value, writer);
   return writer.object;
 }
 
-/// As to_json, with the fields that only travel on the wire (target, request, run id).
+/// As json_from_struct, with the fields that only travel on the wire (target, request, run id).
 template <class T>
 Json wire_to_json(const T& value) {
   detail::JsonWriter writer;

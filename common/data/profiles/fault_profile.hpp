@@ -40,6 +40,15 @@ struct FaultProfile {
   Vector3 magnetic_noise_burst_nt = Vector3::Zero();               ///< magnetometer
   std::array<AxisFault, 3> magnetometer_axes{};                    ///< magnetometer
   bool magnetometer_silent = false;                                ///< magnetometer: no samples while on
+  double pressure_jump_pa = 0.0;                                   ///< barometer
+  double pressure_noise_burst_pa = 0.0;                            ///< barometer
+  AxisFault barometer_fault = AxisFault::None;                     ///< barometer
+  bool barometer_silent = false;                                   ///< barometer: no samples while on
+  double wheel_speed_jump_m_per_s = 0.0;                           ///< odometer
+  double wheel_speed_noise_burst_m_per_s = 0.0;                    ///< odometer
+  AxisFault odometer_fault = AxisFault::None;                      ///< odometer
+  bool wheel_locked = false;                                       ///< odometer: the wheel does not turn
+  bool odometer_silent = false;                                    ///< odometer: no samples while on
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -99,6 +108,38 @@ struct FaultProfile {
         self.magnetometer_axes[2]);
     visit(Field("magnetometer_silent", "magnetometer: no sample while on").only_for("magnetometer").appended(),
           self.magnetometer_silent);
+    visit(Field("pressure_jump_pa", "barometer: pressure added while the fault is on")
+              .only_for("barometer")
+              .appended()
+              .in(-1e5, 1e5),
+          self.pressure_jump_pa);
+    visit(Field("pressure_noise_burst_pa", "barometer: white noise added while the fault is on, of one sample")
+              .only_for("barometer")
+              .appended()
+              .in(0.0, 1e5),
+          self.pressure_noise_burst_pa);
+    visit(Field("barometer_fault", "barometer: what is wrong with the pressure; stuck is a port that is blocked")
+              .only_for("barometer")
+              .appended(),
+          self.barometer_fault);
+    visit(Field("barometer_silent", "barometer: no sample while on").only_for("barometer").appended(),
+          self.barometer_silent);
+    visit(Field("wheel_speed_jump_m_per_s", "odometer: speed added while the fault is on")
+              .only_for("odometer")
+              .appended()
+              .in(-1e3, 1e3),
+          self.wheel_speed_jump_m_per_s);
+    visit(Field("wheel_speed_noise_burst_m_per_s", "odometer: white noise added while the fault is on, of one sample")
+              .only_for("odometer")
+              .appended()
+              .in(0.0, 1e3),
+          self.wheel_speed_noise_burst_m_per_s);
+    visit(Field("odometer_fault", "odometer: what is wrong with the distance").only_for("odometer").appended(),
+          self.odometer_fault);
+    visit(Field("wheel_locked", "odometer: the wheel does not turn while on").only_for("odometer").appended(),
+          self.wheel_locked);
+    visit(Field("odometer_silent", "odometer: no sample while on").only_for("odometer").appended(),
+          self.odometer_silent);
   }
 };
 

@@ -54,7 +54,8 @@ struct GyroErrors {
     visit(Field("bias_random_walk_deg_per_h_per_sqrt_h", "random walk of the bias (rate random walk), from 0")
               .in(0.0, 1e6),
           self.bias_random_walk_deg_per_h_per_sqrt_h);
-    visit(Field("bias_instability_deg_per_h", "flicker of the bias: B, whose Allan deviation levels off at 0.664 B")
+    visit(Field("bias_instability_deg_per_h",
+                "flicker of the bias: B, whose Allan deviation is 0.664 B from one sample to 20000 s")
               .in(0.0, 1e6),
           self.bias_instability_deg_per_h);
     visit(Field("bias_temperature_deg_per_h_per_deg_c", "bias by temperature above 20 deg C").in(-1e5, 1e5),
@@ -134,7 +135,8 @@ struct AccelErrors {
     visit(Field("bias_random_walk_mgal_per_sqrt_h", "random walk of the bias (acceleration random walk), from 0")
               .in(0.0, 1e7),
           self.bias_random_walk_mgal_per_sqrt_h);
-    visit(Field("bias_instability_mgal", "flicker of the bias: B, whose Allan deviation levels off at 0.664 B")
+    visit(Field("bias_instability_mgal",
+                "flicker of the bias: B, whose Allan deviation is 0.664 B from one sample to 20000 s")
               .in(0.0, 1e7),
           self.bias_instability_mgal);
     visit(Field("bias_temperature_mgal_per_deg_c", "bias by temperature above 20 deg C").in(-1e6, 1e6),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/nav/strapdown.hpp"
@@ -8,13 +9,9 @@
 namespace inslab {
 
 /// Of the vehicle's reference point and axes.
-inline nav::NavState nav_state(const TruthState& truth) {
-  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nv};
-}
+inline nav::NavState nav_state(const TruthState& truth) { return {geodetic_of(truth), truth.v_n, truth.q_nv}; }
 
 /// Of the IMU's centre and axes.
-inline nav::NavState nav_state(const ImuTruth& truth) {
-  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb};
-}
+inline nav::NavState nav_state(const ImuTruth& truth) { return {geodetic_of(truth), truth.v_n, truth.q_nb}; }
 
 }  // namespace inslab

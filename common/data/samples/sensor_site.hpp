@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/nav/wgs84.hpp"
@@ -36,7 +37,7 @@ inline Matrix3 C_between_ned(double sin_from, double cos_from, double sin_to, do
 /// through ECEF, the velocity v_n + C_nv (omega_ev_v x l), with omega_ev = omega_iv - omega_ie, turned into the
 /// sensor's own NED. Thesis (3-45), (3-46), with its -1 and omega_ie put right.
 inline SensorSite sensor_site(const TruthState& truth, const Vector3& lever_arm_v_m) {
-  const nav::Geodetic vehicle{truth.latitude_rad, truth.longitude_rad, truth.height_m};
+  const nav::Geodetic vehicle = geodetic_of(truth);
   const double sin_vehicle = std::sin(vehicle.latitude_rad);
   const double cos_vehicle = std::cos(vehicle.latitude_rad);
   const Vector3 omega_ie_n(nav::wgs84::omega_e_rad_per_s * cos_vehicle, 0.0,

@@ -26,8 +26,7 @@ struct DemandPolicy {
                               ///< the producer
 };
 
-/// Of the truth, which a sensor's model must have whole: after eight seconds, three of them for a trajectory server
-/// that is held up, the service gives itself up.
+/// Of the truth, which a sensor's model must have whole: a service that lacks a sample of it for eight seconds ends.
 DemandPolicy demand_of_truth(ClockMode clock);
 /// Of a sensor's stream, as a navigation app takes it: in real time what is late by more than 100 ms is of no use.
 DemandPolicy demand_of_input(ClockMode clock);

@@ -17,7 +17,7 @@ struct Identity {
   std::uint32_t sensor_number = 0;
   std::string unit;  ///< empty: none
   std::string host;
-  std::string process_space;  ///< where the process id counts, see app/host.hpp
+  std::string process_space;  ///< where the process id counts, see foundation/host/host.hpp
   std::uint32_t pid = 0;
   std::uint64_t started_ticks = 0;     ///< with the process id it is one process for ever
   std::int64_t since_realtime_ns = 0;  ///< CLOCK_REALTIME

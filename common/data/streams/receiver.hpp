@@ -20,7 +20,7 @@ struct Arrived {
 };
 
 /// The receiver of one stream of one run: hands on its samples in their order, each once, however they come, counts
-/// them, and says when to ask for what is missing (streams/demand.hpp). Knows no bus and no clock.
+/// them, and says when to ask for what is missing (data/streams/demand.hpp). Knows no bus and no clock.
 template <class Sample>
 class Receiver {
  public:
@@ -41,7 +41,7 @@ class Receiver {
   /// Another process of this service has handed on everything before `next`.
   void go_on(std::uint64_t next) {
     next_ = next;
-    monitor_.go_on(run_, next, next);
+    monitor_.go_on(run_, {next, next, 0, {}});
   }
 
   /// Takes what came. Samples of another run are left out: until its status comes nobody knows that it is the run, and

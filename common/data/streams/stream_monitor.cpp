@@ -1,5 +1,7 @@
 #include "inslab/data/streams/stream_monitor.hpp"
 
+#include "inslab/foundation/time/gps_time.hpp"
+
 namespace inslab::streams {
 
 StreamMonitor::StreamMonitor(std::string topic, StreamDirection direction)
@@ -12,7 +14,7 @@ bool StreamMonitor::received(const StreamHeader& header, std::int64_t received_r
   }
   ++samples_;
   if (header.publish_realtime_ns > 0) {
-    latency_.add(static_cast<double>(received_realtime_ns - header.publish_realtime_ns) * 1e-9);
+    latency_.add(time::to_seconds(received_realtime_ns - header.publish_realtime_ns));
   }
   if (header.sequence_number >= next_sequence_) {
     add_gap(next_sequence_, header.sequence_number);
@@ -26,6 +28,21 @@ bool StreamMonitor::received(const StreamHeader& header, std::int64_t received_r
     return false;
   }
   return true;
+}
+
+StreamProgress StreamMonitor::progress() const {
+  StreamProgress progress{samples_, next_sequence_, lost_, {}};
+  for (const auto& [first, end] : missing_) progress.missing.push_back({first, end - 1});
+  return progress;
+}
+
+void StreamMonitor::go_on(const RunId& run, const StreamProgress& progress) {
+  *this = StreamMonitor(topic_, direction_);
+  run_id_ = run;
+  samples_ = progress.samples;
+  next_sequence_ = progress.next_sequence;
+  lost_ = progress.lost;
+  for (const NumberRange& range : progress.missing) missing_[range.first] = range.last + 1;
 }
 
 void StreamMonitor::add_gap(std::uint64_t first, std::uint64_t end) {

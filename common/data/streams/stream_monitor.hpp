@@ -1,12 +1,41 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "inslab/data/samples/service_status.hpp"
 #include "inslab/data/samples/stream_header.hpp"
 #include "inslab/foundation/host/latency_histogram.hpp"
 
 namespace inslab::streams {
+
+/// Numbers without a gap.
+struct NumberRange {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("first"), self.first);
+    visit(Field("last"), self.last);
+  }
+};
+
+/// What has come of a stream, for another process of the same service.
+struct StreamProgress {
+  std::uint64_t samples = 0;
+  std::uint64_t next_sequence = 0;   ///< one past the newest
+  std::uint64_t lost = 0;            ///< of those before, how many have not come
+  std::vector<NumberRange> missing;  ///< which of them may still come
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("samples"), self.samples);
+    visit(Field("next_sequence"), self.next_sequence);
+    visit(Field("lost"), self.lost);
+    visit(Field("missing").at_most(4096), self.missing);
+  }
+};
 
 /// Counts one stream from its sequence numbers: what came, what is missing, what came late or twice, and how old it
 /// was.
@@ -16,12 +45,10 @@ class StreamMonitor {
 
   /// A sample received at `received_realtime_ns`; another run id starts the counts afresh. False when it came before.
   bool received(const StreamHeader& header, std::int64_t received_realtime_ns);
-  /// Goes on from where another process of the same service stopped: `samples` so far, the next one `next_sequence`.
-  void go_on(const RunId& run, std::uint64_t samples, std::uint64_t next_sequence) {
-    run_id_ = run;
-    samples_ = samples;
-    next_sequence_ = next_sequence;
-  }
+  /// What has come so far, for another process to go on with.
+  StreamProgress progress() const;
+  /// Goes on from where another process of the same service stopped.
+  void go_on(const RunId& run, const StreamProgress& progress);
   /// A sample sent.
   void sent() { ++samples_; }
 

@@ -240,7 +240,7 @@ void encode(const T& value, std::vector<std::uint8_t>& out) {
 
 /// Reads `value` from a payload with its encapsulation header. False, with `value` in an unspecified valid state, when
 /// the payload is not plain CDR, too short, holds an enumerator outside its enum, a string or list over its bound, or a
-/// string that is not one line of UTF-8 (text/shown.hpp).
+/// string that is not one line of UTF-8 (foundation/text/shown.hpp).
 template <class T>
 bool decode(const std::uint8_t* data, std::size_t size, T& value) {
   if (size < kEncapsulationSize || data[0] != 0x00 || data[1] > 0x01) return false;

@@ -155,9 +155,24 @@ class IdlWriter {
   std::ostringstream text_;
 };
 
-template <class Profile>
-void write_profile(IdlWriter& writer, std::string_view comment) {
-  writer.write_struct<Profile>(catalog::WireType<Profile>::name.substr(catalog::kModule.size()), comment);
+template <class T>
+std::string name_in_idl() {
+  return std::string(catalog::WireType<T>::name.substr(catalog::kModule.size()));
+}
+
+/// The topic of the blocks of a stream, that of sensors for any of them: "inslab/block/imu/N".
+template <class Sample>
+std::string blocks_of() {
+  std::string stream;
+  if constexpr (catalog::is_of_a_sensor<Sample>) {
+    stream = catalog::stream_topic<Sample>(0);
+    stream.replace(stream.size() - 1, 1, "N");
+  } else {
+    for_each_of(catalog::kTopics, [&stream](const auto& topic) {
+      if (std::is_same_v<typename std::decay_t<decltype(topic)>::Type, Sample>) stream = topic.name;
+    });
+  }
+  return catalog::block_topic(stream);
 }
 
 }  // namespace
@@ -168,18 +183,35 @@ std::string profile_idl() {
   writer.write_enum<ProfileKind>();
   for_each(catalog::ProfileKinds{}, [&writer](auto tag) {
     using Profile = typename decltype(tag)::type;
-    write_profile<Profile>(writer, "Topic " + catalog::request_topic(Profile::kind) + ": " +
-                                       std::string(catalog::kWords<Profile>.meaning) + ".");
+    writer.write_struct<Profile>(name_in_idl<Profile>(), "Topic " + catalog::request_topic(Profile::kind) + ": " +
+                                                             std::string(catalog::kWords<Profile>.meaning) + ".");
   });
 
   std::string text =
-      "// Inslab wire types, part 6 of 10: the profiles that can be swapped while a run goes on. A request and its "
+      "// Inslab wire types, part 6 of 12: the profiles that can be swapped while a run goes on. A request and its "
       "entry in\n"
       "// the journal have the same type. What is not wanted stays zero; a list that is not wanted stays empty.\n"
       "// Derived from the parameter declarations in common/data/profiles by 'inslab reference idl/profile.idl'.\n"
-      "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab { module v2 "
+      "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab { module v3 "
       "{\n\n";
   return text + writer.text() + "}; };\n\n#endif\n";
+}
+
+std::string block_idl() {
+  std::set<std::string_view> included;
+  std::string includes, structs;
+  for_each(catalog::StreamSamples{}, [&](auto tag) {
+    using Sample = typename decltype(tag)::type;
+    using Type = catalog::WireType<Sample>;
+    if (included.insert(Type::idl_file).second) includes += "#include \"" + std::string(Type::idl_file) + "\"\n";
+    structs += "\n  // Topic " + blocks_of<Sample>() + ".\n  @final struct " + name_in_idl<Block<Sample>>() +
+               " {\n    sequence<" + name_in_idl<Sample>() + ", " + std::to_string(Block<Sample>::kMaxSamples) +
+               "> samples;\n  };\n";
+  });
+  return "// Inslab wire types, part 9 of 12: many samples of a stream in one message, for lockstep alone. Sequence "
+         "numbers go on\n// from block to block as in the stream. Derived from the streams in common/data/catalog by "
+         "'inslab reference\n// idl/block.idl'.\n#ifndef INSLAB_BLOCK_IDL\n#define INSLAB_BLOCK_IDL\n\n" +
+         includes + "\nmodule inslab { module v3 {\n" + structs + "\n}; };\n\n#endif\n";
 }
 
 }  // namespace inslab::wire

@@ -8,4 +8,7 @@ namespace inslab::wire {
 /// The file in idl/ is this text; a test fails when they differ.
 std::string profile_idl();
 
+/// The text of idl/block.idl, derived from the catalogue's streams; held current in the same way.
+std::string block_idl();
+
 }  // namespace inslab::wire

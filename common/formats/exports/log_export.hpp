@@ -17,7 +17,7 @@ struct ExportedTopic {
   std::uint64_t unreadable = 0;  ///< messages that are not what their type says, left out
 };
 
-/// Writes the topics of a log as tables (io/columns.hpp), rows in the order of their log times.
+/// Writes the topics of a log as tables (formats/tables/columns.hpp), rows in the order of their log times.
 ///
 /// Csv: `destination` is a folder, made when missing; one file a topic (inslab/imu/0: inslab_imu_0.csv), and
 /// metadata.csv. Hdf5: `destination` is a file; one group a topic, the metadata as attributes of the file.

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "inslab/data/catalog/topics.hpp"
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/formats/log/logged_state.hpp"
 #include "inslab/formats/recordings/gnss_text.hpp"
@@ -83,9 +84,7 @@ void export_gnss(const mcap::McapReader& log, const std::string& destination, Ex
   recordings::GnssTextWriter out(destination);
   export_topic<GnssFix>(log, result, [&](const GnssFix& fix) {
     if (fix.fix_type == FixType::None) return false;
-    out.write({time::Nanoseconds(fix.header.gps_time_of_week_ns),
-               {fix.latitude_rad, fix.longitude_rad, fix.height_m},
-               fix.position_sigma_ned_m});
+    out.write({time::Nanoseconds(fix.header.gps_time_of_week_ns), geodetic_of(fix), fix.position_sigma_ned_m});
     return true;
   });
   out.close();

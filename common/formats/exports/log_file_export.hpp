@@ -9,11 +9,11 @@ namespace inslab::exports {
 
 /// The formats in which one topic of a log becomes one file.
 enum class FileFormat {
-  Nav,      ///< the 11-column text (io/nav_text.hpp), of the truth or a navigation solution
-  Imu,      ///< the 7-column IMU text (io/imu_text.hpp)
-  Gnss,     ///< the 7-column GNSS text (io/gnss_text.hpp)
-  Kml,      ///< a track for a globe (io/kml.hpp), of the truth or a navigation solution
-  Novatel,  ///< RAWIMUSXA lines (io/novatel_imu.hpp)
+  Nav,      ///< the 11-column text (formats/recordings/nav_text.hpp), of the truth or a navigation solution
+  Imu,      ///< the 7-column IMU text (formats/recordings/imu_text.hpp)
+  Gnss,     ///< the 7-column GNSS text (formats/recordings/gnss_text.hpp)
+  Kml,      ///< a track for a globe (formats/recordings/kml.hpp), of the truth or a navigation solution
+  Novatel,  ///< RAWIMUSXA lines (formats/novatel/novatel_imu.hpp)
 };
 
 struct FileExportOptions {

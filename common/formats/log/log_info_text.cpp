@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "inslab/foundation/text/shown.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 
 namespace inslab::log {
 namespace {
@@ -23,7 +24,7 @@ std::string format(const char* pattern, Values... values) {
 }
 
 std::string seconds_text(const std::optional<std::int64_t>& time_ns) {
-  return time_ns ? format("%.3f", static_cast<double>(*time_ns) * 1e-9) : "-";
+  return time_ns ? format("%.3f", time::to_seconds(*time_ns)) : "-";
 }
 
 /// First line, not too long: metadata may be whole files.
@@ -84,7 +85,7 @@ void faults_text(const LogInfo& info, std::ostream& out) {
     for (std::size_t i = 0; i < topic.gaps.size() && i < kGapsShown; ++i) {
       const SequenceGap& gap = topic.gaps[i];
       out << format("  %" PRIu64 " missing: sequence %" PRIu64 " to %" PRIu64 ", after %.3f s\n", gap.count(),
-                    gap.first, gap.last, static_cast<double>(gap.after_sim_time_ns) * 1e-9);
+                    gap.first, gap.last, time::to_seconds(gap.after_sim_time_ns));
     }
     if (topic.gaps.size() > kGapsShown) out << "  and " << topic.gaps.size() - kGapsShown << " more\n";
   }

@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/data/samples/nav_solution.hpp"
 #include "inslab/data/samples/trajectory_file.hpp"
 #include "inslab/data/samples/truth_state.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 
 namespace inslab::log {
 
@@ -28,7 +30,7 @@ struct LoggedState {
 inline LoggedState state_of(const TruthState& truth) {
   return {time::Nanoseconds(truth.header.sim_time_ns),
           {truth.header.gps_week, truth.header.gps_time_of_week_ns},
-          {truth.latitude_rad, truth.longitude_rad, truth.height_m},
+          geodetic_of(truth),
           truth.v_n,
           truth.q_nv};
 }
@@ -36,8 +38,8 @@ inline LoggedState state_of(const TruthState& truth) {
 inline LoggedState state_of(const NavSolution& nav) {
   const time::GpsTime gps{nav.gps_week, nav.gps_time_of_week_ns};
   // A week that no GPS time has, of an app gone wrong, would overflow the count of nanoseconds; in_range() is false.
-  const time::Nanoseconds since_zero = nav.gps_week > 10000 ? time::Nanoseconds(0) : gps - time::GpsTime{};
-  return {since_zero, gps,          {nav.latitude_rad, nav.longitude_rad, nav.height_m},
+  const time::Nanoseconds since_zero = nav.gps_week > time::kLastGpsWeek ? time::Nanoseconds(0) : gps - time::GpsTime{};
+  return {since_zero, gps,          geodetic_of(nav),
           nav.v_n,    nav.q_n_body, nav.mode == NavMode::Navigating || nav.mode == NavMode::Coasting};
 }
 

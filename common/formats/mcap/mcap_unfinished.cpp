@@ -15,11 +15,11 @@ constexpr std::size_t kChunkHeadAtMost = 256;  // three numbers, a CRC, the name
 
 class Scan {
  public:
-  explicit Scan(const std::string& path) : file_(path) {}
+  Scan(const std::string& path, std::uint64_t known_size) : file_(path), size_(std::min(file_.size(), known_size)) {}
 
   UnfinishedLog all() {
     std::array<std::uint8_t, 8> magic{};
-    if (file_.size() >= magic.size()) file_.read(0, magic.data(), magic.size());
+    if (size_ >= magic.size()) file_.read(0, magic.data(), magic.size());
     if (magic != kMagic) throw files::ReadError(file_.path(), 0, "the magic bytes of an MCAP file");
     std::uint64_t at = magic.size();
     while (take_record(at)) {
@@ -34,7 +34,7 @@ class Scan {
   /// once, so a group is whole when another record follows it. Of the last one the messages are counted.
   bool take_record(std::uint64_t& at) {
     std::array<std::uint8_t, kRecordHeadSize> head{};
-    const std::uint64_t left = file_.size() - at;
+    const std::uint64_t left = size_ - at;
     file_.read(at, head.data(), static_cast<std::size_t>(std::min<std::uint64_t>(left, head.size())));
     files::ByteReader reader(file_.path(), at, head.data(), head.size());
     const auto opcode = reader.number<std::uint8_t>("opcode");
@@ -106,6 +106,7 @@ class Scan {
   }
 
   files::InputFile file_;
+  std::uint64_t size_;  ///< of what is looked at
   UnfinishedLog log_;
   std::optional<std::uint64_t> group_begin_;  ///< of the group that may not be whole
   Statistics before_group_;
@@ -114,6 +115,8 @@ class Scan {
 
 }  // namespace
 
-UnfinishedLog read_unfinished(const std::string& path) { return Scan(path).all(); }
+UnfinishedLog read_unfinished(const std::string& path, std::uint64_t known_size) {
+  return Scan(path, known_size).all();
+}
 
 }  // namespace inslab::mcap

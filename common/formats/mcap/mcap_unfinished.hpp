@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,7 +21,9 @@ struct UnfinishedLog {
 
 /// Reads the records' heads and the message indexes of a log without a footer; the messages of the last chunk alone are
 /// looked at, so a long log takes no longer than its number of chunks. A chunk whose indexes are not whole does not
-/// count. Throws ReadError when the file is no MCAP log of ours or has been closed properly.
-UnfinishedLog read_unfinished(const std::string& path);
+/// count. Of what a writer appended beyond `known_size`, where it noted how long the file was, nothing counts. Throws
+/// ReadError when the file is no MCAP log of ours or, up to there, has been closed properly.
+UnfinishedLog read_unfinished(const std::string& path,
+                              std::uint64_t known_size = std::numeric_limits<std::uint64_t>::max());
 
 }  // namespace inslab::mcap

@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "inslab/foundation/time/gps_time.hpp"
+
 namespace inslab::novatel {
 
 namespace {
@@ -184,7 +186,7 @@ std::string NovatelImuFormatter::line(const time::GpsTime& time, const nav::Vect
   const nav::Vector3 accel_raw = turned(dv_b, axes_) / type_.m_per_s_per_count;
   const nav::Vector3 gyro_raw = turned(dtheta_b, axes_) / type_.rad_per_count;
   const std::string week = std::to_string(time.week);
-  const double in_week = static_cast<double>(time.time_of_week_ns) * 1e-9;
+  const double in_week = time::to_seconds(time.time_of_week_ns);
   const auto two_digits = [](std::uint32_t number) { return (number < 10 ? "0" : "") + std::to_string(number); };
   std::string text = "RAWIMUSXA," + week + "," + fixed(in_week, 3) + ";00," + two_digits(type_.type) + "," + week +
                      "," + fixed(in_week, 9) + ",00000000";

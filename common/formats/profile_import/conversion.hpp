@@ -24,7 +24,7 @@ struct ImportedProfile {
 };
 
 /// The text of a file that a profile is made from. Throws files::ReadError when it cannot be read or is larger than
-/// such a file may be (config/input_limits.hpp).
+/// such a file may be (foundation/files/input_limits.hpp).
 std::string import_text(const std::string& file);
 
 /// Throws files::ReadError: at `place` the file has more in each other than an import may have.

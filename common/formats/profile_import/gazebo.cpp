@@ -96,7 +96,7 @@ class Gazebo {
         refuse_depth(file_ + ": line " + std::to_string(document_.ErrorLineNum()));
       }
       throw files::ReadError(file_ + ": line " + std::to_string(document_.ErrorLineNum()) +
-                             ": is no XML: " + document_.ErrorName());
+                             ": is no XML, or is broken there; expected an SDF file of Gazebo");
     }
   }
 

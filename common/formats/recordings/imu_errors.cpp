@@ -3,6 +3,7 @@
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/foundation/files/file_error.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 
 namespace inslab::recordings {
 
@@ -48,7 +49,7 @@ void ImuErrors::pair(const ImuSample& sample, const ImuIncrements& truth) {
     ++info_.invalid;
     return;
   }
-  RawSample raw{static_cast<double>(sample.header.sim_time_ns) * 1e-9, increments_of(sample), number_};
+  RawSample raw{time::to_seconds(sample.header.sim_time_ns), increments_of(sample), number_};
   for (std::size_t i = 0; i < kImuAxes; ++i) raw.values[i] -= truth[i];
   regular_.take(raw);
 }

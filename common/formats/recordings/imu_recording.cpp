@@ -11,6 +11,7 @@
 #include "inslab/foundation/files/decimal_time.hpp"
 #include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/text_lines.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 
 namespace inslab::recordings {
 namespace {
@@ -20,7 +21,7 @@ void read_samples(const mcap::McapReader& log, const ImuRecordingOptions& option
   const std::string topic = catalog::stream_topic<ImuSample>(options.sensor_number);
   log::for_each_sample<ImuSample>(log, topic, [&](const ImuSample& sample, std::uint64_t number) {
     if (sample.gyro_valid && sample.accel_valid) {
-      regular.take({static_cast<double>(sample.header.sim_time_ns) * 1e-9, increments_of(sample), number});
+      regular.take({time::to_seconds(sample.header.sim_time_ns), increments_of(sample), number});
     } else {
       ++info.invalid;
     }
@@ -183,7 +184,7 @@ class TextRecording {
                : ""));
     }
     if (!first_ns_) first_ns_ = *ns;
-    return static_cast<double>(*ns - *first_ns_) * 1e-9;
+    return time::to_seconds(*ns - *first_ns_);
   }
   std::string_view field(std::size_t i) {
     files::split(line_, layout_.separator, fields_);

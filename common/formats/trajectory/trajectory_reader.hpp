@@ -53,14 +53,15 @@ struct TrajectoryReadOptions {
 ///   roll pitch yaw deg; week 0 is an unknown one
 /// - text with 7 columns (GNSS): seconds of week, latitude deg, longitude deg, height m, three standard deviations m;
 ///   with 13, velocity and its standard deviations follow
-/// - text with named columns (io/trajectory_columns.hpp), separated by commas or spaces; the line of names may be a
+/// - text with named columns (formats/trajectory/trajectory_columns.hpp), separated by commas or spaces; the line of
+/// names may be a
 ///   comment. Velocity and attitude may be missing.
-/// - a receiver's log of NMEA 0183 sentences (io/trajectory_nmea.hpp)
+/// - a receiver's log of NMEA 0183 sentences (formats/trajectory/trajectory_nmea.hpp)
 /// - a log of a run (MCAP): the truth, or the solution of a navigation app while it navigates
 ///
 /// Lines that are empty or begin with # or % are comments. Where no week is known, seconds of week that fall by more
 /// than half a week begin the next one. Numbers, ranges, columns and the order of time are judged here, the rest by
-/// io/trajectory_judge.hpp. Throws ReadError when the file cannot be read at all.
+/// formats/trajectory/trajectory_judge.hpp. Throws ReadError when the file cannot be read at all.
 TrajectoryReading read_trajectory(const std::string& path, const TrajectoryReadOptions& options = {});
 
 }  // namespace inslab::trajectory

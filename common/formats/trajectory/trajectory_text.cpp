@@ -29,7 +29,7 @@ struct Range {
 Range range_of(Quantity quantity) {
   switch (quantity) {
     case Quantity::GpsWeek:
-      return {0.0, 10000.0, 1.0, ""};
+      return {0.0, time::kLastGpsWeek, 1.0, ""};
     case Quantity::SecondOfWeek:
       return {0.0, 604800.0, 1.0, " s"};
     case Quantity::Latitude:

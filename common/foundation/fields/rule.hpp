@@ -31,6 +31,7 @@ enum class Rule : std::uint32_t {
   OutagePeriod,          ///< an outage ends before it comes again
   OutagePath,            ///< an outage area has points, and legs of at most 10 km
   NamedFile,             ///< files that a scenario names are there
+  GravityGrid,           ///< a grid of gravity reaches to the places of which the scenario speaks
   SensorExists,          ///< swaps and services name sensors of the scenario
   SwapBeforeEnd,         ///< a swap lies inside the run
   SwapsInOrder,          ///< swaps are in order of time
@@ -69,14 +70,14 @@ enum class Rule : std::uint32_t {
   FileStep,      ///< position, velocity and attitude do not jump
   FileOffTrack,  ///< the nose does not point away from the velocity, when that is judged
   // Several fields of a profile.
-  ProfileFitsSensor,   ///< IMU profiles go to IMUs, GNSS profiles to receivers
+  ProfileFitsSensor,   ///< a profile goes to a sensor of a kind that has such
   OnlyVibrationFades,  ///< a fade is for vibration
   CorrelationTime,     ///< a Gauss-Markov process with a sigma has a correlation time
   LeverArmLength,      ///< at most 1 km
   AntennaMounting,     ///< an antenna has no axes
   SolutionsAscend,     ///< lesser solutions go up from the worst, each worse than the profile's own
   FixTypeGiven,        ///< a receiver without any fix is a fault, not an error profile
-  FaultFitsSensor,     ///< bias jumps are faults of IMUs, outages and position jumps of receivers
+  FaultFitsSensor,     ///< each fault is one of a kind of sensor, as an outage is one of receivers
   FullScale,           ///< an accelerometer that saturates reads at least 1 g
   NonlinearityScale,   ///< a non-linearity in parts of full scale has a full scale
   CornersInOrder,      ///< corners of the temperature, or of currents, are in order of time
@@ -84,6 +85,8 @@ enum class Rule : std::uint32_t {
   MotionReach,         ///< a mount moves at most 5 cm and 2 deg
   MotionFrequency,     ///< and at most 2 kHz
   MotionHarmonic,      ///< random vibration is for the sensor domain
+  PressureRange,       ///< the largest pressure of a barometer is above its smallest
+  WholeCounts,         ///< an encoder has a whole number of counts a revolution
   // Several fields of a navigation filter's parameters.
   InitialPitch,    ///< a given pitch lies within 90 deg
   RestThresholds,  ///< zero-velocity updates have thresholds that an IMU at rest can keep
@@ -95,7 +98,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 74> values{"readable",
+  static constexpr std::array<std::string_view, 77> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -115,6 +118,7 @@ struct EnumNames<Rule> {
                                                            "outage_period",
                                                            "outage_path",
                                                            "named_file",
+                                                           "gravity_grid",
                                                            "sensor_exists",
                                                            "swap_before_end",
                                                            "swaps_in_order",
@@ -166,6 +170,8 @@ struct EnumNames<Rule> {
                                                            "motion_reach",
                                                            "motion_frequency",
                                                            "motion_harmonic",
+                                                           "pressure_range",
+                                                           "whole_counts",
                                                            "initial_pitch",
                                                            "rest_thresholds",
                                                            "apply_time"};

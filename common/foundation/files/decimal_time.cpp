@@ -1,7 +1,9 @@
 #include "inslab/foundation/files/decimal_time.hpp"
 
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "inslab/foundation/files/text_lines.hpp"
 
@@ -17,12 +19,41 @@ std::optional<std::int64_t> by_double(std::string_view text, std::int64_t unit_n
   return std::llround(*number * static_cast<double>(unit_ns));
 }
 
+/// "1.7000000000100e+09", as NumPy writes by itself, without its exponent: "1700000000.0100". Empty: it has none, or
+/// one that no time has.
+std::string written_out(std::string_view text) {
+  constexpr int kLargest = 30;
+  const std::size_t mark = text.find_first_of("eE");
+  if (mark == std::string_view::npos || text.find_first_of("0123456789") >= mark) return "";
+  std::string_view power = text.substr(mark + 1);
+  if (power.size() > 1 && power.front() == '+' && is_digit(power[1])) power.remove_prefix(1);
+  int exponent = 0;
+  const auto read = std::from_chars(power.data(), power.data() + power.size(), exponent);
+  if (read.ec != std::errc() || read.ptr != power.data() + power.size() || std::abs(exponent) > kLargest) return "";
+  std::string digits(text.substr(0, mark));
+  const std::size_t begin = digits.front() == '-' || digits.front() == '+' ? 1 : 0;
+  std::size_t point = digits.find('.');
+  if (point == std::string::npos) point = digits.size();
+  if (point < digits.size()) digits.erase(point, 1);
+  if (exponent < 0) {
+    const auto back = static_cast<std::size_t>(-exponent);
+    const std::size_t lacks = point - begin < back ? back - (point - begin) : 0;
+    digits.insert(begin, lacks, '0');
+    point = point + lacks - back;
+  } else {
+    point += static_cast<std::size_t>(exponent);
+    if (point > digits.size()) digits.append(point - digits.size(), '0');
+  }
+  return digits.insert(point, 1, '.');
+}
+
 }  // namespace
 
 std::optional<std::int64_t> exact_nanoseconds(std::string_view text, std::int64_t unit_ns) {
   __extension__ using Wide = __int128;  // GCC and Clang have it, the standard does not
   constexpr Wide kLargest = std::numeric_limits<std::int64_t>::max();
-  std::string_view rest = text;
+  const std::string plain = written_out(text);
+  std::string_view rest = plain.empty() ? text : std::string_view(plain);
   const bool negative = !rest.empty() && rest.front() == '-';
   if (!rest.empty() && (rest.front() == '-' || rest.front() == '+')) rest.remove_prefix(1);
   Wide whole = 0, part = 0, part_unit = 1;

@@ -11,7 +11,8 @@
 namespace inslab::files {
 
 /// A file that grows by whole pieces: a piece is in the file entirely or not at all. A result has its name when it is
-/// closed, and until then what had the name before has it (io/output_place.hpp); a log grows under its own.
+/// closed, and until then what had the name before has it (foundation/files/output_place.hpp); a log grows under its
+/// own.
 ///
 /// Bytes go straight to the kernel, so they survive a killed process. A file size limit raises SIGXFSZ, which ends the
 /// process unless it is ignored; processes that write logs ignore it and get EFBIG here.

@@ -7,7 +7,7 @@ namespace inslab::files {
 /// What a process may do to regular files that are there already. Empty ones count as not there.
 enum class OutputRule {
   ReplaceAll,      ///< anything: what a library does that nobody has told otherwise
-  ReplaceResults,  ///< but not what this process has read (config/files_read.hpp)
+  ReplaceResults,  ///< but not what this process has read (foundation/files/files_read.hpp)
   KeepResults,     ///< nothing: an output must have a place of its own
 };
 
@@ -15,7 +15,7 @@ enum class OutputRule {
 void set_output_rule(OutputRule rule);
 
 /// Throws OutputRefused, saying what to do, when the rule forbids to write to this path, or, unless it allows anything,
-/// when another process is writing to it (io/output_file.hpp).
+/// when another process is writing to it (foundation/files/output_file.hpp).
 void check_output(const std::string& path);
 /// What OutputRefused says then.
 std::string being_written(const std::string& path);

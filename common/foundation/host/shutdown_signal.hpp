@@ -2,7 +2,7 @@
 
 namespace inslab::host {
 
-/// Which signal app/shutdown.hpp speaks of: the first to end that came; 0: none has.
+/// Which signal foundation/host/shutdown.hpp speaks of: the first to end that came; 0: none has.
 int shutdown_signal();
 
 /// From now on each signal to end also writes a byte to this descriptor, which must not block; -1: to none.

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "inslab/foundation/time/gps_time.hpp"
+
 namespace inslab::time {
 
 /// A quantity over sim time: straight lines between its corners, constant before the first and after the last.
@@ -23,7 +25,7 @@ class Course {
 
   Value at(std::int64_t sim_time_ns) const {
     if (corners_.empty()) return otherwise_;
-    const double time_s = static_cast<double>(sim_time_ns) * 1e-9;
+    const double time_s = to_seconds(sim_time_ns);
     const auto next = std::upper_bound(corners_.begin(), corners_.end(), time_s,
                                        [](double t, const Corner& corner) { return t < corner.at_s; });
     if (next == corners_.begin()) return corners_.front().value;

@@ -17,6 +17,9 @@ constexpr double to_seconds(Nanoseconds t) { return to_seconds(t.count()); }
 /// Nearest nanosecond of `seconds`. Throws std::invalid_argument when it is not finite or beyond 292 years.
 Nanoseconds from_seconds(double seconds);
 
+/// The last week that anything here is about: the year 2171.
+inline constexpr std::uint32_t kLastGpsWeek = 10'000;
+
 /// GPS time: full week number (no rollover) and nanoseconds into the week, kept in [0, 604800 s).
 struct GpsTime {
   std::uint32_t week = 0;

@@ -41,7 +41,7 @@ class AxisFaults {
 
   bool is_off() const { return is_off_; }
 
-  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  /// What goes on from sample to sample (data/state/state_stream.hpp); parameters are not part of it.
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     visit(self.last_);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
-#include "inslab/data/catalog/profile_rules.hpp"
+#include "inslab/data/catalog/checked_profile.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 
 namespace inslab::gnss {
@@ -13,13 +13,6 @@ namespace {
 
 /// Where a drift ends: nav::displaced() is good to 1000 km.
 constexpr double kLongestDriftM = 1e5;
-
-template <class Profile>
-const Profile& checked(const Profile& profile) {
-  if (const auto broken = catalog::violation(profile)) throw std::invalid_argument(broken->path + " " + broken->reason);
-  if (profile.target.kind != SensorKind::Gnss) throw std::invalid_argument("target_kind is not gnss");
-  return profile;
-}
 
 std::string receiver(std::uint32_t number) { return "gnss" + std::to_string(number); }
 
@@ -32,8 +25,8 @@ random::Stream stream(const GnssModel::Setup& setup, const char* quantity) {
 GnssModel::GnssModel(const Setup& setup)
     : sensor_number_(setup.sensor_number),
       rate_(setup.gnss_rate),
-      errors_(checked(setup.errors)),
-      installation_(checked(setup.installation)),
+      errors_(catalog::checked_for<catalog::Gnss>(setup.errors)),
+      installation_(catalog::checked_for<catalog::Gnss>(setup.installation)),
       outages_(setup.outages, setup.outage_areas),
       ladder_(setup.errors, setup.gnss_rate.period_s(), setup.seed, receiver(setup.sensor_number)),
       position_noise_(stream(setup, "position"), random::VectorNoise::kNed, setup.gnss_rate.period_s()),
@@ -42,7 +35,7 @@ GnssModel::GnssModel(const Setup& setup)
 }
 
 void GnssModel::apply(const GnssErrorProfile& profile) {
-  errors_ = checked(profile);
+  errors_ = catalog::checked_for<catalog::Gnss>(profile);
   ladder_.retune(profile, profile.request.continuity);
   for (random::VectorNoise* noise : {&position_noise_, &velocity_noise_}) {
     if (profile.request.continuity == Continuity::Reset) noise->reset();
@@ -51,9 +44,11 @@ void GnssModel::apply(const GnssErrorProfile& profile) {
   take_errors_of(errors_.lesser_solutions.size());
 }
 
-void GnssModel::apply(const InstallationProfile& profile) { installation_ = checked(profile); }
+void GnssModel::apply(const InstallationProfile& profile) {
+  installation_ = catalog::checked_for<catalog::Gnss>(profile);
+}
 
-void GnssModel::apply(const FaultProfile& profile) { fault_ = checked(profile); }
+void GnssModel::apply(const FaultProfile& profile) { fault_ = catalog::checked_for<catalog::Gnss>(profile); }
 
 const SolutionErrors& GnssModel::errors_on(std::size_t rung) const {
   if (rung < errors_.lesser_solutions.size()) return errors_.lesser_solutions[rung];
@@ -82,7 +77,7 @@ Geometry GnssModel::geometry(const TruthState& truth, const SensorSite& antenna)
 
 Vector3 GnssModel::drift_ned_m(std::int64_t time_ns) const {
   const std::int64_t begun_ns = std::max<std::int64_t>(0, fault_.request.apply_at_ns);
-  const Vector3 drift = fault_.position_drift_ned_m_per_s * (static_cast<double>(time_ns - begun_ns) * 1e-9);
+  const Vector3 drift = fault_.position_drift_ned_m_per_s * (time::to_seconds(time_ns - begun_ns));
   const double length_m = drift.norm();
   return length_m > kLongestDriftM ? drift * (kLongestDriftM / length_m) : drift;
 }

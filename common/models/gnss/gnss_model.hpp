@@ -17,11 +17,11 @@ namespace inslab::gnss {
 
 /// One GNSS receiver that reports position and velocity of its antenna.
 ///
-/// Epoch k is at instant k of its rate, k >= 1. The antenna's true state comes from samples/sensor_site.hpp; position
-/// errors in NED metres at the antenna are applied exactly through ECEF, velocity errors added in the antenna's NED.
-/// Their draws depend on (seed, sensor number, k) alone: an outage, a swap or another kind of solution changes no other
-/// epoch's. There is no fix in an outage, with fewer than four satellites of the profile's model above its mask, and
-/// on a rung of the ladder without one. Source: thesis 3.4; (3-47)..(3-51) to first order.
+/// Epoch k is at instant k of its rate, k >= 1. The antenna's true state comes from data/samples/sensor_site.hpp;
+/// position errors in NED metres at the antenna are applied exactly through ECEF, velocity errors added in the
+/// antenna's NED. Their draws depend on (seed, sensor number, k) alone: an outage, a swap or another kind of solution
+/// changes no other epoch's. There is no fix in an outage, with fewer than four satellites of the profile's model above
+/// its mask, and on a rung of the ladder without one. Source: thesis 3.4; (3-47)..(3-51) to first order.
 class GnssModel {
  public:
   struct Setup {
@@ -34,7 +34,7 @@ class GnssModel {
     std::vector<OutageArea> outage_areas;
   };
 
-  /// Throws std::invalid_argument when a profile breaks a rule of catalog/profile_rules.hpp, and as OutageSchedule
+  /// Throws std::invalid_argument when a profile breaks a rule of data/catalog/profile_rules.hpp, and as OutageSchedule
   /// does.
   explicit GnssModel(const Setup& setup);
 
@@ -48,7 +48,7 @@ class GnssModel {
   /// come in order, and every epoch's among them. Fixes are numbered from 0 without gaps.
   std::optional<GnssFix> observe(const TruthState& truth);
 
-  /// What a model of the same setup needs to go on from here (recovery/state_stream.hpp).
+  /// What a model of the same setup needs to go on from here (data/state/state_stream.hpp).
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     visit(self.errors_, self.installation_, self.fault_);

@@ -31,7 +31,7 @@ class SolutionLadder {
   /// nothing when there are no signals. Epochs come in order, each once.
   std::optional<std::size_t> advance(std::uint64_t k, std::int64_t time_ns, bool signals);
 
-  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  /// What goes on from sample to sample (data/state/state_stream.hpp); parameters are not part of it.
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     visit(self.rung_, self.since_ns_, self.lost_);

@@ -1,19 +1,27 @@
 #pragma once
 
-#include <cmath>
-
+#include "inslab/models/imu/low_pass.hpp"
 #include "inslab/models/imu/triad_parameters.hpp"
 
 namespace inslab::imu {
 
-/// Stage 5a: the low-pass filter of a sensor's bandwidth, per axis, from the rate u that the sensor feels to the rate y
-/// whose integral it puts out:
+/// The filters of a triad as its parameters say.
+inline LowPasses low_passes(const TriadParameters& parameters) {
+  LowPasses filters;
+  for (int axis = 0; axis < 3; ++axis) {
+    filters[static_cast<std::size_t>(axis)] = LowPass(parameters.bandwidth_hz[axis], parameters.bandwidth_order);
+  }
+  return filters;
+}
+
+/// Stage 5a: the sensor's bandwidth, per axis a LowPass from the rate u that the sensor feels to the rate y whose
+/// integral over each interval it puts out.
 ///
-///   first order    y' = w (u - y)                                  w = 2 pi bandwidth
-///   second order   y'' = w^2 (u - y) - sqrt(2) w y'                Butterworth's damping
-///
-/// Solved exactly for u constant over each interval, with the integral of y as output; so nothing is lost: output and
-/// input increments differ by what the filter's state holds back. It starts settled on the first interval's input.
+/// Solved exactly, interval by interval, for the mean of u; what u does about its mean within the interval comes as
+/// `unsteady`: the answers of the same filter, in continuous time, to the vibration (Vibration::passed) and to the
+/// motion (MotionResponse). What is added sample by sample, such as bias and white noise, has nothing but a mean.
+/// Nothing is lost: output and input increments differ by what the filter's state holds back. It starts settled on the
+/// first interval's mean, and in step with a vibration.
 class Bandwidth {
  public:
   Bandwidth(const TriadParameters& parameters, double dt_s) : dt_s_(dt_s) { retune(parameters); }
@@ -23,18 +31,15 @@ class Bandwidth {
   /// Takes another bandwidth between two intervals; the states go on.
   void retune(const TriadParameters& parameters) {
     is_off_ = parameters.bandwidth_hz.isZero(0.0);
-    for (int axis = 0; axis < 3; ++axis) {
-      // Both orders decay with s and the second turns by s dt: with Butterworth's damping w exp(+-3 pi i/4) are the
-      // poles, s = w / sqrt(2).
-      const double w = 2.0 * units::kPi * parameters.bandwidth_hz[axis];
+    const LowPasses filters = low_passes(parameters);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       Axis& a = axes_[axis];
-      a.order = w == 0.0 ? 0 : parameters.bandwidth_order == FilterOrder::First ? 1 : 2;
-      a.s = a.order == 2 ? w * std::sqrt(0.5) : w;
-      a.decay = std::exp(-a.s * dt_s_);
-      a.missing = -std::expm1(-a.s * dt_s_);
-      a.cosine = std::cos(a.s * dt_s_);
-      a.sine = std::sin(a.s * dt_s_);
-      if (a.order == 0) a.starts = true;
+      a.filter = filters[axis];
+      a.decay = std::exp(-a.filter.s() * dt_s_);
+      a.missing = -std::expm1(-a.filter.s() * dt_s_);
+      a.cosine = std::cos(a.filter.s() * dt_s_);
+      a.sine = std::sin(a.filter.s() * dt_s_);
+      if (a.filter.order() == 0) a.starts = true;
     }
   }
 
@@ -44,13 +49,21 @@ class Bandwidth {
   }
 
   /// The increment that comes out of the filter, rad | m/s.
-  Vector3 filtered(const Vector3& increment) {
+  Vector3 filtered(const Vector3& increment, const Unsteady& unsteady = {}) {
     Vector3 out;
-    for (int axis = 0; axis < 3; ++axis) out[axis] = axes_[axis].filtered(increment[axis], dt_s_);
+    for (int axis = 0; axis < 3; ++axis) {
+      Axis& a = axes_[static_cast<std::size_t>(axis)];
+      if (a.starts) a.start(increment[axis] / dt_s_ + unsteady.start_y[axis], unsteady.start_slope[axis]);
+      out[axis] = a.filtered(increment[axis], dt_s_);
+      if (a.filter.order() == 0) continue;
+      out[axis] += unsteady.integral[axis];
+      a.y += unsteady.y[axis];
+      a.slope += unsteady.slope[axis];
+    }
     return out;
   }
 
-  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  /// What goes on from sample to sample (data/state/state_stream.hpp); parameters are not part of it.
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     for (auto& axis : self.axes_) visit(axis.starts, axis.y, axis.slope);
@@ -58,8 +71,7 @@ class Bandwidth {
 
  private:
   struct Axis {
-    int order = 0;
-    double s = 0.0;  ///< 1/s
+    LowPass filter;
     double decay = 1.0;
     double missing = 0.0;  ///< 1 - decay
     double cosine = 1.0;
@@ -68,16 +80,19 @@ class Bandwidth {
     double y = 0.0;      ///< rad/s | m/s^2
     double slope = 0.0;  ///< y', second order alone
 
+    void start(double y_settled, double slope_settled) {
+      if (filter.order() == 0) return;
+      y = y_settled;
+      slope = slope_settled;
+      starts = false;
+    }
+
     double filtered(double increment, double dt_s) {
-      if (order == 0) return increment;
+      if (filter.order() == 0) return increment;
+      const double s = filter.s();
       const double u = increment / dt_s;
-      if (starts) {
-        y = u;
-        slope = 0.0;
-        starts = false;
-      }
       const double z = y - u;  // z follows the filter's own equation: it decays
-      if (order == 1) {
+      if (filter.order() == 1) {
         y = u + z * decay;
         return increment + z * missing / s;
       }

@@ -79,7 +79,7 @@ class Bias {
     return bias * dt_s_;
   }
 
-  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  /// What goes on from sample to sample (data/state/state_stream.hpp); parameters are not part of it.
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     visit(self.constant_, self.turn_on_, self.gauss_markov_, self.walk_, self.flicker_);

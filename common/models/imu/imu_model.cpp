@@ -3,19 +3,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "inslab/data/catalog/profile_rules.hpp"
+#include "inslab/data/catalog/checked_profile.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/models/imu/mount_motion.hpp"
 
 namespace inslab::imu {
 namespace {
-
-template <class Profile>
-const Profile& checked(const Profile& profile) {
-  if (const auto broken = catalog::violation(profile)) throw std::invalid_argument(broken->path + " " + broken->reason);
-  if (profile.target.kind != SensorKind::Imu) throw std::invalid_argument("target_kind is not imu");
-  return profile;
-}
 
 std::string sensor_name(std::uint32_t number) { return "imu" + std::to_string(number); }
 
@@ -27,9 +20,10 @@ ImuModel::ImuModel(const Setup& setup)
       gravity_(setup.gravity),
       errors_(setup.errors),
       installation_profile_(setup.installation),
-      installation_(checked(setup.installation), setup.gravity),
-      vibration_(checked(setup.vibration), {rate_.period_s(), setup.seed, sensor_name(setup.sensor_number)}),
-      temperature_(checked(setup.errors).temperature),
+      installation_(catalog::checked_for<catalog::Imu>(setup.installation), setup.gravity),
+      vibration_(catalog::checked_for<catalog::Imu>(setup.vibration),
+                 {rate_.period_s(), setup.seed, sensor_name(setup.sensor_number)}),
+      temperature_(catalog::checked_for<catalog::Imu>(setup.errors).temperature),
       gyro_(in_si(setup.errors.gyro), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/gyro", "arw"),
       accel_(in_si(setup.errors.accel), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/accel",
              "vrw"),
@@ -40,12 +34,22 @@ ImuModel::ImuModel(const Setup& setup)
              random::Stream(setup.seed, sensor_name(setup.sensor_number) + "/dropped_samples")),
       latency_ns_(time::from_seconds(setup.errors.latency_s).count()),
       revisions_{setup.errors.request.journal_number, setup.vibration.request.journal_number,
-                 setup.installation.request.journal_number, 0} {}
+                 setup.installation.request.journal_number, 0} {
+  use_bandwidths(in_si(setup.errors.gyro), in_si(setup.errors.accel));
+}
 
-void ImuModel::apply(const ImuErrorProfile& profile) { pending_.emplace_back(checked(profile)); }
-void ImuModel::apply(const VibrationProfile& profile) { pending_.emplace_back(checked(profile)); }
-void ImuModel::apply(const InstallationProfile& profile) { pending_.emplace_back(checked(profile)); }
-void ImuModel::apply(const FaultProfile& profile) { pending_.emplace_back(checked(profile)); }
+void ImuModel::apply(const ImuErrorProfile& profile) {
+  pending_.emplace_back(catalog::checked_for<catalog::Imu>(profile));
+}
+void ImuModel::apply(const VibrationProfile& profile) {
+  pending_.emplace_back(catalog::checked_for<catalog::Imu>(profile));
+}
+void ImuModel::apply(const InstallationProfile& profile) {
+  pending_.emplace_back(catalog::checked_for<catalog::Imu>(profile));
+}
+void ImuModel::apply(const FaultProfile& profile) {
+  pending_.emplace_back(catalog::checked_for<catalog::Imu>(profile));
+}
 
 std::optional<ImuModel::Output> ImuModel::measure(const TruthState& truth) {
   if (!previous_) {
@@ -65,7 +69,9 @@ std::optional<ImuModel::Output> ImuModel::measure(const TruthState& truth) {
   }
   if (previous_ns == from_ns_) begin_interval();
   const Installation::Instant end = installation_.at(truth);
-  perfect_ += perfect_increments(truth, end);
+  const Increments perfect = perfect_increments(truth, end);
+  if (is_filtered_) follow_motion(truth, end, perfect);
+  perfect_ += perfect;
   start_ = end;
   previous_ = truth;
   if (now_ns != to_ns_) return std::nullopt;
@@ -77,12 +83,14 @@ void ImuModel::find_interval(std::int64_t from_ns) {
   interval_.k = rate_.index(time::Nanoseconds(from_ns));
   from_ns_ = rate_.at(interval_.k).count();
   to_ns_ = rate_.at(interval_.k + 1).count();
-  interval_.dt_s = time::to_seconds(time::Nanoseconds(to_ns_ - from_ns_));
+  interval_.dt_s = time::to_seconds(to_ns_ - from_ns_);
   interval_.stretch = interval_.dt_s / rate_.period_s();
 }
 
 void ImuModel::begin_interval() {
   perfect_ = Increments();
+  gyro_motion_.begin();
+  accel_motion_.begin();
   if (pending_.empty()) return;
   for (const Profile& profile : pending_) std::visit([this](const auto& p) { take(p, interval_.k); }, profile);
   pending_.clear();
@@ -115,8 +123,15 @@ void ImuModel::tune(const ImuErrorProfile& profile, Continuity continuity, std::
   g_sensitivity_ = GSensitivity(profile.gyro.g_sensitivity_deg_per_h_per_g);
   gyro_limits_.retune(gyro, continuity);
   accel_limits_.retune(accel, continuity);
+  use_bandwidths(gyro, accel);
   drops_.retune(profile.drop_probability);
   latency_ns_ = time::from_seconds(profile.latency_s).count();
+}
+
+void ImuModel::use_bandwidths(const TriadParameters& gyro, const TriadParameters& accel) {
+  is_filtered_ = !gyro.bandwidth_hz.isZero(0.0) || !accel.bandwidth_hz.isZero(0.0);
+  bandwidths_ = {low_passes(gyro), low_passes(accel)};
+  vibration_.use(bandwidths_);
 }
 
 void ImuModel::take(const VibrationProfile& profile, std::uint64_t) {
@@ -156,6 +171,41 @@ Increments ImuModel::perfect_increments(const TruthState& truth, const Installat
   return mounted_increments(installation_, *previous_, truth, start_, end, vibration_);
 }
 
+/// What the filters make of the motion up to `truth`. Of a moving mount they see the means over the truth's intervals.
+void ImuModel::follow_motion(const TruthState& truth, const Installation::Instant& end, const Increments& perfect) {
+  const double dt_s = time::to_seconds(truth.interval_ns);
+  MotionPiece piece;
+  if (vibration_.mount_moves()) {
+    piece.omega = {perfect.dtheta / dt_s, Vector3::Zero(), Vector3::Zero()};
+    piece.f = {perfect.dv / dt_s, Vector3::Zero(), Vector3::Zero()};
+  } else {
+    piece = motion_piece(installation_, *previous_, truth, start_, end, perfect);
+  }
+  gyro_motion_.add(bandwidths_.gyro, piece.omega, Vector3::Zero(), dt_s);
+  accel_motion_.add(bandwidths_.accel, piece.f, piece.impulse, dt_s);
+}
+
+/// What motion and vibration do within the interval that ends, with the triads' linear errors.
+ImuModel::Within ImuModel::within_interval(double temperature_deg_c) {
+  const double warmer_k = temperature_deg_c - Temperature::kCalibratedAt;
+  const Vibration::Passed passed = vibration_.passed(from_ns_, to_ns_);
+  const auto within = [&](const TriadErrors& triad, Unsteady unsteady, const Unsteady& vibration,
+                          const Vector3& random_felt, const Vector3& random_passed) {
+    unsteady += vibration;
+    for (Vector3* part : {&unsteady.y, &unsteady.slope, &unsteady.integral, &unsteady.start_y, &unsteady.start_slope}) {
+      *part = triad.sensed(*part, warmer_k);
+    }
+    return WithinInterval{unsteady, triad.sensed(random_felt, warmer_k), triad.sensed(random_passed, warmer_k)};
+  };
+  const auto motion = [&](MotionResponse& response, const LowPasses& filters, const Vector3& increment) {
+    return response.about(filters, increment / interval_.dt_s, interval_.dt_s);
+  };
+  return {within(gyro_, motion(gyro_motion_, bandwidths_.gyro, perfect_.dtheta), passed.gyro, passed.random_felt.dtheta,
+                 passed.random_passed.dtheta),
+          within(accel_, motion(accel_motion_, bandwidths_.accel, perfect_.dv), passed.accel, passed.random_felt.dv,
+                 passed.random_passed.dv)};
+}
+
 std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) {
   const std::int64_t end_ns = truth.header.sim_time_ns;
   const double temperature_deg_c = temperature_.at(end_ns);
@@ -171,6 +221,8 @@ std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) 
   perfect.dv_b = perfect_.dv;
   perfect.interval_ns = end_ns - from_ns_;
   set_pose(truth, perfect);
+  std::optional<Within> within;
+  if (is_filtered_) within = within_interval(temperature_deg_c);
   set_errors(vibration_.increments(from_ns_, end_ns), temperature_deg_c, perfect);
   perfect.discontinuity = discontinuity_;
   perfect.revisions = revisions_;
@@ -183,7 +235,7 @@ std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) 
   sample.interval_ns = perfect.interval_ns;
   sample.temperature_deg_c = temperature_deg_c;
   sample.revisions = revisions_;
-  set_output(*out);
+  set_output(*out, within ? &*within : nullptr);
   find_interval(end_ns);
   return out;
 }
@@ -213,16 +265,20 @@ void ImuModel::set_errors(const Increments& vibration, double temperature_deg_c,
   }
 }
 
-void ImuModel::set_output(Output& out) {
+void ImuModel::set_output(Output& out, const Within* within) {
   const bool dropped = drops_.dropped(interval_.k);
-  const auto limited = [this, dropped](TriadLimits& limits, const Vector3& perfect, TriadErrorBudget& budget) {
+  const auto limited = [this, dropped](TriadLimits& limits, const Vector3& perfect, TriadErrorBudget& budget,
+                                       const WithinInterval* inside) {
     const Vector3 wanted = perfect + budget.sum();
-    TriadLimits::Result result = limits.applied(wanted, dropped, interval_.stretch);
+    TriadLimits::Result result = inside == nullptr ? limits.applied(wanted, dropped, interval_.stretch)
+                                                   : limits.applied(wanted, dropped, interval_.stretch, *inside);
     budget.limits = result.increment - wanted;
     return result;
   };
-  const TriadLimits::Result gyro = limited(gyro_limits_, out.truth.dtheta_b, out.truth.gyro_error);
-  const TriadLimits::Result accel = limited(accel_limits_, out.truth.dv_b, out.truth.accel_error);
+  const TriadLimits::Result gyro =
+      limited(gyro_limits_, out.truth.dtheta_b, out.truth.gyro_error, within ? &within->gyro : nullptr);
+  const TriadLimits::Result accel =
+      limited(accel_limits_, out.truth.dv_b, out.truth.accel_error, within ? &within->accel : nullptr);
   out.sample.dtheta_b = gyro.increment;
   out.sample.dv_b = accel.increment;
   out.sample.mean_omega_ib_b = gyro.increment / interval_.dt_s;

@@ -11,6 +11,7 @@
 #include "inslab/models/imu/dropped_samples.hpp"
 #include "inslab/models/imu/g_sensitivity.hpp"
 #include "inslab/models/imu/installation.hpp"
+#include "inslab/models/imu/motion_response.hpp"
 #include "inslab/models/imu/sample_interval.hpp"
 #include "inslab/models/imu/temperature.hpp"
 #include "inslab/models/imu/triad_errors.hpp"
@@ -40,7 +41,7 @@ class ImuModel {
     ImuTruth truth;
   };
 
-  /// Throws std::invalid_argument when a profile breaks a rule of catalog/profile_rules.hpp.
+  /// Throws std::invalid_argument when a profile breaks a rule of data/catalog/profile_rules.hpp.
   explicit ImuModel(const Setup& setup);
 
   /// Swaps a profile from the next interval of the IMU on, in the order of the calls; samples from there carry its
@@ -59,13 +60,13 @@ class ImuModel {
   /// instant of the IMU; the model is then as it was.
   std::optional<Output> measure(const TruthState& truth);
 
-  /// What a model of the same setup needs to go on from here (recovery/state_stream.hpp).
+  /// What a model of the same setup needs to go on from here (data/state/state_stream.hpp).
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     visit(self.errors_, self.installation_profile_, self.fault_);
     if constexpr (!std::is_const_v<Self>) self.use_profiles();
     visit(self.vibration_, self.gyro_, self.accel_, self.gyro_limits_, self.accel_limits_, self.previous_,
-          self.perfect_, self.discontinuity_, self.revisions_, self.pending_);
+          self.perfect_, self.gyro_motion_, self.accel_motion_, self.discontinuity_, self.revisions_, self.pending_);
     if constexpr (!std::is_const_v<Self>) self.find_start();
   }
 
@@ -75,6 +76,7 @@ class ImuModel {
   void use_profiles();
   void find_start();
   void tune(const ImuErrorProfile& profile, Continuity continuity, std::uint64_t k);
+  void use_bandwidths(const TriadParameters& gyro, const TriadParameters& accel);
   void find_interval(std::int64_t from_ns);
   void begin_interval();
   void take(const ImuErrorProfile& profile, std::uint64_t k);
@@ -83,10 +85,16 @@ class ImuModel {
   void take(const FaultProfile& profile, std::uint64_t k);
   void relocated();
   Increments perfect_increments(const TruthState& truth, const Installation::Instant& end) const;
+  void follow_motion(const TruthState& truth, const Installation::Instant& end, const Increments& perfect);
+  struct Within {
+    WithinInterval gyro;
+    WithinInterval accel;
+  };
+  Within within_interval(double temperature_deg_c);
   std::optional<Output> end_interval(const TruthState& truth);
   void set_pose(const TruthState& truth, ImuTruth& perfect) const;
   void set_errors(const Increments& vibration, double temperature_deg_c, ImuTruth& perfect);
-  void set_output(Output& out);
+  void set_output(Output& out, const Within* within);
 
   std::uint32_t sensor_number_;
   time::Rate rate_;
@@ -112,6 +120,10 @@ class ImuModel {
   std::optional<TruthState> previous_;
   Installation::Instant start_;  ///< at `previous_`, under the present installation
   Increments perfect_;           ///< of the interval that is open
+  Vibration::Bandwidths bandwidths_;
+  bool is_filtered_ = false;
+  MotionResponse gyro_motion_;  ///< over the interval that is open
+  MotionResponse accel_motion_;
   bool discontinuity_ = false;
   ImuRevisions revisions_;
   std::vector<Profile> pending_;

@@ -1,5 +1,7 @@
 #include "inslab/models/imu/installation.hpp"
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/attitude.hpp"
 
@@ -29,8 +31,10 @@ Installation::Instant Installation::at(const TruthState& truth) const {
   if (!has_arm_) return instant;
   // In the vehicle's NED: G = g + omega_ie x (omega_ie x r), so the centrifugal parts differ by the arm's own.
   const SensorSite& site = instant.site;
-  const Vector3 g_at_vehicle = gravity_.g_n(site.sin_vehicle_latitude, truth.height_m);
-  const Vector3 g_at_imu = site.C_sn.transpose() * gravity_.g_n(site.sin_latitude, site.position.height_m);
+  const Vector3 g_at_vehicle =
+      gravity_.g_n(site.sin_vehicle_latitude, truth.height_m, [&truth] { return geodetic_of(truth); });
+  const Vector3 g_at_imu = site.C_sn.transpose() *
+                           gravity_.g_n(site.sin_latitude, site.position.height_m, [&site] { return site.position; });
   const Vector3 arm_n = truth.q_nv * lever_arm_v_m_;
   const Vector3 difference_n = g_at_vehicle - g_at_imu - site.omega_ie_n.cross(site.omega_ie_n.cross(arm_n));
   instant.gravitation_difference_v = truth.q_nv.conjugate() * difference_n;
@@ -39,7 +43,7 @@ Installation::Instant Installation::at(const TruthState& truth) const {
 
 Increments Installation::increments(const TruthState& truth, const Instant& start, const Instant& end) const {
   if (!has_arm_) return {C_bv_ * truth.dtheta_v, C_bv_ * truth.dv_v};
-  const double dt_s = static_cast<double>(truth.interval_ns) * 1e-9;
+  const double dt_s = time::to_seconds(truth.interval_ns);
   const Vector3 mean = truth.dtheta_v / dt_s;
   // At a jump the value at the end is the one after it and says nothing of the interval: a straight line is left.
   const Vector3 slope =

@@ -2,28 +2,12 @@
 
 #include <cmath>
 
+#include "inslab/foundation/time/gps_time.hpp"
+#include "inslab/models/imu/motion_course.hpp"
 #include "inslab/nav/attitude.hpp"
 
 namespace inslab::imu {
 namespace {
-
-/// A vector over an interval as a Legendre series in x, -1 to 1.
-struct Course {
-  Vector3 mean;
-  Vector3 slope;
-  Vector3 curve;
-
-  /// `jumps`: the value at the end is one after a jump and says nothing of the interval.
-  static Course through(const Vector3& start, const Vector3& end, const Vector3& mean, bool jumps) {
-    if (jumps) return {mean, mean - start, Vector3::Zero()};
-    return {mean, 0.5 * (end - start), 0.5 * (start + end) - mean};
-  }
-  Vector3 at(double x) const { return mean + x * slope + (1.5 * x * x - 0.5) * curve; }
-};
-
-/// Truth marks jumps of the rate alone. A jump of the force at the end bends the quadratic by about half of it, where a
-/// smooth force bends it far less than it tilts it; a line through the start serves both.
-bool jumps(const Course& course) { return course.curve.norm() > 0.25 * course.slope.norm(); }
 
 /// The IMU's mount at one instant.
 struct Mount {
@@ -69,7 +53,7 @@ Increments mounted_increments(const Installation& installation, const TruthState
                               const Vibration& vibration) {
   const Matrix3& C_mv = installation.C_bv();
   const Vector3 arm_m = C_mv * installation.lever_arm_v_m();
-  const double dt_s = static_cast<double>(truth.interval_ns) * 1e-9;
+  const double dt_s = time::to_seconds(truth.interval_ns);
   const std::int64_t from_ns = truth.header.sim_time_ns - truth.interval_ns;
   const Course omega_v = Course::through(start.omega_iv_v, end.omega_iv_v, truth.dtheta_v / dt_s, truth.rate_jump);
   Course f_v = Course::through(before.f_v, truth.f_v, truth.dv_v / dt_s, false);

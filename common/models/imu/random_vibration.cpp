@@ -1,5 +1,6 @@
 #include "inslab/models/imu/random_vibration.hpp"
 
+#include <algorithm>
 #include <complex>
 #include <unsupported/Eigen/FFT>
 
@@ -14,14 +15,16 @@ constexpr std::size_t kMostTaps = 1024;
 constexpr double kStepsBelowTable = 8.0;
 constexpr std::size_t kAhead = 256;  // numbers drawn at a time
 
-std::size_t taps_for(const Spectrum& spectrum, double dt_s) {
+std::size_t taps_for(const Spectrum& spectrum, double dt_s, const LowPass& filter) {
+  double lowest_hz = spectrum.lowest_hz();
+  if (filter.order() != 0) lowest_hz = std::min(lowest_hz, filter.s() / (2.0 * units::kPi));
   std::size_t taps = kFewestTaps;
-  while (taps < kMostTaps && static_cast<double>(taps) * dt_s * spectrum.lowest_hz() < kStepsBelowTable) taps *= 2;
+  while (taps < kMostTaps && static_cast<double>(taps) * dt_s * lowest_hz < kStepsBelowTable) taps *= 2;
   return taps;
 }
 
 /// S_d of the class comment, from the one-sided density of the spectrum.
-double folded_density(const Spectrum& spectrum, int axis, double frequency_hz, double dt_s) {
+double folded_density(const Spectrum& spectrum, int axis, double frequency_hz, double dt_s, const LowPass& filter) {
   const double rate_hz = 1.0 / dt_s;
   double sum = 0.0;
   for (double m = 0.0; m * rate_hz - frequency_hz <= spectrum.highest_hz(); m += 1.0) {
@@ -29,19 +32,20 @@ double folded_density(const Spectrum& spectrum, int axis, double frequency_hz, d
       if (m == 0.0 && side < 0.0) continue;
       const double image_hz = std::abs(frequency_hz + side * m * rate_hz);
       const double gain = gain_s(image_hz, dt_s);
-      sum += 0.5 * spectrum.density(axis, image_hz) * gain * gain;
+      const double passed = filter.order() == 0 ? 1.0 : std::norm(filter.response(image_hz));
+      sum += 0.5 * spectrum.density(axis, image_hz) * gain * gain * passed;
     }
   }
   return sum;
 }
 
 /// h[0..n-1], centred on n/2.
-std::vector<double> filter_for(const Spectrum& spectrum, int axis, double dt_s) {
-  const std::size_t n = taps_for(spectrum, dt_s);
+std::vector<double> filter_for(const Spectrum& spectrum, int axis, double dt_s, const LowPass& low_pass) {
+  const std::size_t n = taps_for(spectrum, dt_s, low_pass);
   std::vector<std::complex<double>> response(n);
   for (std::size_t i = 0; i <= n / 2; ++i) {
     const double frequency_hz = static_cast<double>(i) / (static_cast<double>(n) * dt_s);
-    const double amplitude = std::sqrt(folded_density(spectrum, axis, frequency_hz, dt_s) / dt_s);
+    const double amplitude = std::sqrt(folded_density(spectrum, axis, frequency_hz, dt_s, low_pass) / dt_s);
     response[i] = amplitude;
     if (i > 0) response[n - i] = amplitude;
   }
@@ -72,16 +76,22 @@ double product_sum(const double* a, const double* b, std::size_t n) {
 
 }  // namespace
 
-RandomVibration::RandomVibration(const Spectrum& spectrum, double dt_s, std::uint64_t seed, const std::string& root)
+RandomVibration::RandomVibration(const Spectrum& spectrum, double dt_s, std::uint64_t seed, const std::string& root,
+                                 const LowPasses& filters)
     : dt_s_(dt_s) {
   static constexpr const char* kNames[] = {".x/random", ".y/random", ".z/random"};
   for (int axis = 0; axis < 3; ++axis) {
-    axes_.push_back({filter_for(spectrum, axis, dt_s), random::Stream(seed, root + kNames[axis]), {}, 0});
+    const LowPass& low_pass = filters[static_cast<std::size_t>(axis)];
+    axes_.push_back({filter_for(spectrum, axis, dt_s, low_pass), random::Stream(seed, root + kNames[axis]), {}, 0});
   }
 }
 
 Vector3 RandomVibration::increment(std::uint64_t k) {
-  return {axes_[0].increment(k), axes_[1].increment(k), axes_[2].increment(k)};
+  if (last_k_ != k) {
+    last_ = {axes_[0].increment(k), axes_[1].increment(k), axes_[2].increment(k)};
+    last_k_ = k;
+  }
+  return last_;
 }
 
 double RandomVibration::Axis::increment(std::uint64_t k) {

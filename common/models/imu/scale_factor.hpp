@@ -54,7 +54,16 @@ class ScaleFactor {
     return scale_factor.cwiseProduct(sensed);
   }
 
-  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  /// The same of any input at the interval that is next; nothing advances.
+  Vector3 next_error(const Vector3& sensed, double warmer_k) const {
+    Vector3 scale_factor = constant_ + warmer_k * per_deg_c_;
+    if (varies_) {
+      for (int axis = 0; axis < 3; ++axis) scale_factor[axis] += gauss_markov_[axis].value();
+    }
+    return scale_factor.cwiseProduct(sensed);
+  }
+
+  /// What goes on from sample to sample (data/state/state_stream.hpp); parameters are not part of it.
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     visit(self.constant_, self.turn_on_, self.gauss_markov_);

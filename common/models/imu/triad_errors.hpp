@@ -52,7 +52,12 @@ class TriadErrors {
     budget.noise = std::sqrt(interval.stretch) * noise_.error(interval.k);
   }
 
-  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  /// An input with its linear errors, scale and cross-axis, as the interval that is next makes them.
+  Vector3 sensed(const Vector3& input, double warmer_k) const {
+    return input + scale_factor_.next_error(input, warmer_k) + cross_axis_.error(input);
+  }
+
+  /// What goes on from sample to sample (data/state/state_stream.hpp); parameters are not part of it.
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     visit(self.scale_factor_, self.bias_);

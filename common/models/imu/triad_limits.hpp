@@ -7,6 +7,13 @@
 
 namespace inslab::imu {
 
+/// What the filters of a triad need to know of an interval beside its increment.
+struct WithinInterval {
+  Unsteady unsteady;
+  Vector3 random_felt = Vector3::Zero();    ///< rad | m/s: the part that random vibration has in the increment
+  Vector3 random_passed = Vector3::Zero();  ///< what the filters make of that part
+};
+
 /// Stage 5 of one triad: from the increment with every error to what comes out of the sensor.
 class TriadLimits {
  public:
@@ -40,8 +47,26 @@ class TriadLimits {
   /// valid. Intervals come in order: filter and remainder go on. Filter and full scale act on the mean rate, so they
   /// see the increment of an interval of mean length; `stretch` is SampleInterval's.
   Result applied(const Vector3& increment, bool dropped, double stretch = 1.0) {
-    Result out{increment / stretch};
-    if (!bandwidth_.is_off()) out.increment = bandwidth_.filtered(out.increment);
+    const Vector3 mean = increment / stretch;
+    return cut(bandwidth_.is_off() ? mean : bandwidth_.filtered(mean), dropped, stretch);
+  }
+  Result applied(const Vector3& increment, bool dropped, double stretch, const WithinInterval& within) {
+    if (bandwidth_.is_off()) return applied(increment, dropped, stretch);
+    Unsteady unsteady = within.unsteady;
+    unsteady.integral /= stretch;
+    const Vector3 filtered = bandwidth_.filtered((increment - within.random_felt) / stretch, unsteady);
+    return cut(filtered + within.random_passed / stretch, dropped, stretch);
+  }
+
+  /// What goes on from sample to sample (data/state/state_stream.hpp); parameters are not part of it.
+  template <class Self, class Visitor>
+  static void state(Self& self, Visitor& visit) {
+    visit(self.bandwidth_, self.quantization_, self.faults_);
+  }
+
+ private:
+  Result cut(const Vector3& filtered, bool dropped, double stretch) {
+    Result out{filtered};
     if (!saturation_.is_off()) {
       const Saturation::Result limited = saturation_.limited(out.increment);
       out.increment = limited.increment;
@@ -54,13 +79,6 @@ class TriadLimits {
     return out;
   }
 
-  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
-  template <class Self, class Visitor>
-  static void state(Self& self, Visitor& visit) {
-    visit(self.bandwidth_, self.quantization_, self.faults_);
-  }
-
- private:
   double dt_s_;
   Bandwidth bandwidth_;
   Saturation saturation_;

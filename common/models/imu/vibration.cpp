@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/models/imu/phase.hpp"
 
 namespace inslab::imu {
@@ -17,7 +18,7 @@ struct Progress {
 };
 Progress progress(std::int64_t start_ns, std::int64_t length_ns, std::int64_t time_ns, double offset_s) {
   const double per_s = 1e9 / static_cast<double>(length_ns);
-  return {(static_cast<double>(time_ns - start_ns) * 1e-9 + offset_s) * per_s, per_s};
+  return {(time::to_seconds(time_ns - start_ns) + offset_s) * per_s, per_s};
 }
 
 }  // namespace
@@ -28,19 +29,22 @@ Vibration::Vibration(const VibrationProfile& profile, Setup setup) : setup_(std:
 }
 
 Vibration::Layer Vibration::layer_of(const VibrationProfile& profile) const {
-  const auto tone = [](const Vector3& amplitude, double frequency_hz, const Vector3& phase_deg) {
+  const auto tone_of = [](const Vector3& amplitude, double frequency_hz, const Vector3& phase_deg) {
     const Vector3 phase_rad = phase_deg * units::kDeg;
-    return Tone{frequency_hz, amplitude.cwiseProduct(phase_rad.array().cos().matrix()),
-                amplitude.cwiseProduct(phase_rad.array().sin().matrix()), 0, 0.0};
+    Tone tone;
+    tone.frequency_hz = frequency_hz;
+    tone.amplitude = {amplitude.cwiseProduct(phase_rad.array().cos().matrix()),
+                      amplitude.cwiseProduct(phase_rad.array().sin().matrix())};
+    return tone;
   };
   const bool moves = profile.domain == VibrationDomain::Motion;
   Layer layer;
   layer.profile = profile;
   auto& linear = moves ? layer.mount_linear : layer.linear;
   auto& angular = moves ? layer.mount_angular : layer.angular;
-  for (const auto& s : profile.linear) linear.push_back(tone(s.amplitude_m_per_s2, s.frequency_hz, s.phase_deg));
+  for (const auto& s : profile.linear) linear.push_back(tone_of(s.amplitude_m_per_s2, s.frequency_hz, s.phase_deg));
   for (const auto& s : profile.angular) {
-    angular.push_back(tone(s.amplitude_deg_per_s * units::kDegPerS, s.frequency_hz, s.phase_deg));
+    angular.push_back(tone_of(s.amplitude_deg_per_s * units::kDegPerS, s.frequency_hz, s.phase_deg));
   }
   const auto random = [this](const auto& table, const char* triad) -> std::optional<RandomVibration> {
     if (table.empty()) return std::nullopt;
@@ -48,6 +52,7 @@ Vibration::Layer Vibration::layer_of(const VibrationProfile& profile) const {
   };
   layer.linear_random = random(profile.linear_random, "accel");
   layer.angular_random = random(profile.angular_random, "gyro");
+  pass(layer);
   return layer;
 }
 
@@ -127,7 +132,7 @@ Increments Vibration::increments(std::int64_t from_ns, std::int64_t to_ns) {
 
 Increments Vibration::random_increments(std::int64_t from_ns, std::int64_t to_ns) {
   const std::int64_t dt_ns = to_ns - from_ns;
-  const auto k = static_cast<std::uint64_t>(std::llround(1e-9 * static_cast<double>(from_ns) / setup_.dt_s));
+  const auto k = static_cast<std::uint64_t>(std::llround(time::to_seconds(from_ns) / setup_.dt_s));
   Increments sum;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const double w = weight(i, from_ns, 0.5e-9 * static_cast<double>(dt_ns)).value;
@@ -174,38 +179,48 @@ MountState Vibration::Layer::mount(std::int64_t time_ns, double offset_s) const 
   const auto phase = [&](const Tone& tone) {
     return phasor(turns(tone.frequency_hz, 2 * time_ns) + tone.frequency_hz * offset_s);
   };
-  // The sinusoid is sine * sin + cosine * cos; its integral without a mean is (cosine * sin - sine * cos) / omega.
+  // The sinusoid is the imaginary part of amplitude times phasor; its integral without a mean is less its real part
+  // over omega.
   MountState state;
   for (const Tone& tone : mount_linear) {
     const std::complex<double> z = phase(tone);
     const double omega = 2.0 * units::kPi * tone.frequency_hz;
-    state.displacement_m -= (z.imag() * tone.sine + z.real() * tone.cosine) / (omega * omega);
-    state.velocity_m_per_s += (z.imag() * tone.cosine - z.real() * tone.sine) / omega;
+    state.displacement_m -= tone.amplitude.imag_times(z) / (omega * omega);
+    state.velocity_m_per_s -= tone.amplitude.real_times(z) / omega;
   }
   for (const Tone& tone : mount_angular) {
     const std::complex<double> z = phase(tone);
-    state.turn_rad += (z.imag() * tone.cosine - z.real() * tone.sine) / (2.0 * units::kPi * tone.frequency_hz);
-    state.turn_rate_rad_per_s += z.imag() * tone.sine + z.real() * tone.cosine;
+    state.turn_rad -= tone.amplitude.real_times(z) / (2.0 * units::kPi * tone.frequency_hz);
+    state.turn_rate_rad_per_s += tone.amplitude.imag_times(z);
   }
   return state;
 }
 
-double Vibration::Tone::gain_over(std::int64_t interval_ns) {
-  if (interval_ns != cached_interval_ns) {
-    cached_interval_ns = interval_ns;
-    cached_gain_s = gain_s(frequency_hz, static_cast<double>(interval_ns) * 1e-9);
+const Vibration::Tone::Stretch& Vibration::Tone::over(const Span& span) {
+  if (span.length_ns() != cached_length_ns) {
+    cached_length_ns = span.length_ns();
+    const double dt_s = time::to_seconds(cached_length_ns);
+    cached = {gain_s(frequency_hz, dt_s), phasor(0.5 * frequency_hz * dt_s)};
   }
-  return cached_gain_s;
+  return cached;
+}
+
+const std::complex<double>& Vibration::Tone::middle(const Span& span) {
+  if (span.twice_middle_ns() != cached_twice_middle_ns) {
+    cached_twice_middle_ns = span.twice_middle_ns();
+    cached_middle = phasor(turns(frequency_hz, cached_twice_middle_ns));
+  }
+  return cached_middle;
 }
 
 Vector3 Vibration::integral(std::vector<Tone>& tones, const Span& span, const std::vector<Gate>& gates) {
   Vector3 sum = Vector3::Zero();
   for (Tone& tone : tones) {
-    const double middle_turns = turns(tone.frequency_hz, span.from_ns + span.to_ns);
-    const std::complex<double> z = gates.empty() ? tone.gain_over(span.to_ns - span.from_ns) * phasor(middle_turns)
-                                                 : gated_integral(tone.frequency_hz, middle_turns, span, gates.data(),
-                                                                  gates.data() + gates.size());
-    sum += z.imag() * tone.sine + z.real() * tone.cosine;
+    const std::complex<double> z =
+        gates.empty() ? tone.over(span).gain_s * tone.middle(span)
+                      : gated_integral(tone.frequency_hz, turns(tone.frequency_hz, span.twice_middle_ns()), span,
+                                       gates.data(), gates.data() + gates.size());
+    sum += tone.amplitude.imag_times(z);
   }
   return sum;
 }
@@ -214,11 +229,11 @@ Vector3 Vibration::integral(std::vector<Tone>& tones, const Span& span, const st
 std::complex<double> Vibration::gated_integral(double frequency_hz, double middle_turns, const Span& span,
                                                const Gate* gate, const Gate* end) {
   if (gate == end) {
-    return gain_s(frequency_hz, static_cast<double>(span.to_ns - span.from_ns) * 1e-9) * phasor(middle_turns);
+    return gain_s(frequency_hz, time::to_seconds(span.to_ns - span.from_ns)) * phasor(middle_turns);
   }
   // A gate is 1/2 -+ 1/2 cos(2 pi g (t - start)) with g = 1 / (2 length): half the tone and a quarter of each
   // neighbour.
-  const double length_s = static_cast<double>(gate->fade.length_ns) * 1e-9;
+  const double length_s = time::to_seconds(gate->fade.length_ns);
   const double into_half_ns = static_cast<double>(span.from_ns + span.to_ns - 2 * gate->fade.start_ns);
   const double g_hz = 0.5 / length_s;
   const double g_turns = g_hz * into_half_ns * 0.5e-9;

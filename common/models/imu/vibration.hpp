@@ -2,12 +2,14 @@
 
 #include <complex>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "inslab/data/profiles/vibration_profile.hpp"
 #include "inslab/models/imu/increments.hpp"
+#include "inslab/models/imu/low_pass.hpp"
 #include "inslab/models/imu/random_vibration.hpp"
 
 namespace inslab::imu {
@@ -35,8 +37,26 @@ struct MountState {
 /// rest. Products of cosines are sums of cosines, so fades of sinusoids are integrated in closed form, too; random
 /// vibration takes the weight at the interval's middle; of a moving mount the weights are those of displacement and
 /// turn. At most two fades overlap: a further swap ends the older at once.
+///
+/// Behind a sensor's bandwidth: passed() is the answer of the filters in continuous time to the sinusoids, fades
+/// included, so that their amplitude and phase are exact at every frequency and aliases come through as they would;
+/// random vibration has its spectrum shaped before it is drawn, from the same numbers.
 class Vibration {
  public:
+  /// The filters of both triads, all off at first.
+  struct Bandwidths {
+    LowPasses gyro;
+    LowPasses accel;
+    bool operator==(const Bandwidths& other) const { return gyro == other.gyro && accel == other.accel; }
+  };
+  /// What the filters make of an interval's vibration, domain `sensor`.
+  struct Passed {
+    Unsteady gyro;  ///< of sinusoids, about the mean
+    Unsteady accel;
+    Increments random_felt;    ///< on filtered axes, as in increments()
+    Increments random_passed;  ///< the same behind the filters
+  };
+
   /// What random vibration is drawn for: the IMU's interval, the scenario's seed, and the sensor, such as "imu0".
   struct Setup {
     double dt_s;
@@ -53,6 +73,11 @@ class Vibration {
   /// The integrals over (from_ns, to_ns], to_ns > from_ns; for random vibration they are one interval.
   Increments increments(std::int64_t from_ns, std::int64_t to_ns);
 
+  /// To be called before increments() of the same interval.
+  Passed passed(std::int64_t from_ns, std::int64_t to_ns);
+  /// Takes other filters between two intervals.
+  void use(const Bandwidths& bandwidths);
+
   /// Whether the mount moves, and its highest frequency.
   bool mount_moves() const { return fastest_motion_hz_ > 0.0; }
   double fastest_motion_hz() const { return fastest_motion_hz_; }
@@ -60,7 +85,7 @@ class Vibration {
   /// The mount at `time_ns` + `offset_s`.
   MountState mount(std::int64_t time_ns, double offset_s) const;
 
-  /// What is in use and fading (recovery/state_stream.hpp).
+  /// What is in use and fading (data/state/state_stream.hpp).
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     std::vector<VibrationProfile> profiles;
@@ -70,15 +95,38 @@ class Vibration {
   }
 
  private:
-  struct Tone {
-    /// dt sinc(pi f dt), s: the part of an interval's integral that depends on its length alone, which seldom changes.
-    double gain_over(std::int64_t interval_ns);
+  struct Span {
+    std::int64_t from_ns;
+    std::int64_t to_ns;
 
-    double frequency_hz;
-    Vector3 sine;    ///< amplitude * cos(phase), SI
-    Vector3 cosine;  ///< amplitude * sin(phase), SI
-    std::int64_t cached_interval_ns = 0;
-    double cached_gain_s = 0.0;
+    std::int64_t length_ns() const { return to_ns - from_ns; }
+    std::int64_t twice_middle_ns() const { return from_ns + to_ns; }
+  };
+  /// One complex number an axis, as two vectors: std::complex looks for infinities in every product.
+  struct Phasors {
+    Vector3 real = Vector3::Zero();
+    Vector3 imag = Vector3::Zero();
+
+    Vector3 real_times(const std::complex<double>& z) const { return z.real() * real - z.imag() * imag; }
+    Vector3 imag_times(const std::complex<double>& z) const { return z.imag() * real + z.real() * imag; }
+  };
+  struct Tone {
+    /// What of an interval depends on its length alone, which seldom changes.
+    struct Stretch {
+      double gain_s = 0.0;        ///< dt sinc(pi f dt)
+      std::complex<double> half;  ///< exp(pi i f dt)
+    };
+    const Stretch& over(const Span& span);
+    /// exp(2 pi i f t) at a span's middle, which is asked for twice.
+    const std::complex<double>& middle(const Span& span);
+
+    double frequency_hz = 0.0;
+    Phasors amplitude;  ///< times exp(i phase), SI
+    Phasors passed;     ///< the same times H(f)
+    std::int64_t cached_length_ns = 0;
+    Stretch cached;
+    std::int64_t cached_twice_middle_ns = std::numeric_limits<std::int64_t>::min();
+    std::complex<double> cached_middle;
   };
   struct Layer {
     VibrationProfile profile;
@@ -88,6 +136,8 @@ class Vibration {
     std::vector<Tone> mount_angular;
     std::optional<RandomVibration> linear_random;
     std::optional<RandomVibration> angular_random;
+    std::optional<RandomVibration> linear_random_passed;  ///< where the triad has a filter
+    std::optional<RandomVibration> angular_random_passed;
 
     bool is_still() const;
     bool mount_moves() const { return !mount_linear.empty() || !mount_angular.empty(); }
@@ -107,9 +157,16 @@ class Vibration {
     Fade fade;
     bool rising;
   };
-  struct Span {
-    std::int64_t from_ns;
-    std::int64_t to_ns;
+  /// A tone of amplitude 1 at a span's start and end, and its integral over it.
+  struct Passage {
+    double omega_rad_per_s;
+    std::complex<double> from, to, whole_s;
+  };
+  /// One line of a faded tone: factor * exp(2 pi i (from_turns + f (t - from))).
+  struct Line {
+    double frequency_hz = 0.0;
+    double from_turns;
+    std::complex<double> factor;
   };
   /// Product of a layer's gates at an instant, and its derivative, 1/s.
   struct Weight {
@@ -121,6 +178,28 @@ class Vibration {
   static std::complex<double> gated_integral(double frequency_hz, double middle_turns, const Span& span,
                                              const Gate* gate, const Gate* end);
   static Vector3 integral(std::vector<Tone>& tones, const Span& span, const std::vector<Gate>& gates);
+  static void expand(double frequency_hz, double from_turns, std::complex<double> factor, std::int64_t from_ns,
+                     const Gate* gate, const Gate* end, std::vector<Line>& lines);
+  /// The filters' steps over spans without an end of a fade, and over an interval of mean length.
+  struct Steps {
+    TriadLowPassSteps spans, intervals;
+  };
+  /// Sums over the tones of a triad: what it feels of a span, and what the filters' answers are at its ends and in
+  /// between, but for what decays. Axes without a filter mean nothing.
+  struct Answers {
+    Vector3 felt = Vector3::Zero();
+    Vector3 y_from = Vector3::Zero(), slope_from = Vector3::Zero();
+    Vector3 y_to = Vector3::Zero(), slope_to = Vector3::Zero();
+    Vector3 integral = Vector3::Zero();
+
+    void add(const Phasors& amplitude, const Phasors& out, const Passage& passage);
+  };
+  static Phasors responded(const Phasors& amplitude, const LowPasses& filters, double frequency_hz);
+  Unsteady passed(const LowPasses& filters, Steps& steps, std::vector<Tone> Layer::*tones, std::int64_t from_ns,
+                  std::int64_t to_ns);
+  Answers answers(const LowPasses& filters, std::vector<Tone> Layer::*tones, const Span& span);
+  std::vector<Gate> gates_of(std::size_t layer) const;
+  void pass(Layer& layer) const;
   Increments random_increments(std::int64_t from_ns, std::int64_t to_ns);
   Weight weight(std::size_t layer, std::int64_t time_ns, double offset_s) const;
   void use(const std::vector<VibrationProfile>& profiles);
@@ -128,6 +207,8 @@ class Vibration {
   void note_motion();
 
   Setup setup_;
+  Bandwidths bandwidths_;
+  Steps gyro_steps_, accel_steps_;
   std::vector<Layer> layers_;
   std::vector<Fade> fades_;
   double fastest_motion_hz_ = 0.0;  ///< 0: no mount moves

@@ -1,23 +1,13 @@
 #include "inslab/models/magnetometer/magnetometer_model.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "inslab/data/catalog/profile_rules.hpp"
+#include "inslab/data/catalog/checked_profile.hpp"
 
 namespace inslab::magnetometer {
 namespace {
-
-template <class Profile>
-const Profile& checked(const Profile& profile) {
-  if (const auto broken = catalog::violation(profile)) throw std::invalid_argument(broken->path + " " + broken->reason);
-  if (profile.target.kind != SensorKind::Magnetometer) {
-    throw std::invalid_argument("target_kind is not magnetometer");
-  }
-  return profile;
-}
 
 random::Stream stream(const MagnetometerModel::Setup& setup, const char* what) {
   return {setup.seed, "magnetometer" + std::to_string(setup.sensor_number) + "/" + what};
@@ -48,27 +38,27 @@ bool saturate(Vector3& field, const Vector3& full_scale) {
 MagnetometerModel::MagnetometerModel(const Setup& setup)
     : sensor_number_(setup.sensor_number),
       rate_(setup.rate),
-      errors_(checked(setup.errors)),
-      installation_(checked(setup.installation)),
+      errors_(catalog::checked_for<catalog::Magnetometer>(setup.errors)),
+      installation_(catalog::checked_for<catalog::Magnetometer>(setup.installation)),
       noise_(stream(setup, "field"), random::VectorNoise::kAxes, setup.rate.period_s()),
       burst_(stream(setup, "burst"), random::VectorNoise::kAxes, setup.rate.period_s()) {
   take_profiles();
 }
 
 void MagnetometerModel::apply(const MagnetometerErrorProfile& profile) {
-  errors_ = checked(profile);
+  errors_ = catalog::checked_for<catalog::Magnetometer>(profile);
   if (profile.request.continuity == Continuity::Reset) noise_.reset();
   if (profile.request.continuity == Continuity::Redraw) noise_.redraw(instant_);
   take_profiles();
 }
 
 void MagnetometerModel::apply(const InstallationProfile& profile) {
-  installation_ = checked(profile);
+  installation_ = catalog::checked_for<catalog::Magnetometer>(profile);
   take_profiles();
 }
 
 void MagnetometerModel::apply(const FaultProfile& profile) {
-  fault_ = checked(profile);
+  fault_ = catalog::checked_for<catalog::Magnetometer>(profile);
   take_profiles();
 }
 

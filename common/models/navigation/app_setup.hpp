@@ -12,6 +12,7 @@ namespace inslab::navigation {
 struct AppSetup {
   NavigationParameters parameters;
   nav::Gravity gravity;
+  scenario::ReferenceNav app;  ///< which sensors' streams the filter takes
   /// Names of what the sensors' profiles set and parameters that match them leave out; none when a file gave them.
   std::vector<std::string> left_out;
 };

@@ -30,6 +30,8 @@ void with_size(Eigen::Index chosen, const Use& use) {
   switch (chosen) {
     case 12:
       return use(std::integral_constant<int, 12>());  // biases and scale factors
+    case 15:
+      return use(std::integral_constant<int, 15>());  // and a hard iron
     case 6:
       return use(std::integral_constant<int, 6>());  // biases
     default:

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/models/navigation/measurement.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -15,8 +16,7 @@ struct GnssPosition {
 
   static bool usable(const GnssFix& fix) {
     return fix.fix_type != FixType::None && fix.position_sigma_ned_m.allFinite() &&
-           fix.position_sigma_ned_m.minCoeff() > 0.0 &&
-           nav::in_domain({fix.latitude_rad, fix.longitude_rad, fix.height_m});
+           fix.position_sigma_ned_m.minCoeff() > 0.0 && nav::in_domain(geodetic_of(fix));
   }
 
   static void add_to(std::vector<Measurement>& measurements, const GnssFix& fix, const Situation& at,
@@ -26,8 +26,7 @@ struct GnssPosition {
     m.name = name;
     m.says = Measurement::Says::Position;
     m.gate = p.innovation_test.limit;
-    m.innovation =
-        nav::ned_from({fix.latitude_rad, fix.longitude_rad, fix.height_m}, nav::displaced(at.position, arm_n));
+    m.innovation = nav::ned_from(geodetic_of(fix), nav::displaced(at.position, arm_n));
     m.R = fix.position_sigma_ned_m.cwiseAbs2();
     m.by(StateBlock::Position, nav::Matrix3::Identity());
     m.by(StateBlock::Attitude, nav::skew(arm_n));

@@ -34,6 +34,10 @@ constexpr double kRestLimit = 16.27;
 constexpr double kLongestGain_s = 30.0;
 /// A rest that was contradicted is believed in again when so much time has nothing against it.
 constexpr double kDoubt_s = 30.0;
+/// Windows of rest, one after the other, that may wait for the next one.
+constexpr double kMostHeld = 5.0;
+/// How well gravity is known: 50 mGal, or a deflection of the vertical of 10 seconds of arc.
+constexpr double kGravitySigma_m_per_s2 = 5e-4;
 /// The mean of a receiver's velocities reaches back about so far: 5 a second of 0.05 m/s show 0.03 m/s.
 constexpr double kMemory_s = 10.0;
 
@@ -51,6 +55,11 @@ InertialFilter::Noise InertialFilter::noise_of(const NavigationParameters& p, co
     noise.sigma.segment(first, size) = process.sigma.head(size);
     noise.decay_rate.segment(first, size) = decay_rates(process.correlation_time_s).head(size);
   });
+  const auto unknown = [&](StateBlock block) {
+    return layout.has(block) ? 0.0 : process_of(block, p).sigma.cwiseAbs2().maxCoeff();
+  };
+  noise.unknown_bias = unknown(StateBlock::AccelBias);
+  noise.unknown_scale = unknown(StateBlock::AccelScale);
   return noise;
 }
 
@@ -90,9 +99,13 @@ void InertialFilter::advance(const ImuInterval& interval) {
   strapdown_.advance(newest_);
   if (interval.window_begins) {
     rest_.window_gain_n.setZero();
-    rest_.window_s = 0.0;
+    rest_.window_squares_n.setZero();
+    rest_.window_s = rest_.window_intervals = 0.0;
   }
-  rest_.window_gain_n += strapdown_.v_n() - v_n_start;
+  const Vector3 gain_n = strapdown_.v_n() - v_n_start;
+  rest_.window_gain_n += gain_n;
+  rest_.window_squares_n += gain_n.cwiseAbs2();
+  rest_.window_intervals += 1.0;
   rest_.window_s += dt_s;
   if (interval.moves) rest_ = Rest{};
 
@@ -163,6 +176,7 @@ Situation InertialFilter::situation() const {
   at.v_n = strapdown_.v_n();
   at.C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
   if (newest_.dt_s > 0.0) at.omega_ib_b = newest_.dtheta_b / newest_.dt_s;
+  at.estimates = estimates_;
   at.rate_by_measured = (Vector3::Ones() + estimates_[StateBlock::GyroScale]).cwiseInverse();
   return at;
 }
@@ -227,16 +241,46 @@ void InertialFilter::recover(const Measurement& position, const Measurement* vel
   correct(x);
 }
 
-/// Whether the forces of a time change the velocity by more than their errors can.
-bool InertialFilter::gains_velocity(const Vector3& gain_n, double span_s) const {
-  const Matrix3 C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
-  const double least = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
+/// That what the forces of a time add to the velocity is 0: without R.
+Measurement InertialFilter::gain_of_velocity(const Vector3& gain_n, double span_s) const {
   Measurement gain;
   gain.innovation = gain_n;
-  gain.R = Vector3::Constant(least + span_s * noise_.accel_density.maxCoeff());
   gain.by(StateBlock::Attitude, span_s * nav::skew(-gravity_.g_n(strapdown_.position())));
-  gain.by(StateBlock::AccelBias, -span_s * C_nb);
+  gain.by(StateBlock::AccelBias, -span_s * nav::matrix_from_quaternion(strapdown_.q_nb()));
+  return gain;
+}
+
+/// Whether the forces of a time change the velocity by more than their errors can.
+bool InertialFilter::gains_velocity(const Vector3& gain_n, double span_s) const {
+  const double least = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
+  Measurement gain = gain_of_velocity(gain_n, span_s);
+  gain.R = Vector3::Constant(least + span_s * noise_.accel_density.maxCoeff());
   return squared_normalised(gain) > kRestLimit;
+}
+
+/// The first second of a pull-away may gain less than sigma_m_per_s allows, and yet more than the IMU's own noise and
+/// biases can make: then the next windows show which of the two it is. A sway never does, and must not keep zero
+/// velocities away for good.
+bool InertialFilter::waits_for_the_next_window() {
+  const double n = rest_.window_intervals;
+  // What shakes the vehicle shows in the spread of its intervals, and is white for all that a window tells.
+  const Vector3 shaken = rest_.window_squares_n - rest_.window_gain_n.cwiseAbs2() / n;
+  rest_.held_gain_n += rest_.window_gain_n;
+  rest_.held_variance_n += shaken.cwiseMax(rest_.window_s * noise_.accel_density.maxCoeff());
+  rest_.held_s += rest_.window_s;
+  rest_.held_windows += 1.0;
+  const Matrix3 C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
+  const Vector3 f_b = -C_nb.transpose() * gravity_.g_n(strapdown_.position());
+  Measurement gain = gain_of_velocity(rest_.held_gain_n, rest_.held_s);
+  gain.by(StateBlock::AccelScale, -rest_.held_s * C_nb * f_b.asDiagonal());
+  const double constant =
+      kGravitySigma_m_per_s2 * kGravitySigma_m_per_s2 + noise_.unknown_bias + noise_.unknown_scale * f_b.squaredNorm();
+  gain.R = rest_.held_variance_n + Vector3::Constant(rest_.held_s * rest_.held_s * constant);
+  if (rest_.held_windows <= kMostHeld && squared_normalised(gain) > kRestLimit) return true;
+  rest_.held_gain_n.setZero();
+  rest_.held_variance_n.setZero();
+  rest_.held_s = rest_.held_windows = 0.0;
+  return false;
 }
 
 /// What a receiver says of the IMU's velocity and of its displacement, whatever the filter believes: zero velocities
@@ -303,7 +347,7 @@ void InertialFilter::rest() {
     rest_.gain_n.setZero();
     rest_.span_s = 0.0;
   }
-  if (rest_.doubted_s > 0.0) return;
+  if (rest_.doubted_s > 0.0 || waits_for_the_next_window()) return;
   rest_.updates = std::min(zero_velocity_.windows_alike, rest_.updates + 1.0);
   const double variance = zero_velocity_.sigma_m_per_s * zero_velocity_.sigma_m_per_s;
   StateVector x = StateVector::Zero(layout_.size());

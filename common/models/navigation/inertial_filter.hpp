@@ -63,10 +63,12 @@ class InertialFilter {
 
  private:
   struct Noise {
-    Vector3 gyro_density;     ///< rad^2/s
-    Vector3 accel_density;    ///< (m/s)^2/s
-    ChosenVector sigma;       ///< of the chosen states
-    ChosenVector decay_rate;  ///< 1/T, 1/s; 0: constant
+    Vector3 gyro_density;        ///< rad^2/s
+    Vector3 accel_density;       ///< (m/s)^2/s
+    ChosenVector sigma;          ///< of the chosen states
+    ChosenVector decay_rate;     ///< 1/T, 1/s; 0: constant
+    double unknown_bias = 0.0;   ///< (m/s^2)^2, of accelerometers whose bias the state lacks
+    double unknown_scale = 0.0;  ///< the same of their scale factor, of 1
   };
   /// Integrals over the time since the covariance was settled.
   struct Sums {
@@ -83,9 +85,16 @@ class InertialFilter {
   struct Rest {
     Vector3 window_gain_n = Vector3::Zero();  ///< of velocity, since the detector's window began, m/s
     double window_s = 0.0;
-    Vector3 gain_n = Vector3::Zero();  ///< the same since rest began, or began to be looked at anew
+    double window_intervals = 0.0;
+    Vector3 window_squares_n = Vector3::Zero();  ///< of the gains of its intervals, (m/s)^2
+    Vector3 gain_n = Vector3::Zero();            ///< the same since rest began, or began to be looked at anew
     double span_s = 0.0;
     double updates = 0.0;  ///< taken since it began
+    /// Windows since the last update that wait for the next one.
+    Vector3 held_gain_n = Vector3::Zero();
+    Vector3 held_variance_n = Vector3::Zero();
+    double held_s = 0.0;
+    double held_windows = 0.0;
     /// What the receiver says of the IMU's velocity meanwhile, forgotten by and by: sums of 1/sigma^2 and v/sigma^2.
     Vector3 information = Vector3::Zero();
     Vector3 weighted_v_n = Vector3::Zero();
@@ -103,7 +112,9 @@ class InertialFilter {
   bool is_contradicted() const;
   void doubt_rest();
   void hear_at_rest(const Measurement& measurement);
+  Measurement gain_of_velocity(const Vector3& gain_n, double span_s) const;
   bool gains_velocity(const Vector3& gain_n, double span_s) const;
+  bool waits_for_the_next_window();
   void correct(const StateVector& x);
   void recover(const Measurement& position, const Measurement* velocity);
 

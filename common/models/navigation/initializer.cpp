@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/navigation/processes.hpp"
 #include "inslab/nav/alignment.hpp"
@@ -80,7 +82,7 @@ double Initializer::sway_rad() const {
 
 /// Standard deviations of an attitude from the rest so far.
 Vector3 Initializer::static_sigmas() const {
-  const nav::Geodetic place{fix_->latitude_rad, fix_->longitude_rad, fix_->height_m};
+  const nav::Geodetic place = geodetic_of(*fix_);
   Vector3 sigmas = alignment_sigmas(parameters_, span_s_, place.latitude_rad, gravity_.g_n(place).norm());
   // The attitude at the end is not the mean one, which the force says.
   const double sway = sway_rad();
@@ -96,7 +98,7 @@ std::optional<Matrix3> Initializer::attitude() {
   if (span_s_ < initial.alignment_s) return std::nullopt;
   const nav::StaticMeans means{dv_sum_ / span_s_, dtheta_sum_ / span_s_,
                                (f_squares_ / count_ - (f_sum_ / count_).cwiseAbs2()).cwiseMax(0.0).cwiseSqrt()};
-  const nav::Geodetic place{fix_->latitude_rad, fix_->longitude_rad, fix_->height_m};
+  const nav::Geodetic place = geodetic_of(*fix_);
   const double gravity_m_per_s2 = gravity_.g_n(place).norm();
   if (const double heading_rad = static_sigmas().z();
       initial.attitude == InitialAttitude::StaticAlignment && heading_rad > kMostHeading_rad) {
@@ -129,7 +131,7 @@ void Initializer::doubt_attitude(const Matrix3& C_nb, StateMatrix& P) const {
   const InitialState& initial = parameters_.initial;
   if (initial.attitude == InitialAttitude::Given) return;
   const bool finds_heading = initial.attitude == InitialAttitude::StaticAlignment;
-  const nav::Geodetic place{fix_->latitude_rad, fix_->longitude_rad, fix_->height_m};
+  const nav::Geodetic place = geodetic_of(*fix_);
   const Vector3 g_n = gravity_.g_n(place);
   const Vector3 omega_n = nav::omega_ie_n(place.latitude_rad);
   Matrix3 by_force = Matrix3::Zero(), by_rate = Matrix3::Zero();
@@ -164,7 +166,7 @@ void Initializer::doubt_attitude(const Matrix3& C_nb, StateMatrix& P) const {
 }
 
 std::optional<Beginning> Initializer::add(const ImuSample& sample) {
-  const double dt_s = static_cast<double>(sample.interval_ns) * 1e-9;
+  const double dt_s = time::to_seconds(sample.interval_ns);
   const Vector3 f_b = sample.dv_b / dt_s;
   if (count_ == 0.0) f_first_ = f_b;
   span_s_ += dt_s;
@@ -190,9 +192,9 @@ Beginning Initializer::at_rest(const ImuSample& sample, const Matrix3& C_nb) con
   doubt_attitude(C_nb, beginning.covariance);
   const bool has_velocity = fix_->velocity_sigma_ned_m_per_s.minCoeff() > 0.0;
   if (has_velocity) beginning.state.v_n = fix_->v_n;
-  const double age_s = static_cast<double>(beginning.time_ns - fix_->header.sim_time_ns) * 1e-9;
-  beginning.state.position = nav::displaced({fix_->latitude_rad, fix_->longitude_rad, fix_->height_m},
-                                            age_s * beginning.state.v_n - C_nb * parameters_.lever_arm_b_m);
+  const double age_s = time::to_seconds(beginning.time_ns - fix_->header.sim_time_ns);
+  beginning.state.position =
+      nav::displaced(geodetic_of(*fix_), age_s * beginning.state.v_n - C_nb * parameters_.lever_arm_b_m);
   raise_variances(beginning.covariance, kPosition, fix_->position_sigma_ned_m);
   raise_variances(beginning.covariance, kVelocity, fix_->velocity_sigma_ned_m_per_s);
   return beginning;
@@ -206,10 +208,9 @@ Beginning Initializer::in_motion(const ImuSample& sample, const MotionAlignment:
   beginning.state.v_n = result.v_n;
   beginning.errors[StateBlock::GyroBias] = result.gyro_bias;
   beginning.errors[StateBlock::AccelBias] = result.accel_bias;
-  const double age_s = static_cast<double>(beginning.time_ns - fix_->header.sim_time_ns) * 1e-9;
+  const double age_s = time::to_seconds(beginning.time_ns - fix_->header.sim_time_ns);
   const Vector3 way_n = age_s * 0.5 * (fix_->v_n + result.v_n);
-  beginning.state.position = nav::displaced({fix_->latitude_rad, fix_->longitude_rad, fix_->height_m},
-                                            way_n - result.C_nb * parameters_.lever_arm_b_m);
+  beginning.state.position = nav::displaced(geodetic_of(*fix_), way_n - result.C_nb * parameters_.lever_arm_b_m);
   const StateVector sigmas = initial_sigmas(parameters_);
   StateMatrix& P = beginning.covariance;
   P = sigmas.cwiseAbs2().asDiagonal();

@@ -127,7 +127,27 @@ inline constexpr profiles::FieldUse kVibrationUses[] = {
 };
 
 inline constexpr profiles::FieldUse kMagnetometerErrorUses[] = {
-    profiles::left_out("", "magnetometers", "the filter takes none")};
+    profiles::handled("hard_iron_nt"),
+    profiles::handled("soft_iron"),
+    profiles::no_error("currents[].at_s", "shapes the currents"),
+    profiles::handled("currents[].B_b_nt"),
+    profiles::left_out("bodies[].latitude_deg", "iron beside the way", "the innovation test is there for it"),
+    profiles::left_out("bodies[].longitude_deg", "iron beside the way", "the innovation test is there for it"),
+    profiles::left_out("bodies[].height_m", "iron beside the way", "the innovation test is there for it"),
+    profiles::left_out("bodies[].radius_m", "iron beside the way", "the innovation test is there for it"),
+    profiles::left_out("bodies[].moment_ned_a_m2", "iron beside the way", "the innovation test is there for it"),
+    profiles::handled("white_sigma_nt"),
+    profiles::handled("gm_sigma_nt"),
+    profiles::handled("gm_correlation_time_s"),
+    profiles::no_error("full_scale_nt", "saturated samples come marked as such and are not used"),
+    profiles::handled("quantization_nt"),
+};
+
+inline constexpr profiles::FieldUse kBarometerErrorUses[] = {
+    profiles::left_out("", "barometers", "the filter takes none")};
+
+inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
+    profiles::left_out("", "odometers", "the filter takes none")};
 
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("", "faults", "a fault is no error that a filter is told of")};
@@ -139,5 +159,7 @@ constexpr const auto& uses_of(Tag<InstallationProfile>) { return kInstallationUs
 constexpr const auto& uses_of(Tag<VibrationProfile>) { return kVibrationUses; }
 constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
 constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetometerErrorUses; }
+constexpr const auto& uses_of(Tag<BarometerErrorProfile>) { return kBarometerErrorUses; }
+constexpr const auto& uses_of(Tag<OdometerErrorProfile>) { return kOdometerErrorUses; }
 
 }  // namespace inslab::navigation::matching

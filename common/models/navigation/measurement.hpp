@@ -19,6 +19,7 @@ struct Situation {
   nav::Matrix3 C_nb = nav::Matrix3::Identity();          ///< v_n = C_nb v_b
   nav::Vector3 omega_ib_b = nav::Vector3::Zero();        ///< rad/s, of the newest interval, corrected
   nav::Vector3 rate_by_measured = nav::Vector3::Ones();  ///< 1/(1 + scale factor) of the gyros
+  Estimates estimates;                                   ///< of the sensors' errors
 };
 
 /// What one measurement tells the filter: up to three rows that err together with the state, z = H x + noise. Made by

@@ -6,21 +6,28 @@
 
 #include "inslab/models/navigation/gnss_position.hpp"
 #include "inslab/models/navigation/gnss_velocity.hpp"
+#include "inslab/models/navigation/magnetic_vector.hpp"
 #include "inslab/models/navigation/zero_velocity_update.hpp"
 
 namespace inslab::navigation {
 
 /// Every kind of measurement that the filter takes: the one list. A kind is a header with a struct of
 ///
-///   Sample               what is observed: its header says when it is valid, available_sim_time_ns when it is there
+///   Sample               what is observed: its header says when it is valid, available_sim_time_ns when it is there (a
+///                        sample that does not say is there at once)
 ///   name                 in results
 ///   usable(sample)       whether its numbers can be used at all
 ///   add_to(measurements, sample, situation, parameters)   adds those that it makes of a sample: none, one or several
 ///
 /// Kinds of one sample share its time: their gates are judged by the state before any of them, in this order.
-using MeasurementKinds = std::tuple<GnssPosition, GnssVelocity, ZeroVelocityUpdate>;
+using MeasurementKinds = std::tuple<GnssPosition, GnssVelocity, ZeroVelocityUpdate, MagneticVector>;
 
 namespace detail {
+template <class Sample, class = void>
+inline constexpr bool says_when_available = false;
+template <class Sample>
+inline constexpr bool says_when_available<Sample, std::void_t<decltype(Sample::available_sim_time_ns)>> = true;
+
 template <class Variant, class Kinds>
 struct SamplesOf;
 template <class... Samples>
@@ -56,7 +63,12 @@ inline std::int64_t valid_at_ns(const Observation& observation) {
 }
 
 inline std::int64_t available_at_ns(const Observation& observation) {
-  return std::visit([](const auto& sample) { return sample.available_sim_time_ns; }, observation);
+  return std::visit(
+      [](const auto& sample) {
+        if constexpr (detail::says_when_available<std::decay_t<decltype(sample)>>) return sample.available_sim_time_ns;
+        return sample.header.sim_time_ns;
+      },
+      observation);
 }
 
 /// Whether every kind that is made of it can use its numbers.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -84,7 +85,7 @@ void MotionAlignment::integrate(const ImuSample& sample) {
   next.q_b0b = (next.q_b0b * nav::quaternion_from_rotation_vector(sample.dtheta_b)).normalized();
 
   const GnssFix& fix = *newest_fix_;
-  const nav::Geodetic place{fix.latitude_rad, fix.longitude_rad, fix.height_m};
+  const nav::Geodetic place = geodetic_of(fix);
   const Vector3 omega_ie_n = nav::omega_ie_n(place.latitude_rad);
   const Vector3 turn_n = dt_s * (omega_ie_n + nav::omega_en_n(place, fix.v_n));
   const Quaternion q_half = next.q_n0n * nav::quaternion_from_rotation_vector(0.5 * turn_n);

@@ -7,6 +7,7 @@
 
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_sample.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/models/navigation/parameters.hpp"
 #include "inslab/nav/gravity.hpp"
 #include "inslab/nav/vectors.hpp"
@@ -80,7 +81,7 @@ class MotionAlignment {
   double change_of_velocity_m_per_s() const;
   Matrix3 first_attitude() const;
   void solve();
-  double elapsed_s(std::int64_t time_ns) const { return 1e-9 * static_cast<double>(time_ns - start_ns_); }
+  double elapsed_s(std::int64_t time_ns) const { return time::to_seconds(time_ns - start_ns_); }
 
   NavigationParameters parameters_;
   nav::Gravity gravity_;

@@ -190,13 +190,17 @@ void NavigationFilter::add(const Observation& observation) {
     ++counts_.fixes_too_old;
     return;
   }
-  const auto after = std::find_if(observations_.begin(), observations_.end(),
-                                  [&](const Kept& kept) { return kept.valid_at_ns > time_ns; });
+  // Of one time they are taken in in the order of their kinds, whichever stream came first.
+  const auto after = std::find_if(observations_.begin(), observations_.end(), [&](const Kept& kept) {
+    return std::pair(kept.valid_at_ns, kept.observation.index()) > std::pair(time_ns, observation.index());
+  });
+  const bool overtook = after != observations_.end() && after->valid_at_ns == time_ns;
+  const bool can_repeat = !past_.empty() && past_.front().time_ns() < time_ns;
   const auto kept = observations_.insert(after, {observation, time_ns, false});
   try {
-    if (time_ns == filter_->time_ns()) {
+    if (time_ns == filter_->time_ns() && !(overtook && can_repeat)) {
       take_in(*kept);
-    } else if (time_ns < filter_->time_ns()) {
+    } else if (time_ns <= filter_->time_ns()) {
       repeat_from(time_ns);
     }
   } catch (const std::domain_error&) {

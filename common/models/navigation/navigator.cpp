@@ -6,7 +6,7 @@ std::optional<Navigator::Step> Navigator::step() {
   if (samples_.empty() || samples_.front().available_sim_time_ns > complete_up_to_ns_) return std::nullopt;
   const ImuSample sample = samples_.front();
   samples_.pop_front();
-  const auto later = observations_.upper_bound(sample.available_sim_time_ns);
+  const auto later = observations_.upper_bound({sample.available_sim_time_ns, std::variant_npos});
   for (auto each = observations_.begin(); each != later; ++each) filter_.add(each->second);
   observations_.erase(observations_.begin(), later);
   return Step{sample.header.sequence_number, filter_.add(sample)};

@@ -26,7 +26,9 @@ class Navigator {
 
   /// The samples of one IMU, in their order.
   void add(const ImuSample& sample) { samples_.push_back(sample); }
-  void add(const Observation& observation) { observations_.emplace(available_at_ns(observation), observation); }
+  void add(const Observation& observation) {
+    observations_.emplace(std::pair(available_at_ns(observation), observation.index()), observation);
+  }
 
   /// Every fix, and whatever else is observed, that is available at or before this sim time has been added.
   void fixes_complete_up_to(std::int64_t sim_time_ns) { complete_up_to_ns_ = sim_time_ns; }
@@ -45,8 +47,8 @@ class Navigator {
  private:
   NavigationFilter filter_;
   std::deque<ImuSample> samples_;
-  std::multimap<std::int64_t, Observation>
-      observations_;  ///< by the time they are available; of one time in their order
+  /// By the time they are available; of one time in the order of their kinds, whichever stream came first.
+  std::multimap<std::pair<std::int64_t, std::size_t>, Observation> observations_;
   std::int64_t complete_up_to_ns_ = kEver;
 };
 

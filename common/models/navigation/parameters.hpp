@@ -5,6 +5,7 @@
 
 #include "inslab/foundation/fields/field.hpp"
 #include "inslab/foundation/fields/violation.hpp"
+#include "inslab/models/navigation/magnetometer_belief.hpp"
 
 /// The reference navigation app: a loosely coupled error-state Kalman filter without bus, clock or files.
 namespace inslab::navigation {
@@ -77,6 +78,9 @@ struct EstimatedErrors {
   bool accel_bias = true;
   bool gyro_scale_factor = true;
   bool accel_scale_factor = true;
+  bool hard_iron = false;
+  bool soft_iron = false;
+  bool earth_field = false;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -84,6 +88,10 @@ struct EstimatedErrors {
     visit(Field("accel_bias", "three states"), self.accel_bias);
     visit(Field("gyro_scale_factor", "three states"), self.gyro_scale_factor);
     visit(Field("accel_scale_factor", "three states"), self.accel_scale_factor);
+    visit(Field("hard_iron", "three states of the magnetometer"), self.hard_iron);
+    visit(Field("soft_iron", "nine states of the magnetometer"), self.soft_iron);
+    visit(Field("earth_field", "three states: where the Earth's magnetic field is not that of the model"),
+          self.earth_field);
   }
 };
 
@@ -160,6 +168,7 @@ struct NavigationParameters {
   std::string source;
   GyroModel gyro;
   AccelModel accel;
+  MagnetometerBelief magnetometer;
   EstimatedErrors states;
   Vector3 lever_arm_b_m = Vector3::Zero();
   InitialState initial;
@@ -176,6 +185,7 @@ struct NavigationParameters {
     visit(Field("source", "where the figures come from").at_most(512), self.source);
     visit(Field("gyro", "gyro triad"), self.gyro);
     visit(Field("accel", "accelerometer triad"), self.accel);
+    visit(Field("magnetometer", "when the app has one"), self.magnetometer);
     visit(Field("states", "sensor errors that are estimated; position, velocity and attitude always are"), self.states);
     visit(Field("lever_arm_b_m", "from the IMU's centre to the antenna, in the IMU's axes").in(-1000.0, 1000.0),
           self.lever_arm_b_m);

@@ -14,6 +14,16 @@ Process process_of(StateBlock block, const NavigationParameters& p) {
       return {units::kPpm * p.gyro.scale_factor_sigma_ppm, p.gyro.scale_factor_correlation_time_s};
     case StateBlock::AccelScale:
       return {units::kPpm * p.accel.scale_factor_sigma_ppm, p.accel.scale_factor_correlation_time_s};
+    case StateBlock::HardIron:
+      return {p.magnetometer.hard_iron_sigma_nt, p.magnetometer.hard_iron_correlation_time_s};
+    case StateBlock::SoftIronX:
+      return {p.magnetometer.soft_iron_sigma.segment<3>(0), Vector3::Zero()};
+    case StateBlock::SoftIronY:
+      return {p.magnetometer.soft_iron_sigma.segment<3>(3), Vector3::Zero()};
+    case StateBlock::SoftIronZ:
+      return {p.magnetometer.soft_iron_sigma.segment<3>(6), Vector3::Zero()};
+    case StateBlock::EarthField:
+      return {p.magnetometer.earth_field_sigma_ned_nt, p.magnetometer.earth_field_correlation_time_s};
     case StateBlock::Position:
     case StateBlock::Velocity:
     case StateBlock::Attitude:

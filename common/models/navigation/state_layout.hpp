@@ -20,19 +20,30 @@ enum class StateBlock : std::uint8_t {
   AccelBias,   ///< m/s^2, b
   GyroScale,   ///< 1, b
   AccelScale,  ///< 1, b
+  HardIron,    ///< nT, along the magnetometer's axes
+  SoftIronX,   ///< 1, the first row of what the magnetometer's response is besides the identity
+  SoftIronY,
+  SoftIronZ,
+  EarthField,  ///< nT, n: of the World Magnetic Model
 };
 
 struct BlockFacts {
   std::string_view name;
   Eigen::Index size;  ///< errors
 };
-inline constexpr std::array<BlockFacts, 7> kBlocks{{{"position", 3},
-                                                    {"velocity", 3},
-                                                    {"attitude", 3},
-                                                    {"gyro_bias", 3},
-                                                    {"accel_bias", 3},
-                                                    {"gyro_scale_factor", 3},
-                                                    {"accel_scale_factor", 3}}};
+inline constexpr std::array<BlockFacts, 12> kBlocks{{{"position", 3},
+                                                     {"velocity", 3},
+                                                     {"attitude", 3},
+                                                     {"gyro_bias", 3},
+                                                     {"accel_bias", 3},
+                                                     {"gyro_scale_factor", 3},
+                                                     {"accel_scale_factor", 3},
+                                                     {"hard_iron", 3},
+                                                     {"soft_iron_x", 3},
+                                                     {"soft_iron_y", 3},
+                                                     {"soft_iron_z", 3},
+                                                     {"earth_field", 3}}};
+inline constexpr std::array kSoftIron{StateBlock::SoftIronX, StateBlock::SoftIronY, StateBlock::SoftIronZ};
 inline constexpr std::size_t kFirstChosenBlock = 3;
 inline constexpr Eigen::Index kLargestBlock = 3;
 
@@ -60,8 +71,19 @@ using StateMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMa
 class StateLayout {
  public:
   explicit StateLayout(const EstimatedErrors& chosen) {
-    const bool is_there[kBlocks.size()] = {
-        true, true, true, chosen.gyro_bias, chosen.accel_bias, chosen.gyro_scale_factor, chosen.accel_scale_factor};
+    const bool is_there[] = {true,
+                             true,
+                             true,
+                             chosen.gyro_bias,
+                             chosen.accel_bias,
+                             chosen.gyro_scale_factor,
+                             chosen.accel_scale_factor,
+                             chosen.hard_iron,
+                             chosen.soft_iron,
+                             chosen.soft_iron,
+                             chosen.soft_iron,
+                             chosen.earth_field};
+    static_assert(std::size(is_there) == kBlocks.size());
     for (std::size_t i = 0; i < kBlocks.size(); ++i) {
       first_[i] = is_there[i] ? size_ : kAbsent;
       if (is_there[i]) size_ += kBlocks[i].size;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/text/shown.hpp"
 #include "inslab/foundation/units/units.hpp"
@@ -54,16 +55,14 @@ struct LiveVehicleModel::Instant {
   Vector3 f_v;
 };
 
-LiveVehicleModel::LiveVehicleModel(const scenario::Trajectory& trajectory, const time::Grid& grid,
-                                   const time::GpsTime& start)
+LiveVehicleModel::LiveVehicleModel(const scenario::Trajectory& trajectory, const nav::Gravity& gravity,
+                                   const time::Grid& grid, const time::GpsTime& start)
     : options_(checked(trajectory).vehicle),
       latency_(milliseconds(options_.latency_ms)),
       extrapolation_limit_(milliseconds(options_.extrapolation_limit_ms)),
       grid_(grid),
       start_(start),
-      gravity_(trajectory.gravity.model,
-               {trajectory.gravity.disturbance_mgal, trajectory.gravity.deflection_north_arcsec,
-                trajectory.gravity.deflection_east_arcsec}),
+      gravity_(gravity),
       newest_(initial_knot(trajectory.initial, latency_)),
       base_(newest_),
       piece_(LivePathPiece::beyond(base_, time::to_seconds(extrapolation_limit_))),
@@ -87,7 +86,7 @@ std::optional<std::string> LiveVehicleModel::reason_to_refuse(const VehicleState
     return "q_nv has the norm " + std::to_string(state.q_nv.norm()) + "; expected 1";
   }
   try {
-    nav::check_domain({state.latitude_rad, state.longitude_rad, state.height_m});
+    nav::check_domain(geodetic_of(state));
   } catch (const std::domain_error& error) {
     return error.what();
   }

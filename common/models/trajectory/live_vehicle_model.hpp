@@ -30,7 +30,8 @@ class LiveVehicleModel final : public TruthModel {
  public:
   /// Throws std::invalid_argument when the trajectory breaks a rule of scenario::violation(), std::domain_error when
   /// its initial state lies outside the valid domain.
-  LiveVehicleModel(const scenario::Trajectory& trajectory, const time::Grid& grid, const time::GpsTime& start);
+  LiveVehicleModel(const scenario::Trajectory& trajectory, const nav::Gravity& gravity, const time::Grid& grid,
+                   const time::GpsTime& start);
 
   /// Takes a state into account from the next advance() on; false when it is of no use, which link() says, and changes
   /// nothing else then: it is not finite, outside the limits of VehicleState or of the domain, no rotation, further

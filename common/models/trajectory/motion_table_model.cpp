@@ -10,20 +10,19 @@
 #include "inslab/models/trajectory/ballistic_flight.hpp"
 #include "inslab/models/trajectory/checked_trajectory.hpp"
 #include "inslab/nav/attitude.hpp"
+#include "inslab/scenario/terrain_gravity.hpp"
 
 namespace inslab::trajectory {
 
 namespace {
 
-VehicleMotion vehicle_at_start(const scenario::Trajectory& trajectory) {
+VehicleMotion vehicle_at_start(const scenario::Trajectory& trajectory, const nav::Gravity& gravity) {
   const scenario::InitialState& initial = trajectory.initial;
-  const scenario::GravityOptions& gravity = trajectory.gravity;
   return VehicleMotion({initial.latitude_deg * units::kDeg, initial.longitude_deg * units::kDeg, initial.height_m},
                        Vector3(initial.speed_m_per_s, 0.0, 0.0),
                        nav::quaternion_from_rpy({initial.roll_deg * units::kDeg, initial.pitch_deg * units::kDeg,
                                                  initial.yaw_deg * units::kDeg}),
-                       nav::Gravity(gravity.model, {gravity.disturbance_mgal, gravity.deflection_north_arcsec,
-                                                    gravity.deflection_east_arcsec}));
+                       gravity);
 }
 
 }  // namespace
@@ -43,11 +42,15 @@ void MotionTableModel::located(Action action) {
   }
 }
 
-MotionTableModel::MotionTableModel(const scenario::Trajectory& trajectory, const time::Grid& grid,
-                                   const time::GpsTime& start)
-    : trajectory_(checked(trajectory)), grid_(grid), start_(start), vehicle_(vehicle_at_start(trajectory)) {
+MotionTableModel::MotionTableModel(const scenario::Trajectory& trajectory, const nav::Gravity& gravity,
+                                   const time::Grid& grid, const time::GpsTime& start)
+    : trajectory_(checked(trajectory)), grid_(grid), start_(start), vehicle_(vehicle_at_start(trajectory, gravity)) {
   located([this] { begin_segment(); });
 }
+
+MotionTableModel::MotionTableModel(const scenario::Trajectory& trajectory, const time::Grid& grid,
+                                   const time::GpsTime& start)
+    : MotionTableModel(trajectory, scenario::uniform_gravity(trajectory.gravity), grid, start) {}
 
 TruthState MotionTableModel::advance() {
   rate_jump_ = false;

@@ -16,6 +16,9 @@ class MotionTableModel final : public TruthModel {
   /// Throws std::invalid_argument, naming the JSON path, when the trajectory breaks a rule of scenario::violation(),
   /// and std::domain_error when the start lies outside the valid domain (nav::check_domain) or begins a ballistic
   /// segment too slowly (VehicleMotion::begin).
+  MotionTableModel(const scenario::Trajectory& trajectory, const nav::Gravity& gravity, const time::Grid& grid,
+                   const time::GpsTime& start);
+  /// In the trajectory's own gravity where that does not vary with place.
   MotionTableModel(const scenario::Trajectory& trajectory, const time::Grid& grid, const time::GpsTime& start);
 
   /// `segment_index` is that of the segment that begins at or contains the instant, and the number of segments after

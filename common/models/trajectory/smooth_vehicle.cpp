@@ -131,7 +131,7 @@ void SmoothVehicle::place(double path_time_s, Instant& instant) const {
   const double s = std::sin(latitude), c = std::cos(latitude), height = instant.position.height_m;
   instant.position_rate = {instant.v_n.x() / (meridian_radius_from_sine_m(s) + height),
                            instant.v_n.y() / ((transverse_radius_from_sine_m(s) + height) * c), -instant.v_n.z()};
-  instant.g_k = C_kn * gravity_.g_n(s, height);
+  instant.g_k = C_kn * gravity_.g_n(s, height, [&instant] { return instant.position; });
 }
 
 /// Takes NED coordinates at a latitude, and at a longitude counted from the origin's, to k.
@@ -148,7 +148,7 @@ Vector3 SmoothVehicle::g_k_between(const Instant& start, const Instant& end, dou
                                   nav::wrapped_to_pi(end.position.longitude_rad - origin.longitude_rad)) +
                            bulge.y();
   const double height = 0.5 * (start.position.height_m + end.position.height_m) + bulge.z();
-  return C_kn_at(latitude, longitude) * gravity_.g_n(std::sin(latitude), height);
+  return C_kn_at(latitude, longitude) * gravity_.g_n({latitude, origin.longitude_rad + longitude, height});
 }
 
 SmoothVehicle::Forces SmoothVehicle::forces(double path_time_s, double rotation_time_s, const Vector3& g_k) const {

@@ -50,7 +50,7 @@ std::unique_ptr<TruthModel> make_truth_model(const scenario::LoadedScenario& sce
   const scenario::Trajectory& trajectory = scenario.scenario.trajectory;
   switch (trajectory.source) {
     case scenario::TrajectorySource::VehicleState:
-      return std::make_unique<LiveVehicleModel>(trajectory, scenario.truth_grid(), start);
+      return std::make_unique<LiveVehicleModel>(trajectory, scenario.gravity(), scenario.truth_grid(), start);
     case scenario::TrajectorySource::MotionTable:
       break;
     case scenario::TrajectorySource::File:
@@ -58,7 +58,7 @@ std::unique_ptr<TruthModel> make_truth_model(const scenario::LoadedScenario& sce
     case scenario::TrajectorySource::Waypoints:
       return make_waypoint_model(scenario, start);
   }
-  return std::make_unique<MotionTableModel>(trajectory, scenario.truth_grid(), start);
+  return std::make_unique<MotionTableModel>(trajectory, scenario.gravity(), scenario.truth_grid(), start);
 }
 
 }  // namespace inslab::trajectory

@@ -24,8 +24,7 @@ PathInstant path_instant(const scenario::PathPiece& piece, double t_s, const nav
   instant.along_n = C_nk * piece.curve.first_k(u);
   instant.v_n = C_nk * piece.velocity_k(t_s);
   instant.a_n = C_nk * piece.acceleration_k(t_s);
-  instant.f_n = instant.a_n + 2.0 * nav::omega_ie_n(here.latitude_rad).cross(instant.v_n) -
-                gravity.g_n(std::sin(here.latitude_rad), here.height_m);
+  instant.f_n = instant.a_n + 2.0 * nav::omega_ie_n(here.latitude_rad).cross(instant.v_n) - gravity.g_n(here);
   return instant;
 }
 

@@ -62,7 +62,7 @@ VehicleMotion::VehicleMotion(const nav::Geodetic& position, const Vector3& v_v, 
   now_.C_nv = q_nv_.value().toRotationMatrix();
   now_.v_n = now_.C_nv * v_v;
   now_.nose_v = v_v;
-  evaluate(now_, position.latitude_rad, position.height_m);
+  evaluate(now_, position);
 }
 
 bool VehicleMotion::begin(MotionSegment segment) {
@@ -75,11 +75,11 @@ bool VehicleMotion::begin(MotionSegment segment) {
   if (segment_.is_ballistic()) {
     speed_m_per_s_ = nav::CompensatedSum(v_v_at_start_.norm());
     along_v_ = v_v_at_start_.normalized();
-    now_ = falling(q_nv(), speed_m_per_s_.value(), latitude_rad_.value(), height_m_.value());
+    now_ = falling(q_nv(), speed_m_per_s_.value(), position());
   } else {
     now_.motion = segment_.at(0.0);
     now_.nose_v = segment_.keeps_velocity_on_nose() ? v_v_at_start_ : Vector3::Zero();
-    evaluate(now_, latitude_rad_.value(), height_m_.value());
+    evaluate(now_, position());
   }
   return (now_.motion.omega_nv_v - omega_before).cwiseAbs().maxCoeff() > kJump_rad_per_s;
 }
@@ -104,14 +104,16 @@ void VehicleMotion::step(double t0_s, double t1_s, double dt_s) {
   end.motion = segment_.at(t1_s);
   find_velocities(middle, end, dt_s);
 
-  // Metres moved become radians by the radii of curvature at the start, then at the middle.
-  const auto latitude = [this](double north_m, double inverse_north_m) {
-    return latitude_rad_.value() + north_m * inverse_north_m;
+  // Metres moved become radians by the radii of curvature at the start, then at the middle. The longitude is only for
+  // gravity that varies: metres do not matter there.
+  const auto moved = [this, dt_s](const Vector3& way, double inverse_north_m, double east_rate, double share) {
+    return nav::Geodetic{latitude_rad_.value() + way.x() * inverse_north_m,
+                         longitude_rad_.value() + share * dt_s * east_rate, height_m_.value() - way.z()};
   };
   const Vector3 half_way = first_half(now_.v_n, middle.v_n, end.v_n, dt_s);
-  evaluate(middle, latitude(half_way.x(), now_.inverse_north_m), height_m_.value() - half_way.z());
+  evaluate(middle, moved(half_way, now_.inverse_north_m, now_.position_rate.y(), 0.5));
   const Vector3 way = simpson(now_.v_n, middle.v_n, end.v_n, dt_s);
-  evaluate(end, latitude(way.x(), middle.inverse_north_m), height_m_.value() - way.z());
+  evaluate(end, moved(way, middle.inverse_north_m, middle.position_rate.y(), 1.0));
 
   add_to_position(simpson(now_.position_rate, middle.position_rate, end.position_rate, dt_s));
   increments_.dtheta_v += (end.motion.angle_nv_v - now_.motion.angle_nv_v) +
@@ -168,8 +170,8 @@ Vector3 VehicleMotion::drag_v(const Instant& instant) const {
 
 /// A ballistic vehicle at one time. Specific force is drag alone, which gives the acceleration; its part across the
 /// velocity turns the vehicle.
-VehicleMotion::Instant VehicleMotion::falling(const Quaternion& q_nv, double speed_m_per_s, double latitude_rad,
-                                              double height_m) const {
+VehicleMotion::Instant VehicleMotion::falling(const Quaternion& q_nv, double speed_m_per_s,
+                                              const nav::Geodetic& position) const {
   if (!(speed_m_per_s >= kSlowestFall_m_per_s)) {
     throw std::domain_error("speed is " + std::to_string(speed_m_per_s) + " m/s; a ballistic vehicle needs at least " +
                             std::to_string(kSlowestFall_m_per_s) + " m/s for its attitude to follow the velocity");
@@ -178,7 +180,7 @@ VehicleMotion::Instant VehicleMotion::falling(const Quaternion& q_nv, double spe
   instant.C_nv = q_nv.toRotationMatrix();
   instant.nose_v = speed_m_per_s * along_v_;
   instant.v_n = instant.C_nv * instant.nose_v;
-  evaluate(instant, latitude_rad, height_m);
+  evaluate(instant, position);
   const Vector3 a_v = drag_v(instant) - instant.f_earth_v;
   instant.motion.omega_nv_v = along_v_.cross(a_v) / speed_m_per_s;
   instant.motion.a_lin_v = along_v_.dot(a_v) * along_v_;
@@ -190,7 +192,7 @@ VehicleMotion::FallChange VehicleMotion::fall_rate(const FallChange& change) con
   const Vector3 phi = change.segment<3>(4);
   const Instant instant =
       falling(q_nv() * nav::quaternion_from_rotation_vector(phi), speed_m_per_s_.value() + change[3],
-              latitude_rad_.value() + change[0], height_m_.value() + change[2]);
+              {latitude_rad_.value() + change[0], longitude_rad_.value() + change[1], height_m_.value() + change[2]});
   const Vector3& omega_nv_v = instant.motion.omega_nv_v;
   FallChange rate;
   rate << instant.position_rate, along_v_.dot(instant.motion.a_lin_v),
@@ -210,12 +212,12 @@ void VehicleMotion::fall(double dt_s) {
   q_nv_.turn_source(change.segment<3>(4));
   increments_.dtheta_v += change.segment<3>(7);
   increments_.dv_v += change.tail<3>();
-  now_ = falling(q_nv(), speed_m_per_s_.value(), latitude_rad_.value(), height_m_.value());
+  now_ = falling(q_nv(), speed_m_per_s_.value(), position());
 }
 
-void VehicleMotion::evaluate(Instant& instant, double latitude_rad, double height_m) const {
+void VehicleMotion::evaluate(Instant& instant, const nav::Geodetic& position) const {
   using namespace nav::wgs84;
-  const double s = std::sin(latitude_rad), c = std::cos(latitude_rad);
+  const double s = std::sin(position.latitude_rad), c = std::cos(position.latitude_rad), height_m = position.height_m;
   const double inverse_w2 = 1.0 / (1.0 - e2 * s * s);
   const double N = a_m * std::sqrt(inverse_w2);
   const double M = N * (1.0 - e2) * inverse_w2;
@@ -229,8 +231,9 @@ void VehicleMotion::evaluate(Instant& instant, double latitude_rad, double heigh
   const Vector3 omega_ie_n(omega_e_rad_per_s * c, 0.0, -omega_e_rad_per_s * s);
   const Vector3 omega_en_n(east_rate, -latitude_rate, -longitude_rate * s);
   const Matrix3 C_vn = instant.C_nv.transpose();
+  const Vector3 g_n = gravity_.g_n(s, height_m, [&position] { return position; });
   instant.omega_in_v = C_vn * (omega_ie_n + omega_en_n);
-  instant.f_earth_v = C_vn * ((2.0 * omega_ie_n + omega_en_n).cross(v_n) - gravity_.g_n(s, height_m));
+  instant.f_earth_v = C_vn * ((2.0 * omega_ie_n + omega_en_n).cross(v_n) - g_n);
 }
 
 void VehicleMotion::add_to_position(const Vector3& change) {

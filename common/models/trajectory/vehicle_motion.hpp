@@ -77,9 +77,9 @@ class VehicleMotion {
 
   void fall(double dt_s);
   FallChange fall_rate(const FallChange& change) const;
-  Instant falling(const Quaternion& q_nv, double speed_m_per_s, double latitude_rad, double height_m) const;
+  Instant falling(const Quaternion& q_nv, double speed_m_per_s, const nav::Geodetic& position) const;
   Vector3 drag_v(const Instant& instant) const;
-  void evaluate(Instant& instant, double latitude_rad, double height_m) const;
+  void evaluate(Instant& instant, const nav::Geodetic& position) const;
   void find_velocities(Instant& middle, Instant& end, double dt_s);
   Vector3 turning(const Instant& middle, const Instant& end, double dt_s) const;
   void add_to_position(const Vector3& change);

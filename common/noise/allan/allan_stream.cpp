@@ -24,12 +24,25 @@ std::int64_t stride_of(std::int64_t m) {
 
 AllanPoint overlapped_allan_variance(const std::vector<double>& phase, double dt_s, std::int64_t m) {
   const std::int64_t terms = std::max<std::int64_t>(static_cast<std::int64_t>(phase.size()) - 2 * m, 0);
-  double squares = 0.0;
-  for (std::int64_t k = 0; k < terms; ++k) {
-    const double z = phase[k + 2 * m] - 2.0 * phase[k + m] + phase[k];
-    squares += z * z;
+  // Four sums side by side: one would wait for itself, and takes three times as long.
+  double sums[4] = {};
+  const double* x = phase.data();
+  const auto square = [x, m](std::int64_t k) {
+    const double z = x[k + 2 * m] - 2.0 * x[k + m] + x[k];
+    return z * z;
+  };
+  std::int64_t k = 0;
+  for (; k + 4 <= terms; k += 4) {
+    for (int i = 0; i < 4; ++i) sums[i] += square(k + i);
   }
-  return point(m, dt_s, squares, 1, terms);
+  for (; k < terms; ++k) sums[0] += square(k);
+  return point(m, dt_s, (sums[0] + sums[1]) + (sums[2] + sums[3]), 1, terms);
+}
+
+std::vector<std::int64_t> curve_cluster_sizes(std::int64_t samples, int per_octave) {
+  std::vector<std::int64_t> sizes = octave_cluster_sizes(samples / 4, per_octave);
+  if (!sizes.empty() && sizes.back() < samples / 4) sizes.push_back(samples / 4);
+  return sizes;
 }
 
 std::vector<std::int64_t> octave_cluster_sizes(std::int64_t largest, int per_octave) {

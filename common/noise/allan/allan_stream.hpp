@@ -23,6 +23,9 @@ AllanPoint overlapped_allan_variance(const std::vector<double>& phase, double dt
 /// which AllanStream keeps in little memory.
 std::vector<std::int64_t> octave_cluster_sizes(std::int64_t largest, int per_octave = 3);
 
+/// The sizes of a whole record's curve: those of octave_cluster_sizes(), and as the last a quarter of the record.
+std::vector<std::int64_t> curve_cluster_sizes(std::int64_t samples, int per_octave = 3);
+
 /// Overlapped Allan variance of a record that passes by once and may be of any length.
 ///
 /// A cluster size m = j 2^l with j >= kClusterOverlap is estimated from the integral at every 2^l-th sample only, with

@@ -59,12 +59,40 @@ double equivalent_degrees_of_freedom(const AllanPoint& point, const NoiseModel& 
   const double variance = second_difference_covariance(model, dt_s, point.m, 0);
   const auto terms = static_cast<double>(point.terms);
   const std::int64_t lags = std::min(point.terms - 1, 64 * point.m / point.stride);
+  const auto weighted_square = [&](const NoiseModel& of, std::int64_t i) {
+    const double rho = second_difference_covariance(of, dt_s, point.m, i * point.stride) / variance;
+    return (1.0 - static_cast<double>(i) / terms) * rho * rho;
+  };
+  // Of a full overlap there are as many lags as samples. All but quantization is smooth over a cluster's 64th part, so
+  // the sum goes in such steps by the trapezoidal rule; quantization has lags 0, m and 2m alone.
+  const std::int64_t step = std::max<std::int64_t>(point.m / point.stride / 64, 1);
   double correlated = 0.0;
-  for (std::int64_t i = 1; i <= lags; ++i) {
-    const double rho = second_difference_covariance(model, dt_s, point.m, i * point.stride) / variance;
-    correlated += (1.0 - static_cast<double>(i) / terms) * rho * rho;
+  if (step == 1) {
+    for (std::int64_t i = 1; i <= lags; ++i) correlated += weighted_square(model, i);
+    return terms / (1.0 + 2.0 * correlated);
+  }
+  NoiseModel smooth = model;
+  smooth.quantization = 0.0;
+  double last = 0.0;
+  for (std::int64_t i = step; i <= lags; i += step) {
+    last = weighted_square(smooth, i);
+    correlated += static_cast<double>(step) * last;
+  }
+  correlated += 0.5 * static_cast<double>(step - 1) * (weighted_square(smooth, 0) - last);
+  if (model.quantization > 0.0 && point.m % point.stride == 0) {
+    for (std::int64_t i = point.m / point.stride; i <= 2 * point.m / point.stride && i <= lags;
+         i += point.m / point.stride) {
+      correlated += weighted_square(model, i) - weighted_square(smooth, i);
+    }
   }
   return terms / (1.0 + 2.0 * correlated);
+}
+
+double chi_square_probability(double value, double degrees) { return gamma_probability(0.5 * degrees, 0.5 * value); }
+
+double as_normal(double ratio, double degrees) {
+  const double k = 2.0 / (9.0 * degrees);
+  return (std::cbrt(ratio) - (1.0 - k)) / std::sqrt(k);
 }
 
 double chi_square_quantile(double probability, double degrees) {

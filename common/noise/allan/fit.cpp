@@ -34,8 +34,8 @@ SearchVariables variables_for(const Fit& fit, Parameter parameter) {
 template <class Unit>
 double below_curve(const Likelihood& record, Unit unit) {
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& [m, variance] : record.rough_curve()) {
-    least = std::min(least, variance / allan_variance(unit, record.dt_s(), m));
+  for (const AllanPoint& point : record.rough_curve()) {
+    least = std::min(least, point.variance / allan_variance(unit, record.dt_s(), point.m));
   }
   return std::sqrt(least);
 }

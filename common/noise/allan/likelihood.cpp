@@ -58,7 +58,7 @@ ClusterState quantization(double deviation, double tau_s) {
 }
 
 /// Of a Gauss-Markov bias, a random walk, quantization and flicker.
-constexpr std::size_t kMaxStates = 3 + random::Flicker::kTerms;
+constexpr std::size_t kMaxStates = 3 + random::Flicker::kMostTerms;
 
 std::vector<ClusterState> states_of(const NoiseModel& model, double dt_s, double samples) {
   std::vector<ClusterState> states;
@@ -68,10 +68,9 @@ std::vector<ClusterState> states_of(const NoiseModel& model, double dt_s, double
   }
   if (model.random_walk > 0.0) states.push_back(random_walk(model.random_walk, dt_s, samples));
   if (model.quantization > 0.0) states.push_back(quantization(model.quantization, tau_s));
-  for (int term = 0; term < random::Flicker::kTerms && model.flicker > 0.0; ++term) {
-    states.push_back(gauss_markov(random::Flicker::kSigmaPerInstability * model.flicker,
-                                  random::Flicker::correlation_time_s(term), dt_s, samples));
-  }
+  for_each_flicker_process(model, dt_s, [&](const random::Flicker::Process& process) {
+    states.push_back(gauss_markov(process.sigma, process.correlation_time_s, dt_s, samples));
+  });
   return states;
 }
 
@@ -160,7 +159,7 @@ double log_of_white(const std::vector<double>& means, double variance) {
 
 }  // namespace
 
-Likelihood::Likelihood(const Record& record, double finest_tau_s)
+Likelihood::Likelihood(const Record& record, double finest_tau_s, Means means)
     : dt_s_(record.dt_s()),
       span_s_(record.span_s()),
       samples_per_cluster_(record.samples_per_cluster()),
@@ -168,6 +167,13 @@ Likelihood::Likelihood(const Record& record, double finest_tau_s)
       details_(record.details()) {
   while (first_level_ < details_.size() && std::ldexp(dt_s_, static_cast<int>(first_level_)) < finest_tau_s) {
     ++first_level_;
+  }
+  if (means == Means::AsTheyAre) return;
+  constexpr std::size_t kLeastClusters = 16;
+  while (static_cast<double>(samples_per_cluster_) * dt_s_ < finest_tau_s && means_.size() >= 2 * kLeastClusters) {
+    for (std::size_t i = 0; i < means_.size() / 2; ++i) means_[i] = 0.5 * (means_[2 * i] + means_[2 * i + 1]);
+    means_.resize(means_.size() / 2);
+    samples_per_cluster_ *= 2;
   }
 }
 
@@ -197,14 +203,14 @@ double Likelihood::log_of_means(const NoiseModel& model) const {
   return filter.log_likelihood();
 }
 
-std::vector<std::pair<std::int64_t, double>> Likelihood::rough_curve() const {
-  std::vector<std::pair<std::int64_t, double>> curve;
-  const auto add = [&](std::int64_t m, double squares, double count) {
+std::vector<AllanPoint> Likelihood::rough_curve() const {
+  std::vector<AllanPoint> curve;
+  const auto add = [&](std::int64_t m, double squares, std::int64_t count) {
     const double tau_s = static_cast<double>(m) * dt_s_;
-    curve.emplace_back(m, squares / (2.0 * tau_s * tau_s * count));
+    curve.push_back({m, squares / (2.0 * tau_s * tau_s * static_cast<double>(count)), 2 * m, count});
   };
   for (std::size_t l = first_level_; l < details_.size(); ++l) {
-    add(std::int64_t{1} << l, details_[l].squares, static_cast<double>(details_[l].count));
+    add(std::int64_t{1} << l, details_[l].squares, details_[l].count);
   }
   std::vector<double> sums = means_;
   for (double& sum : sums) sum *= static_cast<double>(samples_per_cluster_) * dt_s_;
@@ -215,7 +221,7 @@ std::vector<std::pair<std::int64_t, double>> Likelihood::rough_curve() const {
       sums[i] = sums[2 * i] + sums[2 * i + 1];
     }
     sums.resize(sums.size() / 2);
-    add(m, squares, static_cast<double>(sums.size()));
+    add(m, squares, static_cast<std::int64_t>(sums.size()));
   }
   return curve;
 }

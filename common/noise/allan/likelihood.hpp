@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "inslab/noise/allan/allan_stream.hpp"
 #include "inslab/noise/allan/noise_model.hpp"
 #include "inslab/noise/allan/record.hpp"
 
@@ -21,8 +22,10 @@ namespace inslab::allan {
 class Likelihood {
  public:
   /// `finest_tau_s`: differences at a smaller tau are left out (what a sensor's filter or vibration shapes is not
-  /// noise of the model). The record is copied as far as needed.
-  explicit Likelihood(const Record& record, double finest_tau_s = 0.0);
+  /// noise of the model). `Joined`: so are means of clusters shorter than that, joined until they are as long while 16
+  /// of them remain. The record is copied as far as needed.
+  enum class Means { AsTheyAre, Joined };
+  explicit Likelihood(const Record& record, double finest_tau_s = 0.0, Means means = Means::AsTheyAre);
 
   /// Logarithm of the likelihood, without its constant; minus infinity for a model without any term.
   double log(const NoiseModel& model) const;
@@ -32,8 +35,9 @@ class Likelihood {
   std::size_t clusters() const { return means_.size(); }
   std::int64_t samples_per_cluster() const { return samples_per_cluster_; }
 
-  /// Allan variance of the record at tau = 2^l dt from clusters that do not overlap, from the smallest tau in use.
-  std::vector<std::pair<std::int64_t, double>> rough_curve() const;
+  /// Allan variance of the record at tau = 2^l dt from pairs of clusters that do not overlap, from the smallest tau in
+  /// use: its points are nearly independent.
+  std::vector<AllanPoint> rough_curve() const;
 
  private:
   double log_of_means(const NoiseModel& model) const;

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "inslab/noise/random/flicker.hpp"
-
 namespace inslab::allan {
 namespace {
 
@@ -66,10 +64,9 @@ double allan_variance(const NoiseModel& model, double dt_s, std::int64_t m) {
   if (model.gm_sigma > 0.0) {
     variance += gauss_markov_variance(model.gm_sigma, model.gm_correlation_time_s, dt_s, n);
   }
-  for (int term = 0; term < Flicker::kTerms && model.flicker > 0.0; ++term) {
-    variance += gauss_markov_variance(Flicker::kSigmaPerInstability * model.flicker, Flicker::correlation_time_s(term),
-                                      dt_s, n);
-  }
+  for_each_flicker_process(model, dt_s, [&](const Flicker::Process& process) {
+    variance += gauss_markov_variance(process.sigma, process.correlation_time_s, dt_s, n);
+  });
   return variance;
 }
 
@@ -82,10 +79,9 @@ double generalized_covariance(const NoiseModel& model, double dt_s, std::int64_t
   if (model.gm_sigma > 0.0) {
     covariance -= 0.5 * gauss_markov_integral_variance(model.gm_sigma, model.gm_correlation_time_s, dt_s, lag);
   }
-  for (int term = 0; term < Flicker::kTerms && model.flicker > 0.0; ++term) {
-    covariance -= 0.5 * gauss_markov_integral_variance(Flicker::kSigmaPerInstability * model.flicker,
-                                                       Flicker::correlation_time_s(term), dt_s, lag);
-  }
+  for_each_flicker_process(model, dt_s, [&](const Flicker::Process& process) {
+    covariance -= 0.5 * gauss_markov_integral_variance(process.sigma, process.correlation_time_s, dt_s, lag);
+  });
   return covariance;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "inslab/noise/random/flicker.hpp"
+
 namespace inslab::allan {
 
 /// The random errors of one sensor axis, in the unit u of its rate (rad/s, m/s^2); a term that is 0 is absent. Every
@@ -9,17 +11,27 @@ namespace inslab::allan {
 struct NoiseModel {
   double white = 0.0;                  ///< N, u sqrt(s): angle or velocity random walk
   double quantization = 0.0;           ///< Q, u s: standard deviation of the white error of the integral
-  double flicker = 0.0;                ///< B, u: bias instability; the sum of terms of random/flicker.hpp
+  double flicker = 0.0;                ///< B, u: bias instability; the sum of terms of noise/random/flicker.hpp
   double random_walk = 0.0;            ///< K, u/sqrt(s): rate random walk
   double gm_sigma = 0.0;               ///< u: steady-state standard deviation of a first-order Gauss-Markov bias
   double gm_correlation_time_s = 0.0;  ///< above 0 where gm_sigma is
 };
 
+/// Visits the processes that the IMU model makes of the model's flicker; none without.
+template <class Visit>
+void for_each_flicker_process(const NoiseModel& model, double dt_s, const Visit& visit) {
+  const int terms = model.flicker > 0.0 ? random::Flicker::terms(dt_s) : 0;
+  for (int term = 0; term < terms; ++term) {
+    const random::Flicker::Process process = random::Flicker::process(term, dt_s);
+    visit(random::Flicker::Process{process.sigma * model.flicker, process.correlation_time_s});
+  }
+}
+
 /// The expected Allan variance of `model` sampled every `dt_s` at tau = m dt, u^2:
 ///
 ///   white N^2/tau; quantization 3 Q^2/tau^2;
-///   flicker (0.6643 B)^2, 0.6643^2 = 2 ln 2/pi, where the Gauss-Markov terms that stand for it reach: within 3 % of
-///   0.6643 B from 14 s to 20000 s (a fit to the terms is a fit to what a profile gives back);
+///   flicker (0.6643 B)^2, 0.6643^2 = 2 ln 2/pi, as far as the Gauss-Markov processes that stand for it reach: within
+///   1 % of 0.6643 B from one sample to 5000 s (a fit to them is a fit to what a profile gives back);
 ///   random walk K^2 tau/3 (1 + 1/(2 m^2)), and Gauss-Markov, p = exp(-dt/T),
 ///   sigma^2 [m - 3p - m p^2 + 4 p^(m+1) - p^(2m+1)] / (m^2 (1-p)^2), both for a bias held over each sample.
 ///

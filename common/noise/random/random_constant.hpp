@@ -28,7 +28,7 @@ class RandomConstant {
   /// Another constant, as after switching the sensor off and on. Depends on (stream, k) alone.
   void redraw(std::uint64_t k) { x_over_sigma_ = redraws_.normal(k); }
 
-  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  /// What goes on from sample to sample (data/state/state_stream.hpp); parameters are not part of it.
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     visit(self.x_over_sigma_);

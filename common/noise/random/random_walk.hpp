@@ -42,7 +42,7 @@ class RandomWalk {
   /// The walk begins at 0 again.
   void reset() { x_over_density_ = 0.0; }
 
-  /// What goes on from sample to sample (recovery/state_stream.hpp); parameters are not part of it.
+  /// What goes on from sample to sample (data/state/state_stream.hpp); parameters are not part of it.
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     visit(self.x_over_density_);

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "inslab/formats/recordings/imu_recording.hpp"
-#include "inslab/noise/allan/allan_stream.hpp"
-#include "inslab/noise/allan/fit.hpp"
+#include "inslab/noise/allan/chosen_fit.hpp"
+#include "inslab/noise/allan/goodness.hpp"
+#include "inslab/referee/calibrate/phase_store.hpp"
 
 /// `inslab allan`: what the output of a recorded IMU says of its random errors.
 namespace inslab::calibrate {
@@ -34,6 +36,9 @@ struct AxisAnalysis {
   double span_s = 0.0;
   allan::Fit fit;
   std::vector<FittedParameter> parameters;
+  allan::Goodness goodness;
+  double finest_tau_s = 0.0;    ///< the fit begins there
+  double fast_process_s = 0.0;  ///< correlation time of a process that is taken for white noise; 0: there is none
   std::vector<CurvePoint> curve;
 
   bool is_gyro() const { return axis < 3; }
@@ -52,7 +57,7 @@ struct ImuAnalysis {
   std::vector<AxisAnalysis> axes;
 };
 
-/// Analyses a recording that somebody else reads, in flat memory.
+/// Analyses a recording that somebody else reads.
 class ImuAnalyser {
  public:
   explicit ImuAnalyser(AnalysisOptions options) : options_(std::move(options)) {}
@@ -66,11 +71,15 @@ class ImuAnalyser {
 
  private:
   AnalysisOptions options_;
+  std::array<bool, recordings::kImuAxes> has_axis_{};
   std::vector<allan::Record> records_;
-  std::vector<allan::AllanStream> curves_;
+  std::vector<PhaseStore> phases_;
 };
 
-/// Reads the recording once, in flat memory, and fits each axis it has. Throws files::ReadError.
+/// "gyro x: the fit is poor: ...", of each axis whose fit is; empty when none is.
+std::string poor_fits(const ImuAnalysis& analysis);
+
+/// Reads the recording once and fits each axis it has. Throws files::ReadError, and files::WriteError of PhaseStore.
 ImuAnalysis analyse_imu(const std::string& path, const AnalysisOptions& options);
 
 }  // namespace inslab::calibrate

@@ -94,9 +94,11 @@ ImuErrorProfile fitted_profile(const ImuAnalysis& analysis) {
   ImuErrorProfile profile;
   const std::string file = std::filesystem::path(analysis.path).filename().string();
   profile.name = text::cut(text::shown("fit of " + file), 64);
-  profile.source = text::cut(text::shown(fmt::format("Fitted by inslab allan to {} samples at {:g} Hz of {}",
-                                                     analysis.recording.samples, 1.0 / analysis.recording.dt_s, file)),
-                             256);
+  const std::string poor = poor_fits(analysis);
+  profile.source = text::cut(
+      text::shown(fmt::format("Fitted by inslab allan to {} samples at {:g} Hz of {}{}", analysis.recording.samples,
+                              1.0 / analysis.recording.dt_s, file, poor.empty() ? "" : "; poor: " + poor)),
+      256);
   for (const AxisAnalysis& axis : analysis.axes) {
     if (axis.is_gyro()) {
       take(axis, analysis.is_error, profile.gyro);

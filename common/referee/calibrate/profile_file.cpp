@@ -26,7 +26,7 @@ json::Json shortened(const json::Json& value, const json::Json& usual) {
 }  // namespace
 
 std::string profile_text(const ImuErrorProfile& profile) {
-  return shortened(json::to_json(profile), json::to_json(ImuErrorProfile())).dump(2) + "\n";
+  return shortened(json::json_from_struct(profile), json::json_from_struct(ImuErrorProfile())).dump(2) + "\n";
 }
 
 void write_profile(const std::string& path, const ImuErrorProfile& profile) {

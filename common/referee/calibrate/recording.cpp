@@ -15,7 +15,9 @@ namespace {
 
 StaticAlignment alignment(double dt_s, const RecordingOptions& options) {
   const nav::Geodetic site{options.latitude_deg * units::kDeg, 0.0, options.height_m};
-  return StaticAlignment(dt_s, site.latitude_rad, nav::Gravity().g_n(site).norm(), options.limits);
+  std::optional<double> bias_rad_per_s = options.gyro_bias_deg_per_h;
+  if (bias_rad_per_s) *bias_rad_per_s *= units::kDegPerH;
+  return StaticAlignment(dt_s, site.latitude_rad, nav::Gravity().g_n(site).norm(), options.limits, bias_rad_per_s);
 }
 
 /// Whether the first line is a NovAtel ASCII message. Throws files::ReadError for the abbreviated form.

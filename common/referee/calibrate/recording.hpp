@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ struct RecordingOptions {
   double height_m = 0.0;
   nav::AlignmentLimits limits;
   novatel::NovatelImuReader::Options novatel;
-  std::uint32_t sensor_number = 0;  ///< of a log of ours
+  std::uint32_t sensor_number = 0;            ///< of a log of ours
+  std::optional<double> gyro_bias_deg_per_h;  ///< standard deviation, if it is known
 };
 
 struct AlignedRecording {

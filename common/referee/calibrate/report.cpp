@@ -46,7 +46,14 @@ std::string axis_text(const AxisAnalysis& axis) {
                         fitted.value / in.si, bound(fitted.interval.low / in.si), bound(fitted.interval.high / in.si),
                         in.unit);
   }
-  return text;
+  if (axis.fast_process_s > 0.0) {
+    text += fmt::format("  a process of {:.3g} s, faster than a few samples, is taken for white noise\n",
+                        axis.fast_process_s);
+  }
+  if (axis.finest_tau_s > 0.0) text += fmt::format("  fitted from tau {:.3g} s on\n", axis.finest_tau_s);
+  return text + fmt::format("  chi-square of the residuals {:.4g}, degrees of freedom {}, chance {:.2g}: {}\n",
+                            axis.goodness.chi_square, axis.goodness.degrees, axis.goodness.probability,
+                            axis.goodness.sentence());
 }
 
 /// One line a tau an octave apart, one column an axis.

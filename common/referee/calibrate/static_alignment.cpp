@@ -22,8 +22,12 @@ nav::AlignmentLimits for_short_spans(nav::AlignmentLimits limits) {
 }  // namespace
 
 StaticAlignment::StaticAlignment(double dt_s, double latitude_rad, double gravity_m_per_s2,
-                                 const nav::AlignmentLimits& limits)
-    : dt_s_(dt_s), latitude_rad_(latitude_rad), gravity_m_per_s2_(gravity_m_per_s2), limits_(limits) {
+                                 const nav::AlignmentLimits& limits, std::optional<double> gyro_bias_rad_per_s)
+    : dt_s_(dt_s),
+      latitude_rad_(latitude_rad),
+      gravity_m_per_s2_(gravity_m_per_s2),
+      limits_(limits),
+      gyro_bias_rad_per_s_(gyro_bias_rad_per_s) {
   if (!(dt_s > 0.0)) throw std::invalid_argument("an IMU interval must be longer than 0 s");
   samples_per_second_ = static_cast<std::uint64_t>(std::max(1.0, std::round(1.0 / dt_s)));
 }
@@ -60,7 +64,9 @@ void StaticAlignment::add(const nav::Vector3& dtheta_b, const nav::Vector3& dv_b
 }
 
 void StaticAlignment::end_second() {
-  const auto rpy = solve(second_dtheta_, second_dv_, static_cast<double>(samples_per_second_) * dt_s_);
+  const double span_s = static_cast<double>(samples_per_second_) * dt_s_;
+  const auto rpy = solve(second_dtheta_, second_dv_, span_s);
+  seconds_means_.push_back({second_dtheta_ / span_s, second_dv_ / span_s});
   second_dtheta_.setZero();
   second_dv_.setZero();
   if (!rpy) return;
@@ -107,10 +113,28 @@ AlignmentResult StaticAlignment::result() const {
   means.f_b = dv_sum_ / span_s;
   means.omega_ib_b = dtheta_sum_ / span_s;
   means.f_spread_b = ((f_squares_ - f_sum_.cwiseAbs2() / n) / (n - 1.0)).cwiseMax(0.0).cwiseSqrt();
-  const auto whole = nav::coarse_alignment(means, latitude_rad_, gravity_m_per_s2_, limits_);
-  if (const auto* C_nb = std::get_if<nav::Matrix3>(&whole)) result.whole = nav::rpy_from_matrix(*C_nb);
-  if (const auto* reason = std::get_if<std::string>(&whole)) result.refusal = *reason;
+  align_whole(means, result);
   return result;
+}
+
+void StaticAlignment::align_whole(nav::StaticMeans means, AlignmentResult& result) const {
+  result.tilt = tilt_trend(seconds_means_, static_cast<double>(samples_per_second_) * dt_s_);
+  const bool tilts = result.tilt && result.tilt->shows();
+  if (tilts) {
+    const auto with_tilt = nav::coarse_alignment(means, latitude_rad_, gravity_m_per_s2_, for_short_spans(limits_));
+    if (const auto* C_nb = std::get_if<nav::Matrix3>(&with_tilt)) {
+      result.yaw_with_tilt_rad = nav::rpy_from_matrix(*C_nb).yaw_rad;
+    }
+    means.omega_ib_b = result.tilt->omega_ie_b;
+  }
+  const auto whole = nav::coarse_alignment(means, latitude_rad_, gravity_m_per_s2_, limits_);
+  if (const auto* reason = std::get_if<std::string>(&whole)) result.refusal = *reason;
+  const auto* C_nb = std::get_if<nav::Matrix3>(&whole);
+  if (C_nb == nullptr) return;
+  result.whole = nav::rpy_from_matrix(*C_nb);
+  if (result.tilt) result.tilt_rate_n = *C_nb * result.tilt->omega_nb_b;
+  result.yaw = yaw_uncertainty(means.omega_ib_b, C_nb->row(2).transpose(), latitude_rad_, seconds_means_,
+                               tilts ? result.tilt : std::nullopt, gyro_bias_rad_per_s_);
 }
 
 }  // namespace inslab::calibrate

@@ -7,6 +7,7 @@
 
 #include "inslab/nav/alignment.hpp"
 #include "inslab/nav/attitude.hpp"
+#include "inslab/referee/calibrate/yaw_uncertainty.hpp"
 
 /// Static coarse alignment of a whole recording: the lab report.
 namespace inslab::calibrate {
@@ -20,11 +21,15 @@ struct Spread {
 
 struct AlignmentResult {
   std::uint64_t samples = 0;
-  std::optional<nav::RollPitchYaw> whole;      ///< from the means of the whole span
-  std::string refusal;                         ///< why there is none
-  Spread epochs;                               ///< one solution a sample
-  Spread seconds;                              ///< one solution a whole second
-  std::vector<nav::RollPitchYaw> each_second;  ///< those solutions
+  std::optional<nav::RollPitchYaw> whole;           ///< of the middle of the whole span; without its tilt's trend
+  std::string refusal;                              ///< why there is none
+  Spread epochs;                                    ///< one solution a sample
+  Spread seconds;                                   ///< one solution a whole second
+  std::vector<nav::RollPitchYaw> each_second;       ///< those solutions
+  std::optional<TiltTrend> tilt;                    ///< of ten seconds and more
+  double yaw_with_tilt_rad = 0.0;                   ///< of the whole span with its tilt's trend left in
+  nav::Vector3 tilt_rate_n = nav::Vector3::Zero();  ///< the trend in n, rad/s
+  std::optional<YawUncertainty> yaw;                ///< of the whole span
 };
 
 /// Takes the increments of an IMU at rest one after the other; memory grows with the seconds only.
@@ -32,8 +37,10 @@ struct AlignmentResult {
 /// The limits on rate and force are for the whole span: single samples are noisier than any of them.
 class StaticAlignment {
  public:
-  /// `dt_s` of each sample; `gravity_m_per_s2` at the site. Throws std::invalid_argument when dt_s is not positive.
-  StaticAlignment(double dt_s, double latitude_rad, double gravity_m_per_s2, const nav::AlignmentLimits& limits);
+  /// `dt_s` of each sample; `gravity_m_per_s2` at the site; `gyro_bias_rad_per_s`: standard deviation, if it is known.
+  /// Throws std::invalid_argument when dt_s is not positive.
+  StaticAlignment(double dt_s, double latitude_rad, double gravity_m_per_s2, const nav::AlignmentLimits& limits,
+                  std::optional<double> gyro_bias_rad_per_s = std::nullopt);
 
   void add(const nav::Vector3& dtheta_b, const nav::Vector3& dv_b);
 
@@ -51,11 +58,13 @@ class StaticAlignment {
   void add_to(Sums& sums, const nav::RollPitchYaw& rpy) const;
   Spread spread_of(const Sums& sums) const;
   void end_second();
+  void align_whole(nav::StaticMeans means, AlignmentResult& result) const;
 
   double dt_s_;
   double latitude_rad_;
   double gravity_m_per_s2_;
   nav::AlignmentLimits limits_;
+  std::optional<double> gyro_bias_rad_per_s_;
   std::uint64_t samples_per_second_;
 
   std::uint64_t samples_ = 0;
@@ -71,6 +80,7 @@ class StaticAlignment {
   Sums epochs_;
   Sums seconds_;
   std::vector<nav::RollPitchYaw> each_second_;
+  std::vector<SecondMeans> seconds_means_;
 };
 
 }  // namespace inslab::calibrate

@@ -27,7 +27,7 @@ TrajectoryLimits limits_from(const std::vector<std::string>& settings) {
     }
     json[setting.substr(0, equals)] = json::parse_json(setting.substr(equals + 1), "--limit " + setting);
   }
-  return json::from_json<TrajectoryLimits>(json, "--limit");
+  return json::struct_from_json<TrajectoryLimits>(json, "--limit");
 }
 
 /// What repairing a broken rule would take.

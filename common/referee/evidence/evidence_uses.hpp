@@ -17,8 +17,7 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
                        "slow: first differences, which show the white noise, do not see it"),
     profiles::left_out("gyro.bias_random_walk_deg_per_h_per_sqrt_h", "biases",
                        "slow: first differences, which show the white noise, do not see it"),
-    profiles::left_out("gyro.bias_instability_deg_per_h", "biases",
-                       "slow: first differences, which show the white noise, do not see it"),
+    profiles::handled("gyro.bias_instability_deg_per_h"),
     profiles::left_out("gyro.bias_temperature_deg_per_h_per_deg_c", "biases",
                        "slow: first differences, which show the white noise, do not see it"),
     profiles::handled("gyro.arw_deg_per_sqrt_h"),
@@ -53,8 +52,7 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
                        "slow: first differences, which show the white noise, do not see it"),
     profiles::left_out("accel.bias_random_walk_mgal_per_sqrt_h", "biases",
                        "slow: first differences, which show the white noise, do not see it"),
-    profiles::left_out("accel.bias_instability_mgal", "biases",
-                       "slow: first differences, which show the white noise, do not see it"),
+    profiles::handled("accel.bias_instability_mgal"),
     profiles::left_out("accel.bias_temperature_mgal_per_deg_c", "biases",
                        "slow: first differences, which show the white noise, do not see it"),
     profiles::handled("accel.vrw_m_per_s_per_sqrt_h"),
@@ -157,6 +155,47 @@ inline constexpr profiles::FieldUse kMagnetometerErrorUses[] = {
     profiles::handled("quantization_nt"),
 };
 
+inline constexpr profiles::FieldUse kBarometerErrorUses[] = {
+    profiles::handled("geoid_height_m"),
+    profiles::handled("sea_level_pressure_pa"),
+    profiles::handled("sea_level_pressure_rate_pa_per_h"),
+    profiles::handled("sea_level_pressure_gm_sigma_pa"),
+    profiles::handled("sea_level_pressure_gm_correlation_time_s"),
+    profiles::handled("temperature_deviation_deg_c"),
+    profiles::handled("temperature_deviation_gm_sigma_deg_c"),
+    profiles::handled("temperature_deviation_gm_correlation_time_s"),
+    profiles::handled("static_pressure_coefficient"),
+    profiles::handled("time_constant_s"),
+    profiles::handled("offset_pa"),
+    profiles::handled("white_sigma_pa"),
+    profiles::handled("gm_sigma_pa"),
+    profiles::handled("gm_correlation_time_s"),
+    profiles::left_out("min_pressure_pa", "range", "saturated samples are passed over"),
+    profiles::left_out("max_pressure_pa", "range", "saturated samples are passed over"),
+    profiles::handled("quantization_pa"),
+    profiles::left_out("temperature_offset_deg_c", "the sensor's temperature", "the pressure alone is weighed"),
+    profiles::left_out("temperature_white_sigma_deg_c", "the sensor's temperature", "the pressure alone is weighed"),
+    profiles::left_out("temperature_quantization_deg_c", "the sensor's temperature", "the pressure alone is weighed"),
+};
+
+inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
+    profiles::handled("scale_factor_ppm"),
+    profiles::handled("scale_factor_turn_on_sigma_ppm"),
+    profiles::handled("scale_factor_gm_sigma_ppm"),
+    profiles::handled("scale_factor_gm_correlation_time_s"),
+    profiles::handled("tyre_warming_ppm"),
+    profiles::handled("tyre_warming_time_s"),
+    profiles::handled("noise_m_per_sqrt_m"),
+    profiles::handled("longitudinal_slip_threshold_m_per_s2"),
+    profiles::handled("longitudinal_slip_s2_per_m"),
+    profiles::handled("lateral_slip_threshold_m_per_s2"),
+    profiles::handled("lateral_slip_s2_per_m"),
+    profiles::handled("counts_per_revolution"),
+    profiles::handled("wheel_circumference_m"),
+    profiles::handled("dead_below_m_per_s"),
+    profiles::handled("direction_known"),
+};
+
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("gyro_bias_jump_deg_per_h", "faults",
                        "a fault promises no figure; its samples and their flags show it"),
@@ -192,6 +231,18 @@ inline constexpr profiles::FieldUse kFaultUses[] = {
                        "a fault promises no figure; its samples and their flags show it"),
     profiles::left_out("magnetometer_silent", "faults",
                        "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("pressure_jump_pa", "faults", "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("pressure_noise_burst_pa", "faults",
+                       "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("barometer_fault", "faults", "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("barometer_silent", "faults", "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("wheel_speed_jump_m_per_s", "faults",
+                       "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("wheel_speed_noise_burst_m_per_s", "faults",
+                       "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("odometer_fault", "faults", "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("wheel_locked", "faults", "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("odometer_silent", "faults", "a fault promises no figure; its samples and their flags show it"),
 };
 
 /// Of each kind of profile.
@@ -201,6 +252,8 @@ constexpr const auto& uses_of(Tag<InstallationProfile>) { return kInstallationUs
 constexpr const auto& uses_of(Tag<VibrationProfile>) { return kVibrationUses; }
 constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
 constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetometerErrorUses; }
+constexpr const auto& uses_of(Tag<BarometerErrorProfile>) { return kBarometerErrorUses; }
+constexpr const auto& uses_of(Tag<OdometerErrorProfile>) { return kOdometerErrorUses; }
 
 /// Of a swapped profile.
 inline std::vector<std::string> names_left_out(const catalog::AnyProfile& profile) {

@@ -1,5 +1,6 @@
 #include "inslab/referee/evidence/filter_response.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -29,7 +30,8 @@ double sum_of_squared_correlations(const std::vector<double>& answer) {
 
 }  // namespace
 
-FilterResponse::FilterResponse(double bandwidth_hz, FilterOrder order, double dt_s) : dt_s_(dt_s) {
+FilterResponse::FilterResponse(double bandwidth_hz, FilterOrder order, double dt_s)
+    : dt_s_(dt_s), low_pass_(std::max(bandwidth_hz, 0.0), order) {
   if (bandwidth_hz < 0.0) throw std::invalid_argument("a bandwidth is 0 or above");
   if (bandwidth_hz == 0.0) return;
   constexpr double kLeft = 1e-6;

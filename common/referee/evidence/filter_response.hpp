@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "inslab/data/profiles/imu_error_profile.hpp"
+#include "inslab/models/imu/low_pass.hpp"
 
 namespace inslab::evidence {
 
@@ -14,6 +15,8 @@ class FilterResponse {
   /// Throws std::invalid_argument for a bandwidth below 0; 0: no filter.
   FilterResponse(double bandwidth_hz, FilterOrder order, double dt_s);
 
+  /// Power that it leaves of a vibration, which it filters in continuous time: |H(f)|^2.
+  double vibration_power_at(double frequency_hz) const { return std::norm(low_pass_.response(frequency_hz)); }
   /// Variance that it leaves of white noise of variance 1: the sum of h^2.
   double white_gain() const;
   /// The same after first differences, halved: the sum of (h[k] - h[k-1])^2 / 2.
@@ -31,6 +34,7 @@ class FilterResponse {
   std::vector<double> differences() const;
 
   double dt_s_ = 0.0;
+  imu::LowPass low_pass_;
   std::vector<double> answer_{1.0};
 };
 

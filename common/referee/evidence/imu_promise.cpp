@@ -37,6 +37,14 @@ bool has_faulty_axis(const FaultProfile& fault) {
   return fault.gyro_axes != none || fault.accel_axes != none || fault.gyro_silent || fault.accel_silent;
 }
 
+/// Variance of exact flicker of B = 1 about a straight line through n samples: (ln n - 0.737)/pi, of the Gauss-Markov
+/// processes that stand for it (noise/random/flicker.hpp) within 1 % from 200 samples on.
+double flicker_about_a_line(std::uint64_t samples) {
+  return std::max(std::log(static_cast<double>(samples)) - 0.737, 0.0) / units::kPi;
+}
+/// Half the mean square of its first differences: its Allan variance, of any length.
+constexpr double kFlickerDifferences = 0.441271;  // 2 ln 2 / pi
+
 Vector3 root_of_squares(const Vector3& a, const Vector3& b) {
   return (a.cwiseProduct(a) + b.cwiseProduct(b)).cwiseSqrt();
 }
@@ -59,6 +67,8 @@ ImuPromise::ImuPromise(const LogSummary& summary, const SensorAddress& imu, std:
 void ImuPromise::take(const ImuErrorProfile& errors) {
   gyro_.density = errors.gyro.arw_deg_per_sqrt_h * units::kDegPerSqrtH;
   accel_.density = errors.accel.vrw_m_per_s_per_sqrt_h * units::kMPerSPerSqrtH;
+  gyro_.instability = errors.gyro.bias_instability_deg_per_h * units::kDegPerH;
+  accel_.instability = errors.accel.bias_instability_mgal * units::kMGal;
   gyro_.count = errors.gyro.quantization_arcsec * units::kArcsec;
   accel_.count = errors.accel.quantization_m_per_s;
   is_filtered_ = !errors.gyro.bandwidth_hz.isZero(0.0) || !errors.accel.bandwidth_hz.isZero(0.0);
@@ -80,27 +90,41 @@ void ImuPromise::take(const FaultProfile& fault) {
 }
 
 /// A carried remainder r, uniform over a count q, errs by r[k] - r[k+1]: q^2/6; its first differences by q^2/2.
-double ImuPromise::variance(const Triad& triad, double vibration, Of of) const {
+double ImuPromise::variance(const Triad& triad, double vibration, Of of, double flicker_per_B2) const {
   double sum = vibration;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
     const FilterResponse& filter = triad.filter[axis];
     const double noise = of == Of::Values ? filter.white_gain() : filter.difference_gain();
     const double counts = of == Of::Values ? 1.0 / 6.0 : 1.0 / 4.0;
-    sum += (triad.density[i] * triad.density[i] * noise / dt_s_ +
-            triad.count[i] * triad.count[i] * counts / (dt_s_ * dt_s_)) /
-           3.0;
+    // The filter takes of flicker's differences what it takes of white ones; its slow part it leaves.
+    const double flicker = flicker_per_B2 * (of == Of::Values ? 1.0 : noise);
+    sum +=
+        (triad.density[i] * triad.density[i] * noise / dt_s_ + triad.instability[i] * triad.instability[i] * flicker +
+         triad.count[i] * triad.count[i] * counts / (dt_s_ * dt_s_)) /
+        3.0;
   }
   return sum;
 }
 
-double ImuPromise::gyro_sigma() const { return std::sqrt(variance(gyro_, angular(Of::Values), Of::Values)); }
-double ImuPromise::accel_sigma() const { return std::sqrt(variance(accel_, linear(Of::Values), Of::Values)); }
+double ImuPromise::gyro_sigma(std::uint64_t samples) const {
+  return std::sqrt(variance(gyro_, angular(Of::Values), Of::Values, flicker_about_a_line(samples)));
+}
+double ImuPromise::accel_sigma(std::uint64_t samples) const {
+  return std::sqrt(variance(accel_, linear(Of::Values), Of::Values, flicker_about_a_line(samples)));
+}
 double ImuPromise::gyro_white_sigma() const {
-  return std::sqrt(variance(gyro_, angular(Of::Differences), Of::Differences));
+  return std::sqrt(variance(gyro_, angular(Of::Differences), Of::Differences, kFlickerDifferences));
 }
 double ImuPromise::accel_white_sigma() const {
-  return std::sqrt(variance(accel_, linear(Of::Differences), Of::Differences));
+  return std::sqrt(variance(accel_, linear(Of::Differences), Of::Differences, kFlickerDifferences));
+}
+
+/// An octave of flicker has the variance B^2 ln 2 / pi = 0.22 B^2. The slowest in a window has about two independent
+/// values, each next one twice as many: the sum's variance has the standard error 0.22 B^2 sqrt(2 (1/2 + 1/4 + ...)),
+/// over sqrt(3) for three axes 0.18 B^2, and the root of it half of that over sigma.
+double ImuPromise::sigma_error(const Triad& triad, double sigma) {
+  return sigma > 0.0 ? 4.0 * 0.18 * triad.instability.squaredNorm() / 3.0 / (2.0 * sigma) : 0.0;
 }
 
 /// What is left of the power of each axis at a frequency, averaged over the axes.
@@ -109,7 +133,7 @@ double ImuPromise::passed(const Triad& triad, const Vector3& power, double frequ
   double sum = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double value = power[static_cast<Eigen::Index>(axis)];
-    if (value > 0.0) sum += value * (is_filtered_ ? triad.filter[axis].power_at(frequency_hz) : 1.0) / 3.0;
+    if (value > 0.0) sum += value * (is_filtered_ ? triad.filter[axis].vibration_power_at(frequency_hz) : 1.0) / 3.0;
   }
   return sum * differences * mean_gain(frequency_hz, dt_s_);
 }

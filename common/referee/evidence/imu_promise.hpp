@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 
 #include "inslab/referee/evidence/filter_response.hpp"
@@ -19,10 +20,14 @@ class ImuPromise {
   /// Whether a low-pass filter shapes the output.
   bool is_filtered() const { return is_filtered_; }
 
-  /// Standard deviation of the rate error, rad/s, m/s^2: white noise and vibration as interval means show it,
-  /// both through the sensor's low-pass filter, and counts, which come after it.
-  double gyro_sigma() const;
-  double accel_sigma() const;
+  /// Standard deviation of the rate error about what ResidualStatistics takes out of so many samples, rad/s, m/s^2:
+  /// white noise, flicker and vibration as interval means show it, all through the sensor's low-pass filter, and
+  /// counts, which come after it.
+  double gyro_sigma(std::uint64_t samples) const;
+  double accel_sigma(std::uint64_t samples) const;
+  /// Four standard errors of them that flicker, whose power lies in few slow waves, adds.
+  double gyro_sigma_error(std::uint64_t samples) const { return sigma_error(gyro_, gyro_sigma(samples)); }
+  double accel_sigma_error(std::uint64_t samples) const { return sigma_error(accel_, accel_sigma(samples)); }
   /// The same after first differences over sqrt(2), which pass a frequency f with the power 1 - cos(2 pi f dt).
   double gyro_white_sigma() const;
   double accel_white_sigma() const;
@@ -41,15 +46,17 @@ class ImuPromise {
 
  private:
   struct Triad {
-    Vector3 density = Vector3::Zero();  ///< rad/sqrt(s) | m/s/sqrt(s), the burst of a fault included
-    Vector3 count = Vector3::Zero();    ///< rad | m/s
+    Vector3 density = Vector3::Zero();      ///< rad/sqrt(s) | m/s/sqrt(s), the burst of a fault included
+    Vector3 count = Vector3::Zero();        ///< rad | m/s
+    Vector3 instability = Vector3::Zero();  ///< B of the flicker, rad/s | m/s^2
     std::array<FilterResponse, 3> filter;
   };
   enum class Of { Values, Differences };
 
   void take(const ImuErrorProfile& errors);
   void take(const FaultProfile& fault);
-  double variance(const Triad& triad, double vibration, Of of) const;
+  double variance(const Triad& triad, double vibration, Of of, double flicker_per_B2) const;
+  static double sigma_error(const Triad& triad, double sigma);
   double linear(Of of) const;
   double angular(Of of) const;
   double passed(const Triad& triad, const Vector3& power, double frequency_hz, Of of) const;

@@ -27,7 +27,7 @@ void read_initial(const mcap::McapReader& log, const SensorAddress& sensor, LogS
   for (const auto& record : log.metadata()) {
     if (record.name != name) continue;
     const std::string place = log.path() + " (metadata " + name + ")";
-    auto profile = json::from_json<Profile>(json_of(record, place), place);
+    auto profile = json::struct_from_json<Profile>(json_of(record, place), place);
     profile.target = sensor;
     summary.profiles.push_back({-1, profile});
   }
@@ -46,7 +46,7 @@ void read_metadata(const mcap::McapReader& log, LogSummary& summary) {
     summary.identity.scenario_file = value_of(record.values, "file");
     summary.identity.unit = value_of(record.values, "unit");
     const std::string place = log.path() + " (metadata scenario)";
-    summary.scenario = json::from_json<scenario::Scenario>(json_of(record, place), place);
+    summary.scenario = json::struct_from_json<scenario::Scenario>(json_of(record, place), place);
   }
   for_each_sensor(summary.scenario, [&](auto tag, const auto& sensor) {
     using Kind = typename decltype(tag)::type;

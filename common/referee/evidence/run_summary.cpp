@@ -13,8 +13,6 @@ namespace inslab::evidence {
 
 namespace {
 
-double seconds_of(std::int64_t ns) { return time::to_seconds(time::Nanoseconds(ns)); }
-
 std::string milliseconds_of(double seconds) { return seconds < 0.0 ? "-" : fmt::format("{:.3f}", seconds * 1e3); }
 
 /// What is said, line after line, and what does not hold, to be said at the end.
@@ -62,8 +60,8 @@ void say_head(const LogSummary& summary, Account& account) {
   if (!summary.last_status) return;
   const SimStatus& status = *summary.last_status;
   account.say("{} after {:.3f} s of sim time at {} Hz; {} overruns, largest lag {:.3f} ms{}\n", enum_name(status.state),
-              seconds_of(status.sim_time_ns), summary.scenario.truth_rate_hz, status.overruns, status.lag_max_s * 1e3,
-              status.message.empty() ? "" : "; " + status.message);
+              time::to_seconds(status.sim_time_ns), summary.scenario.truth_rate_hz, status.overruns,
+              status.lag_max_s * 1e3, status.message.empty() ? "" : "; " + status.message);
 }
 
 void say_streams(const LogSummary& summary, Account& account) {
@@ -145,13 +143,13 @@ void say_swap(std::size_t number, const SwapEvidence& swap, bool of_the_scenario
   const std::string what = fmt::format("swap {}: {} '{}' for {}", number, enum_name(ack.kind), swap.profile_name,
                                        catalog::sensor_name(ack.target));
   account.say("\n{}: {} at {:.3f} s, first sample under it {:.3f} s, sequence {}\n", what, enum_name(ack.outcome),
-              seconds_of(ack.apply_time_ns), seconds_of(ack.first_sample_time_ns), ack.first_sequence);
+              time::to_seconds(ack.apply_time_ns), time::to_seconds(ack.first_sample_time_ns), ack.first_sequence);
   if (ack.requested_in_the_past && ack.requested_time_ns >= 0) {
-    account.say("  late: it was asked for {:.3f} s\n", seconds_of(ack.requested_time_ns));
+    account.say("  late: it was asked for {:.3f} s\n", time::to_seconds(ack.requested_time_ns));
   }
   account.require(!ack.requested_in_the_past || !of_the_scenario,
                   fmt::format("{}: late: asked for {:.3f} s, in effect from {:.3f} s", what,
-                              seconds_of(ack.requested_time_ns), seconds_of(ack.apply_time_ns)));
+                              time::to_seconds(ack.requested_time_ns), time::to_seconds(ack.apply_time_ns)));
   if (!swap.left_out.empty()) account.say("  not weighed: {}\n", fmt::join(swap.left_out, ", "));
   account.require(swap.first_sample_holds, what + ": the acknowledged sample is not the first with that revision");
   if (swap.lines.empty()) {
@@ -199,7 +197,7 @@ void check_that_all_were_answered(const LogSummary& summary, Account& account) {
     const std::string what =
         fmt::format("journal entry {}: {} '{}' for {} at {:.3f} s", number, enum_name(catalog::kind_of(entry.profile)),
                     catalog::name_of(entry.profile), catalog::sensor_name(catalog::target_of(entry.profile)),
-                    seconds_of(entry.apply_at_ns));
+                    time::to_seconds(entry.apply_at_ns));
     account.say("\n{}: never acknowledged\n", what);
     account.require(false, what + " was never acknowledged");
   }

@@ -6,6 +6,7 @@ namespace {
 
 constexpr std::size_t kPause = 4096;  // truth samples from one joining to the next
 constexpr std::int64_t kStragglers_ns = 15'000'000'000;
+constexpr std::int64_t kLongestWay_ns = 1'000'000'000;  // of an odometer's interval; longer ones are not weighed
 
 /// Gives away, and forgets, what is not later than the limit.
 template <class Kept, class Use>
@@ -38,6 +39,8 @@ void SampleJoiner::take_part(log::LogWalk& walk) {
   walk.each<ImuTruth>(of_sensor(imu_truths_));
   walk.each<GnssFix>(of_sensor(fixes_));
   walk.each<MagneticField>(of_sensor(fields_));
+  walk.each<AirPressure>(of_sensor(pressures_));
+  walk.each<WheelTravel>(of_sensor(travels_));
 }
 
 /// Uses up what is complete; without `all` the last seconds stay, for stragglers of the other topics: what is sent
@@ -60,8 +63,32 @@ void SampleJoiner::join(bool all) {
     const auto vehicle = truths_.find({0, key.second});
     if (vehicle != truths_.end()) windows_.add(sample, vehicle->second);
   });
+  drain(pressures_, limit_ns, [this](const Key& key, const AirPressure& sample) {
+    const auto vehicle = truths_.find({0, key.second});
+    if (vehicle != truths_.end()) windows_.add(sample, vehicle->second);
+  });
+  drain(travels_, limit_ns, [this](const Key&, const WheelTravel& sample) {
+    const std::vector<const TruthState*> way = way_of(sample);
+    if (!way.empty()) windows_.add(sample, way);
+  });
   drain(imu_truths_, limit_ns, [](const Key&, const ImuTruth&) {});
-  drain(truths_, limit_ns, [](const Key&, const TruthState&) {});
+  // An odometer's next interval begins in what is used up.
+  drain(truths_, limit_ns - kLongestWay_ns, [](const Key&, const TruthState&) {});
+}
+
+std::vector<const TruthState*> SampleJoiner::way_of(const WheelTravel& travel) const {
+  const std::int64_t end_ns = travel.header.sim_time_ns;
+  std::vector<const TruthState*> way;
+  for (auto it = truths_.lower_bound({0, end_ns - travel.interval_ns}); it != truths_.end(); ++it) {
+    const TruthState& truth = it->second;
+    if (it->first.second > end_ns) break;
+    const bool goes_on = way.empty() ? it->first.second == end_ns - travel.interval_ns
+                                     : way.back()->header.sim_time_ns + truth.interval_ns == it->first.second;
+    if (!goes_on) return {};
+    way.push_back(&truth);
+  }
+  if (way.size() < 2 || way.back()->header.sim_time_ns != end_ns) return {};
+  return way;
 }
 
 }  // namespace inslab::evidence

@@ -24,6 +24,8 @@ class SampleJoiner {
   using Key = std::pair<std::uint32_t, std::int64_t>;
 
   void join(bool all);
+  /// The truth of an odometer's interval, from its beginning on; empty where the log does not have it all.
+  std::vector<const TruthState*> way_of(const WheelTravel& travel) const;
 
   SwapWindowsOfLog& windows_;
   std::size_t next_join_;
@@ -32,6 +34,8 @@ class SampleJoiner {
   std::map<Key, ImuTruth> imu_truths_;
   std::map<Key, GnssFix> fixes_;
   std::map<Key, MagneticField> fields_;
+  std::map<Key, AirPressure> pressures_;
+  std::map<Key, WheelTravel> travels_;
 };
 
 }  // namespace inslab::evidence

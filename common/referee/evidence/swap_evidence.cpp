@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/referee/evidence/evidence_lines.hpp"
 #include "inslab/referee/evidence/evidence_uses.hpp"
 #include "inslab/referee/evidence/imu_promise.hpp"
 #include "inslab/referee/evidence/sample_joiner.hpp"
@@ -15,30 +17,14 @@ namespace {
 
 constexpr std::uint64_t kFewest = 30;
 constexpr const char* kThroughTheBandwidth = ", as the bandwidth lets it pass";
-const Vector3 kAllAxes(1.0, 1.0, 1.0);
-const Vector3 kHorizontal(1.0, 1.0, 0.0);
-const Vector3 kVertical(0.0, 0.0, 1.0);
+double duration_s(const SwapWindow& window) { return time::to_seconds(window.until_ns - window.after_ns); }
 
-Measured judged(double value, double promised, double tolerance) {
-  return {value, promised, tolerance, std::abs(value - promised) <= tolerance};
-}
-
-/// Values of which so many tell as much as one independent one. First differences of white noise overlap: 1.5.
-constexpr double kWhiteDifferences = 1.5;
-
-/// Standard deviation from n independent values has the relative standard error sqrt(1/(2n)).
-double sigma_tolerance(double promised, double values, double per_independent = 1.0) {
-  return 4.0 * promised * std::sqrt(per_independent / (2.0 * values));
-}
-
-double mean_square(const Vector3& v, const Vector3& mask) { return v.cwiseProduct(v).dot(mask) / mask.sum(); }
-
-double duration_s(const SwapWindow& window) { return static_cast<double>(window.until_ns - window.after_ns) * 1e-9; }
-
-/// A standard deviation, and how many values tell as much of it as one independent one.
+/// A standard deviation, how many values tell as much of it as one independent one, and what may be added to its
+/// tolerance.
 struct Promised {
   double sigma;
   double values_per_independent;
+  double more = 0.0;
 };
 
 /// One line for a white noise density: rate sigma times sqrt(dt), in the profile's unit.
@@ -59,34 +45,12 @@ EvidenceLine sigma_line(const std::string& quantity, const char* unit, double pe
                         const Promised& promised_before, const Promised& promised_after, double extra_relative) {
   const auto measured = [&](const ResidualStatistics& series, const Promised& promised) {
     const double values = 3.0 * static_cast<double>(series.count());
-    return judged(
-        series.pooled_sigma() / per_unit, promised.sigma / per_unit,
-        (sigma_tolerance(promised.sigma, values, promised.values_per_independent) + extra_relative * promised.sigma) /
-            per_unit);
+    return judged(series.pooled_sigma() / per_unit, promised.sigma / per_unit,
+                  (sigma_tolerance(promised.sigma, values, promised.values_per_independent) +
+                   extra_relative * promised.sigma + promised.more) /
+                      per_unit);
   };
   return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
-}
-
-/// One line for the noise of fixes, from first differences: of a Gauss-Markov error, which is slow, they pass the power
-/// 1 - exp(-dt/T).
-EvidenceLine fix_line(const char* quantity, const char* unit, const NoiseStatistics& before,
-                      const NoiseStatistics& after, double promised_before, double promised_after,
-                      const Vector3& mask) {
-  const auto measured = [&](const NoiseStatistics& series, double promised) {
-    return judged(series.pooled_white_sigma(mask), promised,
-                  sigma_tolerance(promised, mask.sum() * static_cast<double>(series.differences()), kWhiteDifferences));
-  };
-  return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
-}
-
-/// What fix_line() should find for a white and a Gauss-Markov error, pooled over the axes of `mask`.
-double promised_difference_sigma(const Vector3& white, const Vector3& gm_sigma, const Vector3& correlation_time_s,
-                                 double dt_s, const Vector3& mask) {
-  Vector3 passed = Vector3::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (gm_sigma[axis] > 0.0) passed[axis] = gm_sigma[axis] * std::sqrt(-std::expm1(-dt_s / correlation_time_s[axis]));
-  }
-  return std::sqrt(mean_square(white, mask) + mean_square(passed, mask));
 }
 
 /// One line for one axis of an arm, of which the series shows the mean with the given standard error.
@@ -115,25 +79,30 @@ class Weigher {
           "only {} pairs of usable samples {} it, in the {:.3f} s to its neighbour or the end; {} are needed", pairs,
           window == &swap_.before ? "before" : "after", std::max(0.0, duration_s(*window)), kFewest);
     }
+    if (swap_.ack.target.kind == SensorKind::Odometer && std::min(way_m(swap_.before), way_m(swap_.after)) < 1.0) {
+      return "the wheel rolled less than 1 m on a side of it";
+    }
     if (!is_imu() || swap_.ack.kind == ProfileKind::Installation) return "";
     const std::string before = promise(swap_.before).why_not(), after = promise(swap_.after).why_not();
     return !before.empty() ? before + " before it" : after.empty() ? "" : after + " after it";
   }
 
   std::vector<EvidenceLine> lines() const {
-    const bool imu = is_imu();
     switch (swap_.ack.kind) {
       case ProfileKind::ImuError:
         return imu_error();
       case ProfileKind::Vibration:
         return vibration();
       case ProfileKind::Installation:
-        if (swap_.ack.target.kind == SensorKind::Gnss) return antenna_installation();
-        return imu ? imu_installation() : magnetometer();
+        return installation();
       case ProfileKind::GnssError:
         return gnss_error();
       case ProfileKind::MagnetometerError:
         return magnetometer();
+      case ProfileKind::BarometerError:
+        return barometer();
+      case ProfileKind::OdometerError:
+        return odometer();
       case ProfileKind::Fault:
         break;
     }
@@ -149,9 +118,28 @@ class Weigher {
       case SensorKind::Gnss:
         return window.position_ned_m;
       case SensorKind::Magnetometer:
+        return window.magnetic_nt;
+      case SensorKind::Barometer:
+        return window.pressure;
+      case SensorKind::Odometer:
         break;
     }
-    return window.magnetic_nt;
+    return window.way_m;
+  }
+  std::vector<EvidenceLine> installation() const {
+    switch (swap_.ack.target.kind) {
+      case SensorKind::Imu:
+        return imu_installation();
+      case SensorKind::Gnss:
+        return antenna_installation();
+      case SensorKind::Magnetometer:
+        return magnetometer();
+      case SensorKind::Barometer:
+        return barometer();
+      case SensorKind::Odometer:
+        break;
+    }
+    return odometer();
   }
   bool is_imu() const { return swap_.ack.target.kind == SensorKind::Imu; }
   double period_s() const {
@@ -190,17 +178,22 @@ class Weigher {
     const ImuPromise before = promise(swap_.before);
     const ImuPromise after = promise(swap_.after);
     const std::string through = before.is_filtered() || after.is_filtered() ? kThroughTheBandwidth : "";
-    const auto promised = [](const ImuPromise& from, double sigma) {
-      return Promised{sigma, from.values_per_independent()};
+    const auto accel = [](const ImuPromise& from, const SwapWindow& window) {
+      const std::uint64_t samples = window.accel_residual_m_per_s2.count();
+      return Promised{from.accel_sigma(samples), from.values_per_independent(), from.accel_sigma_error(samples)};
+    };
+    const auto gyro = [](const ImuPromise& from, const SwapWindow& window) {
+      const std::uint64_t samples = window.gyro_residual_rad_per_s.count();
+      return Promised{from.gyro_sigma(samples), from.values_per_independent(), from.gyro_sigma_error(samples)};
     };
     const double extra =
         std::max(before.spread_error(duration_s(swap_.before)), after.spread_error(duration_s(swap_.after)));
-    return {sigma_line("specific force, noise and vibration" + through, "m/s^2", 1.0,
-                       swap_.before.accel_residual_m_per_s2, swap_.after.accel_residual_m_per_s2,
-                       promised(before, before.accel_sigma()), promised(after, after.accel_sigma()), extra),
-            sigma_line("angular rate, noise and vibration" + through, "deg/s", units::kDeg,
-                       swap_.before.gyro_residual_rad_per_s, swap_.after.gyro_residual_rad_per_s,
-                       promised(before, before.gyro_sigma()), promised(after, after.gyro_sigma()), extra)};
+    return {
+        sigma_line("specific force, noise and vibration" + through, "m/s^2", 1.0, swap_.before.accel_residual_m_per_s2,
+                   swap_.after.accel_residual_m_per_s2, accel(before, swap_.before), accel(after, swap_.after), extra),
+        sigma_line("angular rate, noise and vibration" + through, "deg/s", units::kDeg,
+                   swap_.before.gyro_residual_rad_per_s, swap_.after.gyro_residual_rad_per_s,
+                   gyro(before, swap_.before), gyro(after, swap_.after), extra)};
   }
 
   std::vector<EvidenceLine> imu_installation() const {
@@ -255,6 +248,52 @@ class Weigher {
       lines.push_back({kAxes[axis], "nT", standing(swap_.before, before, axis), standing(swap_.after, after, axis)});
     }
     return lines;
+  }
+
+  /// Noise, and what stands: in the air that the profile describes that is the offset.
+  std::vector<EvidenceLine> barometer() const {
+    static const Vector3 kPressure(1.0, 0.0, 0.0);
+    constexpr double kPaPerKM = 0.042;  // of the pressure by the air's temperature, for each metre above the sea
+    const auto noise = [&](const SwapWindow& window) {
+      const auto p = in_use<BarometerErrorProfile>(window);
+      const double white_pa = std::hypot(p.white_sigma_pa, p.quantization_pa / std::sqrt(12.0));
+      const double by_temperature_pa = p.temperature_deviation_gm_sigma_deg_c * kPaPerKM * window.pressure.mean().y();
+      const Vector3 sigma(p.gm_sigma_pa, p.sea_level_pressure_gm_sigma_pa, std::abs(by_temperature_pa));
+      const Vector3 time_s(p.gm_correlation_time_s, p.sea_level_pressure_gm_correlation_time_s,
+                           p.temperature_deviation_gm_correlation_time_s);
+      const double drifts = promised_difference_sigma(Vector3::Zero(), sigma, time_s, period_s(), kAllAxes);
+      return std::hypot(white_pa, std::sqrt(3.0) * drifts);
+    };
+    const auto standing = [&](const SwapWindow& window) {
+      const auto p = in_use<BarometerErrorProfile>(window);
+      const double white_pa = std::hypot(p.white_sigma_pa, p.quantization_pa / std::sqrt(12.0));
+      const double air_pa = std::hypot(p.sea_level_pressure_gm_sigma_pa,
+                                       p.temperature_deviation_gm_sigma_deg_c * kPaPerKM * window.pressure.mean().y());
+      const double error_pa =
+          std::hypot(white_pa / std::sqrt(static_cast<double>(window.pressure.count())), p.gm_sigma_pa, air_pa);
+      return judged(window.pressure.mean().x(), p.offset_pa, 4.0 * error_pa + 1e-3);
+    };
+    return {fix_line("pressure noise", "Pa", swap_.before.pressure, swap_.after.pressure, noise(swap_.before),
+                     noise(swap_.after), kPressure),
+            {"pressure offset", "Pa", standing(swap_.before), standing(swap_.after)}};
+  }
+
+  static double way_m(const SwapWindow& window) {
+    return window.way_m.mean().y() * static_cast<double>(window.way_m.count());
+  }
+
+  /// The scale factor: what all intervals together show too much of the way.
+  std::vector<EvidenceLine> odometer() const {
+    const auto scale = [this](const SwapWindow& window) {
+      const auto p = in_use<OdometerErrorProfile>(window);
+      const double count_m = p.counts_per_revolution > 0.0 ? p.wheel_circumference_m / p.counts_per_revolution : 0.0;
+      const double road = p.noise_m_per_sqrt_m / std::sqrt(way_m(window));
+      const double drawn = units::kPpm * std::hypot(p.scale_factor_turn_on_sigma_ppm, p.scale_factor_gm_sigma_ppm);
+      const double tolerance = 4.0 * std::hypot(road, drawn) + count_m / way_m(window) + 1e-6;
+      return judged(window.way_m.mean().x() / window.way_m.mean().y() / units::kPpm, p.scale_factor_ppm,
+                    tolerance / units::kPpm);
+    };
+    return {{"scale factor of the wheel", "ppm", scale(swap_.before), scale(swap_.after)}};
   }
 
   std::vector<EvidenceLine> gnss_error() const {

@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/time/rate.hpp"
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/nav/wgs84.hpp"
@@ -14,14 +16,9 @@ namespace {
 
 constexpr std::int64_t kLongest_ns = 20'000'000'000;
 
-nav::Geodetic place_of(double latitude_rad, double longitude_rad, double height_m) {
-  return {latitude_rad, longitude_rad, height_m};
-}
-
 /// Offset of `place` from the vehicle, in ECEF, metres.
 Vector3 offset_e(const nav::Geodetic& place, const TruthState& vehicle) {
-  return nav::ecef_from_geodetic(place) -
-         nav::ecef_from_geodetic(place_of(vehicle.latitude_rad, vehicle.longitude_rad, vehicle.height_m));
+  return nav::ecef_from_geodetic(place) - nav::ecef_from_geodetic(geodetic_of(vehicle));
 }
 
 Matrix3 C_ev(const TruthState& vehicle) {
@@ -217,16 +214,19 @@ void SwapWindowsOfLog::for_each_open(Passing& passing, std::int64_t sim_time_ns,
   }
 }
 
-void SwapWindowsOfLog::note_first(const Passing& passing, std::uint64_t sequence, ProfileKind kind,
-                                  std::uint32_t revision) {
-  const auto found = passing.by_revision.find({kind, revision});
-  if (found == passing.by_revision.end()) return;
-  std::optional<std::uint64_t>& seen = all_[found->second].first_sequence_seen;
-  if (!seen) seen = sequence;
+template <class Sample>
+void SwapWindowsOfLog::note_first(const Passing& passing, const Sample& sample) {
+  const auto note = [&](const Field& field, std::uint32_t revision) {
+    const auto found = passing.by_revision.find({enum_named<ProfileKind>(field.name).value(), revision});
+    if (found == passing.by_revision.end()) return;
+    std::optional<std::uint64_t>& seen = all_[found->second].first_sequence_seen;
+    if (!seen) seen = sample.header.sequence_number;
+  };
+  std::decay_t<decltype(sample.revisions)>::fields(sample.revisions, note);
 }
 
 SensorFilter& SwapWindowsOfLog::filter_for(Passing& passing, const ImuSample& sample, const ImuTruth& imu_truth) {
-  if (!passing.filter) passing.filter.emplace(static_cast<double>(sample.interval_ns) * 1e-9);
+  if (!passing.filter) passing.filter.emplace(time::to_seconds(sample.interval_ns));
   if (passing.filter_revision != sample.revisions.imu_error) {
     passing.filter_revision = sample.revisions.imu_error;
     const auto errors = passing.errors.find(sample.revisions.imu_error);
@@ -241,22 +241,19 @@ void SwapWindowsOfLog::add(const ImuSample& sample, const ImuTruth& imu_truth, c
   if (found == passing_.end()) return;
   Passing& passing = found->second;
   const std::uint64_t k = sample.header.sequence_number;
-  note_first(passing, k, ProfileKind::ImuError, sample.revisions.imu_error);
-  note_first(passing, k, ProfileKind::Vibration, sample.revisions.vibration);
-  note_first(passing, k, ProfileKind::Installation, sample.revisions.installation);
-  note_first(passing, k, ProfileKind::Fault, sample.revisions.fault);
+  note_first(passing, sample);
   SensorFilter& filter = filter_for(passing, sample, imu_truth);
   const Vector3 dtheta = filter.gyro(imu_truth.dtheta_b), dv = filter.accel(imu_truth.dv_b);
   if (!is_measured(sample)) return;
-  const double dt_s = static_cast<double>(sample.interval_ns) * 1e-9;
+  const double dt_s = time::to_seconds(sample.interval_ns);
   for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) {
     const Vector3 gyro_error = (sample.dtheta_b - dtheta) / dt_s, accel_error = (sample.dv_b - dv) / dt_s;
     window.gyro_rad_per_s.add(k, gyro_error);
     window.accel_m_per_s2.add(k, accel_error);
-    const double time_s = static_cast<double>(sample.header.sim_time_ns) * 1e-9;
+    const double time_s = time::to_seconds(sample.header.sim_time_ns);
     window.gyro_residual_rad_per_s.add(time_s, gyro_error, dtheta / dt_s, dv / dt_s);
     window.accel_residual_m_per_s2.add(time_s, accel_error, dtheta / dt_s, dv / dt_s);
-    const auto imu_place = place_of(imu_truth.latitude_rad, imu_truth.longitude_rad, imu_truth.height_m);
+    const auto imu_place = geodetic_of(imu_truth);
     window.imu_arm_v_m.add(k, C_ev(vehicle).transpose() * offset_e(imu_place, vehicle));
   });
 }
@@ -266,16 +263,13 @@ void SwapWindowsOfLog::add(const GnssFix& fix, const TruthState& vehicle) {
   const auto found = passing_.find(sensor_of(receiver));
   if (found == passing_.end()) return;
   Passing& passing = found->second;
-  const std::uint64_t sequence = fix.header.sequence_number;
-  note_first(passing, sequence, ProfileKind::GnssError, fix.revisions.gnss_error);
-  note_first(passing, sequence, ProfileKind::Installation, fix.revisions.installation);
-  note_first(passing, sequence, ProfileKind::Fault, fix.revisions.fault);
+  note_first(passing, fix);
   if (!is_at_its_best(fix, summary_)) return;
   const std::uint64_t k = epoch_of(fix, summary_);
   for_each_open(passing, fix.header.sim_time_ns, [&](SwapWindow& window) {
     const catalog::AnyProfile* installed = summary_.in_use(ProfileKind::Installation, receiver, fix.header.sim_time_ns);
     const Vector3 arm_v = installed ? std::get<InstallationProfile>(*installed).lever_arm_v_m : Vector3::Zero();
-    const nav::Geodetic place = place_of(fix.latitude_rad, fix.longitude_rad, fix.height_m);
+    const nav::Geodetic place = geodetic_of(fix);
     const Matrix3 C_en = nav::C_en(fix.latitude_rad, fix.longitude_rad);
     const Vector3 offset = offset_e(place, vehicle);
     const Vector3 omega_ie_v = C_ev(vehicle).transpose() * Vector3(0.0, 0.0, nav::wgs84::omega_e_rad_per_s);
@@ -293,9 +287,7 @@ void SwapWindowsOfLog::add(const MagneticField& sample, const TruthState& vehicl
   if (found == passing_.end()) return;
   Passing& passing = found->second;
   const std::uint64_t k = sample.header.sequence_number;
-  note_first(passing, k, ProfileKind::MagnetometerError, sample.revisions.magnetometer_error);
-  note_first(passing, k, ProfileKind::Installation, sample.revisions.installation);
-  note_first(passing, k, ProfileKind::Fault, sample.revisions.fault);
+  note_first(passing, sample);
   if (sample.saturated) return;
   const std::pair revisions(sample.revisions.magnetometer_error, sample.revisions.installation);
   if (!passing.magnetic || revisions != passing.magnetic_revisions) {
@@ -308,6 +300,30 @@ void SwapWindowsOfLog::add(const MagneticField& sample, const TruthState& vehicl
   }
   const Vector3 error_nt = sample.B_b_nt - passing.magnetic->B_b_nt(vehicle);
   for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) { window.magnetic_nt.add(k, error_nt); });
+}
+
+void SwapWindowsOfLog::add(const AirPressure& sample, const TruthState& vehicle) {
+  const auto found = passing_.find({SensorKind::Barometer, sample.sensor_number});
+  if (found == passing_.end()) return;
+  Passing& passing = found->second;
+  note_first(passing, sample);
+  const double error_pa = sample.pressure_pa - passing.air.pressure_pa(sample, vehicle, summary_);
+  if (sample.saturated) return;
+  for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) {
+    window.pressure.add(sample.header.sequence_number, {error_pa, sample.pressure_altitude_m, 0.0});
+  });
+}
+
+void SwapWindowsOfLog::add(const WheelTravel& sample, const std::vector<const TruthState*>& way) {
+  const auto found = passing_.find({SensorKind::Odometer, sample.sensor_number});
+  if (found == passing_.end()) return;
+  Passing& passing = found->second;
+  note_first(passing, sample);
+  const double expected_m = passing.way.distance_m(sample, way, summary_);
+  const double error_m = std::copysign(1.0, expected_m) * (sample.distance_m - expected_m);
+  for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) {
+    window.way_m.add(sample.header.sequence_number, {error_m, std::abs(expected_m), 0.0});
+  });
 }
 
 }  // namespace inslab::evidence

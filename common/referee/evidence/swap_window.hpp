@@ -9,6 +9,7 @@
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/models/imu/bandwidth.hpp"
 #include "inslab/models/magnetometer/sensed_field.hpp"
+#include "inslab/referee/evidence/aiding_expectation.hpp"
 #include "inslab/referee/evidence/log_summary.hpp"
 #include "inslab/referee/evidence/noise_statistics.hpp"
 #include "inslab/referee/evidence/residual_statistics.hpp"
@@ -66,6 +67,8 @@ struct SwapWindow {
   NoiseStatistics velocity_ned_m_per_s;
   NoiseStatistics antenna_arm_v_m;  ///< GnssFix minus the vehicle's truth, in the vehicle's axes
   NoiseStatistics magnetic_nt;      ///< MagneticField minus its MagneticExpectation
+  NoiseStatistics pressure;         ///< AirPressure minus its PressureExpectation, Pa; the pressure altitude, m
+  NoiseStatistics way_m;  ///< WheelTravel minus its WayExpectation in that one's direction; the expectation's size
 };
 
 /// The windows before and after an acknowledged swap.
@@ -88,6 +91,9 @@ class SwapWindowsOfLog {
   void add(const ImuSample& sample, const ImuTruth& imu_truth, const TruthState& vehicle);
   void add(const GnssFix& fix, const TruthState& vehicle);
   void add(const MagneticField& sample, const TruthState& vehicle);
+  void add(const AirPressure& sample, const TruthState& vehicle);
+  /// `way`: the truth of the sample's interval, from its beginning on.
+  void add(const WheelTravel& sample, const std::vector<const TruthState*>& way);
 
   const std::vector<SwapWindows>& all() const { return all_; }
 
@@ -103,11 +109,15 @@ class SwapWindowsOfLog {
     std::optional<std::uint32_t> filter_revision;
     std::optional<MagneticExpectation> magnetic;
     std::pair<std::uint32_t, std::uint32_t> magnetic_revisions;  ///< of errors and installation
+    PressureExpectation air;
+    WayExpectation way;
   };
 
   template <class Use>
   void for_each_open(Passing& passing, std::int64_t sim_time_ns, const Use& use);
-  void note_first(const Passing& passing, std::uint64_t sequence, ProfileKind kind, std::uint32_t revision);
+  /// Notes the first sample under each revision of a profile; `revisions` has a field of each kind's name.
+  template <class Sample>
+  void note_first(const Passing& passing, const Sample& sample);
   SensorFilter& filter_for(Passing& passing, const ImuSample& sample, const ImuTruth& imu_truth);
 
   const LogSummary& summary_;

@@ -93,7 +93,7 @@ std::optional<RunResult> ResultFolder::result(std::uint32_t run) const {
 }
 
 void ResultFolder::keep(const RunResult& result) const {
-  keep(run_file(result.run), json::to_json(result).dump() + "\n");
+  keep(run_file(result.run), json::json_from_struct(result).dump() + "\n");
 }
 
 void ResultFolder::keep(const std::string& name, const std::string& text) const {

@@ -30,20 +30,21 @@ Json rows_json(const TrajectoryFile& file) {
 Json description_of(const Study& study, const std::string& version) {
   scenario::Scenario scenario = study.loaded.scenario;
   scenario.reference_nav->parameters.clear();  // they stand below, whatever their file is called
-  Json description{{"version", version}, {"scenario", json::to_json(scenario)}};
+  Json description{{"version", version}, {"scenario", json::json_from_struct(scenario)}};
   if (study.loaded.trajectory_file) description["trajectory_file"] = rows_json(*study.loaded.trajectory_file);
   for_each_sensor(study.loaded, [&description](auto tag, const auto& sensor) {
     using Kind = typename decltype(tag)::type;
     Json profiles;
     for_each_of(scenario::LoadedSection<Kind>::profiles,
-                [&](const auto& named) { profiles[named.word] = json::to_json(sensor.*named.profile); });
+                [&](const auto& named) { profiles[named.word] = json::json_from_struct(sensor.*named.profile); });
     description[std::string(Kind::name)].push_back(profiles);
   });
   description["swaps"] = Json::array();
   for (const catalog::AnyProfile& swap : study.loaded.swaps) {
-    description["swaps"].push_back(std::visit([](const auto& profile) { return json::to_json(profile); }, swap));
+    description["swaps"].push_back(
+        std::visit([](const auto& profile) { return json::json_from_struct(profile); }, swap));
   }
-  description["filter"] = json::to_json(study.app.parameters);
+  description["filter"] = json::json_from_struct(study.app.parameters);
   description["filter_left_out"] = study.app.left_out;
   description["draw_start"] = study.draw_start;
   return description;

@@ -18,6 +18,8 @@ namespace {
 /// A file of parameters; else what the scenario says its app is told, or what matches its sensors.
 navigation::AppSetup setup_of(const NavigateOptions& options) {
   navigation::AppSetup setup;
+  setup.app.imu = options.imu_number;
+  setup.app.gnss = options.gnss_number;
   if (!options.scenario.empty()) {
     const scenario::LoadedScenario loaded = scenario::load(options.scenario, {}, scenario::TrajectoryRows::LeaveOut);
     scenario::ReferenceNav app = loaded.scenario.reference_nav.value_or(scenario::ReferenceNav{});
@@ -72,7 +74,7 @@ Navigated finished(ResultFiles& files, const NavigateOptions& options, const nav
 Navigated navigate_log(const NavigateOptions& options) {
   const mcap::McapReader log(options.log);
   const navigation::AppSetup setup = setup_of(options);
-  OfflineFilter filter = filter_with_fixes_of(log, options.gnss_number, setup);
+  OfflineFilter filter = filter_with_streams_of(log, setup);
   if (options.start_at_truth) filter.start_at(first_true_state(log, options.imu_number));
   log::needed_channels_of(log, catalog::stream_topic<ImuSample>(options.imu_number),
                           catalog::WireType<ImuSample>::name);

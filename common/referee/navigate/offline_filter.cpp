@@ -1,10 +1,12 @@
 #include "inslab/referee/navigate/offline_filter.hpp"
 
 #include "inslab/data/catalog/topics.hpp"
+#include "inslab/data/samples/nav_state.hpp"
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/formats/recordings/gnss_text.hpp"
 #include "inslab/formats/recordings/imu_text.hpp"
 #include "inslab/foundation/files/input_limits.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 
 namespace inslab::navigate {
 
@@ -36,7 +38,7 @@ OfflineFilter::OfflineFilter(const navigation::AppSetup& setup, const std::vecto
 
 void OfflineFilter::start_at(const ImuTruth& truth) {
   starts_at_ns_ = truth.header.sim_time_ns;
-  navigator_.start({{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb}, *starts_at_ns_);
+  navigator_.start(nav_state(truth), *starts_at_ns_);
 }
 
 std::optional<NavSolution> OfflineFilter::take(const ImuSample& sample) {
@@ -46,15 +48,25 @@ std::optional<NavSolution> OfflineFilter::take(const ImuSample& sample) {
   return step && step->solution && navigates(*step->solution) ? step->solution : std::nullopt;
 }
 
-OfflineFilter filter_with_fixes_of(const mcap::McapReader& log, std::uint32_t gnss_number,
-                                   const navigation::AppSetup& setup) {
+OfflineFilter filter_with_streams_of(const mcap::McapReader& log, const navigation::AppSetup& setup) {
   std::vector<GnssFix> fixes;
-  log::for_each_sample<GnssFix>(log, catalog::stream_topic<GnssFix>(gnss_number),
+  log::for_each_sample<GnssFix>(log, catalog::stream_topic<GnssFix>(setup.app.gnss),
                                 [&](const GnssFix& fix, std::uint64_t) {
                                   fixes.push_back(fix);
                                   return true;
                                 });
-  return {setup, fixes};
+  OfflineFilter filter(setup, fixes);
+  for_each(scenario::AidKinds{}, [&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    using Sample = catalog::FirstSampleOf<Kind>;
+    const auto number = scenario::sensor_of_the_app<Kind>(setup.app);
+    if (!number) return;
+    log::for_each_sample<Sample>(log, catalog::stream_topic<Sample>(*number), [&](const Sample& sample, std::uint64_t) {
+      filter.add(sample);
+      return true;
+    });
+  });
+  return filter;
 }
 
 ImuTruth first_true_state(const mcap::McapReader& log, std::uint32_t imu_number) {
@@ -96,8 +108,7 @@ OfflineFilter filter_with_fixes_of(const std::string& gnss_text, const std::stri
   const std::int64_t gnss_from_ns = fixes.front().header.sim_time_ns, gnss_to_ns = fixes.back().header.sim_time_ns;
   if (gnss_from_ns > imu_to_ns || gnss_to_ns < imu_from_ns) {
     const auto span = [](std::int64_t from_ns, std::int64_t to_ns) {
-      return std::to_string(static_cast<double>(from_ns) * 1e-9) + " to " +
-             std::to_string(static_cast<double>(to_ns) * 1e-9) + " s";
+      return std::to_string(time::to_seconds(from_ns)) + " to " + std::to_string(time::to_seconds(to_ns)) + " s";
     };
     throw files::ReadError(gnss_text + ": lasts from " + span(gnss_from_ns, gnss_to_ns) + " of the GPS week, " +
                            imu_text + " from " + span(imu_from_ns, imu_to_ns) +

@@ -18,6 +18,9 @@ class OfflineFilter {
  public:
   OfflineFilter(const navigation::AppSetup& setup, const std::vector<GnssFix>& fixes);
 
+  /// A sample of another sensor that the filter takes.
+  void add(const navigation::Observation& observation) { navigator_.add(observation); }
+
   /// Begins at the IMU's true state; samples up to then are passed over.
   void start_at(const ImuTruth& truth);
 
@@ -31,9 +34,9 @@ class OfflineFilter {
   std::optional<std::int64_t> starts_at_ns_;
 };
 
-/// The filter with the fixes of a log's receiver. Throws files::ReadError when the log has none.
-OfflineFilter filter_with_fixes_of(const mcap::McapReader& log, std::uint32_t gnss_number,
-                                   const navigation::AppSetup& setup);
+/// The filter with what a log's receiver and its other sensors that the app takes have put out. Throws files::ReadError
+/// when the log lacks one of them.
+OfflineFilter filter_with_streams_of(const mcap::McapReader& log, const navigation::AppSetup& setup);
 
 /// The first true state of a log's IMU. Throws files::ReadError when the log has none.
 ImuTruth first_true_state(const mcap::McapReader& log, std::uint32_t imu_number);

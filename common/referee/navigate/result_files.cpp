@@ -1,6 +1,8 @@
 #include "inslab/referee/navigate/result_files.hpp"
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/files/unfinished.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/attitude.hpp"
 
@@ -10,11 +12,11 @@ ResultFiles::ResultFiles(const std::string& stem) : solution_(stem + ".nav"), si
 
 void ResultFiles::write(const NavSolution& s) {
   TrajectoryRow row;
-  row.position = {s.latitude_rad, s.longitude_rad, s.height_m};
+  row.position = geodetic_of(s);
   row.v_n = s.v_n;
   row.rpy = nav::rpy_from_quaternion(s.q_n_body);
   solution_.write({s.gps_week, s.gps_time_of_week_ns}, row);
-  sigmas_.integer(s.gps_week).number(static_cast<double>(s.gps_time_of_week_ns) * 1e-9, 9);
+  sigmas_.integer(s.gps_week).number(time::to_seconds(s.gps_time_of_week_ns), 9);
   for (const double sigma : s.position_sigma_ned_m) sigmas_.number(sigma, 6);
   for (const double sigma : s.velocity_sigma_ned_m_per_s) sigmas_.number(sigma, 6);
   for (const double sigma : s.attitude_sigma_rad) sigmas_.number(sigma / units::kDeg, 9);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/models/imu/triad_parameters.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/error_model.hpp"
@@ -111,7 +113,7 @@ void ErrorGrowth::swap(const ImuErrorProfile& profile) {
 }
 
 bool ErrorGrowth::advance(const ImuTruth& truth, double warmer_k) {
-  const double dt_s = static_cast<double>(truth.interval_ns) * 1e-9;
+  const double dt_s = time::to_seconds(truth.interval_ns);
   if (!(dt_s > 0.0)) return false;
   // In the middle of the interval: half a sample of turning is 0.3 % of a term at 15 deg/s and 50 Hz.
   const nav::Matrix3 C_nb =
@@ -182,8 +184,7 @@ void ErrorGrowth::step() {
   const double dt_s = gathered_.time_s;
   const nav::Matrix3 C_nb = gathered_.C_nb / dt_s;
   const SensedMotion motion{over(gathered_.gyro, dt_s), over(gathered_.accel, dt_s), gathered_.warmer_k / dt_s};
-  const nav::Matrix9 F = nav::error_dynamics({last_.latitude_rad, last_.longitude_rad, last_.height_m}, last_.v_n,
-                                             gathered_.dv_n / dt_s, gravity_);
+  const nav::Matrix9 F = nav::error_dynamics(geodetic_of(last_), last_.v_n, gathered_.dv_n / dt_s, gravity_);
   const nav::Matrix9 to_middle = nav::Matrix9::Identity() + 0.5 * dt_s * F;
   const nav::Matrix9 Phi = nav::Matrix9::Identity() + dt_s * F.lazyProduct(to_middle);
   const Eigen::MatrixXd B = product(to_middle, effects(motion, C_nb));
@@ -206,7 +207,7 @@ void ErrorGrowth::step() {
   P_.bottomRightCorner(sensors, sensors).array() *= (steps.decay * steps.decay.transpose()).array();
   P_.bottomRightCorner(sensors, sensors).diagonal() += steps.drive;
   if (vertical_ == Vertical::Held) hold_vertical();
-  time_s_ = static_cast<double>(last_.header.sim_time_ns) * 1e-9;
+  time_s_ = time::to_seconds(last_.header.sim_time_ns);
   gathered_ = Gathered();
 }
 
@@ -219,7 +220,7 @@ void ErrorGrowth::update(const Eigen::VectorXd& row, double variance) {
 void ErrorGrowth::measure(const SolutionErrors& fix, const Vector3& lever_arm_b_m) {
   if (gathered_.time_s > 0.0) step();
   const nav::Matrix3 C_nb = nav::matrix_from_quaternion(last_.q_nb);
-  const double interval_s = static_cast<double>(last_.interval_ns) * 1e-9;
+  const double interval_s = time::to_seconds(last_.interval_ns);
   const Vector3 rate_b = interval_s > 0.0 ? Vector3(last_.dtheta_b / interval_s) : Vector3::Zero();
   const auto take = [&](Eigen::Index state, int slow, const Vector3& arm_n, const Vector3& white_sigma,
                         const Vector3& slow_sigma, const Vector3& slow_time_s) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/imu/temperature.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -39,10 +40,6 @@ std::vector<std::string> names_left_out(const catalog::AnyProfile& profile) {
       profile);
 }
 
-bool is_disturbed(const nav::Gravity& gravity) {
-  return gravity.g_n(0.0, 0.0) != Vector3(0.0, 0.0, gravity.normal_m_per_s2(0.0, 0.0));
-}
-
 }  // namespace
 
 ExpectedErrors::ExpectedErrors(const Setup& setup, std::vector<catalog::AnyProfile> profiles)
@@ -74,7 +71,7 @@ void ExpectedErrors::add(const ImuTruth& truth) {
   if (truth.sensor_number != imu_.number) return;
   const std::int64_t time_ns = truth.header.sim_time_ns;
   use_profiles(time_ns);
-  if (static_cast<double>(time_ns) * 1e-9 <= setup_.start.time_s) return;
+  if (time::to_seconds(time_ns) <= setup_.start.time_s) return;
   if (!growth_) {
     growth_.emplace(errors_, setup_.start, setup_.gravity, setup_.vertical, setup_.step_s);
     curve_.push_back(growth_->current());
@@ -105,7 +102,7 @@ std::vector<std::string> ExpectedErrors::left_out() const {
   const auto add = [&names](const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
-  if (is_disturbed(setup_.gravity)) add("gravity disturbance");
+  if (setup_.gravity.is_disturbed()) add("gravity disturbance");
   for (const catalog::AnyProfile& profile : profiles_) {
     const bool of_imu = catalog::target_of(profile) == imu_;
     if (!of_imu && !(gnss_ && catalog::target_of(profile) == *gnss_)) continue;

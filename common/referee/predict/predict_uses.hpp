@@ -111,6 +111,12 @@ inline constexpr profiles::FieldUse kSensorVibrationUses[] = {
 inline constexpr profiles::FieldUse kMagnetometerErrorUses[] = {
     profiles::left_out("", "magnetometers", "the filter that is predicted takes none")};
 
+inline constexpr profiles::FieldUse kBarometerErrorUses[] = {
+    profiles::left_out("", "barometers", "the filter that is predicted takes none")};
+
+inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
+    profiles::left_out("", "odometers", "the filter that is predicted takes none")};
+
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("", "faults", "a fault is no error that a filter is told of")};
 
@@ -121,5 +127,7 @@ constexpr const auto& uses_of(Tag<InstallationProfile>) { return kInstallationUs
 constexpr const auto& uses_of(Tag<VibrationProfile>) { return kSensorVibrationUses; }
 constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
 constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetometerErrorUses; }
+constexpr const auto& uses_of(Tag<BarometerErrorProfile>) { return kBarometerErrorUses; }
+constexpr const auto& uses_of(Tag<OdometerErrorProfile>) { return kOdometerErrorUses; }
 
 }  // namespace inslab::predict

@@ -8,6 +8,7 @@
 
 #include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/host/host.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/sim/offline_run.hpp"
 
@@ -45,7 +46,7 @@ class PredictionSink : public sim::RunSink {
   void imu(std::size_t, const ImuSample&, const ImuTruth& truth) override { prediction_.errors.add(truth); }
   void gnss(std::size_t index, const GnssFix& fix) override {
     prediction_.errors.add(fix);
-    if (index == 0 && fix.fix_type != FixType::None) end_gap(static_cast<double>(fix.header.sim_time_ns) * 1e-9);
+    if (index == 0 && fix.fix_type != FixType::None) end_gap(time::to_seconds(fix.header.sim_time_ns));
   }
   void ack(const ProfileAck&) override {}
 

@@ -21,9 +21,10 @@ class Collector {
     for (int axis = 0; axis < 3; ++axis) add(kind, axis, sigma[axis], correlation_time_s[axis]);
   }
   void add_flicker(const Vector3& instability) {
-    for (int i = 0; i < 3 * random::Flicker::kTerms; ++i) {
-      add(TermKind::BiasFlicker, i, random::Flicker::kSigmaPerInstability * instability[i % 3],
-          random::Flicker::correlation_time_s(i / 3));
+    constexpr double kInterval_s = 1.0;
+    for (int i = 0; i < 3 * random::Flicker::terms(kInterval_s); ++i) {
+      const auto process = random::Flicker::process(i / 3, kInterval_s);
+      add(TermKind::BiasFlicker, i, process.sigma * instability[i % 3], process.correlation_time_s);
     }
   }
 

@@ -45,7 +45,8 @@ struct SensorTerm {
 
 /// The terms of a profile that are not zero.
 ///
-/// Flicker is the sum of Gauss-Markov processes that random/flicker.hpp makes of it. Temperature, cross-axis,
+/// Flicker is the sum of Gauss-Markov processes that noise/random/flicker.hpp makes of it at 1 Hz: an error of
+/// navigation integrates the faster ones away. Temperature, cross-axis,
 /// asymmetry, non-linearity and g-sensitivity are linear in their coefficient along a known motion; a fixed value
 /// counts as a constant of unknown sign and of that size.
 std::vector<SensorTerm> terms_of(const ImuErrorProfile& profile);

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <vector>
 
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/formats/log/log_topic.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/scenario/load.hpp"
 
 namespace inslab::report {
@@ -23,6 +26,12 @@ Vector3 reported_or_made(const Vector3& sigma, const Vector3& error) {
 nav::Gravity gravity_of(const scenario::Scenario& scenario) {
   scenario::LoadedScenario loaded;
   loaded.scenario = scenario;
+  if (!scenario.trajectory.gravity.grid_file.empty()) {
+    // A log does not hold what the file said. That gravity departs from its model does count.
+    const nav::GravityGrid::Axis axis{0.0, 1.0, 3};
+    loaded.gravity_grid =
+        std::make_shared<nav::GravityGrid>(axis, axis, std::vector<nav::Vector3>(9, nav::Vector3::Zero()));
+  }
   return loaded.gravity();
 }
 
@@ -34,7 +43,7 @@ bool is_before(double time_s, const predict::PredictedError& error) { return tim
 
 predict::PredictedError beginning_of(const score::ScoredSolution& first) {
   const NavSolution& solution = first.solution;
-  return {static_cast<double>(first.sim_time_ns) * 1e-9,
+  return {time::to_seconds(first.sim_time_ns),
           reported_or_made(solution.position_sigma_ned_m, first.error.position_ned_m),
           reported_or_made(solution.velocity_sigma_ned_m_per_s, first.error.velocity_ned_m_per_s),
           reported_or_made(solution.attitude_sigma_rad, first.error.phi_rad)};

@@ -11,6 +11,7 @@
 
 #include "inslab/data/json/json_text.hpp"
 #include "inslab/foundation/files/output_file.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/referee/calibrate/report.hpp"
 #include "inslab/referee/report/report_limits.hpp"
 #include "inslab/referee/report/report_tables.hpp"
@@ -103,9 +104,9 @@ Json expectation_json(const ReportData& data) {
             {"measured_over_expected_in_outages", ratios_json(data.in_outages)}};
   json["outages"] = Json::array();
   for (const score::OutageDrift& outage : data.score.scorer.outages()) {
-    const predict::PredictedError* end = expectation.before(static_cast<double>(outage.end_ns) * 1e-9);
+    const predict::PredictedError* end = expectation.before(time::to_seconds(outage.end_ns));
     if (end == nullptr) continue;
-    json["outages"].push_back({{"end_s", static_cast<double>(outage.end_ns) * 1e-9},
+    json["outages"].push_back({{"end_s", time::to_seconds(outage.end_ns)},
                                {"horizontal_sigma_m", end->position_n_m.head<2>().norm()},
                                {"vertical_sigma_m", end->position_n_m.z()}});
   }

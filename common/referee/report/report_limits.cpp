@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "inslab/foundation/time/gps_time.hpp"
+
 namespace inslab::report {
 
 namespace {
@@ -17,7 +19,7 @@ constexpr const char* kLimitStyle = "lines linewidth 2 dashtype 4 linecolor rgb 
 std::vector<tables::Band> outages_of(const score::LogScore& score) {
   std::vector<tables::Band> bands;
   for (const score::OutageDrift& outage : score.scorer.outages()) {
-    bands.push_back({static_cast<double>(outage.begin_ns) * 1e-9, static_cast<double>(outage.end_ns) * 1e-9});
+    bands.push_back({time::to_seconds(outage.begin_ns), time::to_seconds(outage.end_ns)});
   }
   return bands;
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/referee/report/report_limits.hpp"
 
@@ -33,10 +34,10 @@ double extent_of(const std::vector<double>& values) {
 /// Outages shaded, swaps marked.
 void mark(tables::Panel& panel, const score::LogScore& score, const evidence::LogSummary& summary) {
   for (const score::OutageDrift& outage : score.scorer.outages()) {
-    panel.bands.push_back({static_cast<double>(outage.begin_ns) * 1e-9, static_cast<double>(outage.end_ns) * 1e-9});
+    panel.bands.push_back({time::to_seconds(outage.begin_ns), time::to_seconds(outage.end_ns)});
   }
   for (const evidence::ProfileInUse& swap : summary.profiles) {
-    if (swap.apply_at_ns >= 0) panel.marks.push_back(static_cast<double>(swap.apply_at_ns) * 1e-9);
+    if (swap.apply_at_ns >= 0) panel.marks.push_back(time::to_seconds(swap.apply_at_ns));
   }
 }
 
@@ -79,7 +80,7 @@ void ErrorCurves::add(const score::ScoredSolution& scored) {
   if (added_++ % keep_every_ != 0) return;
   const NavSolution& solution = scored.solution;
   points_.push_back(
-      {static_cast<double>(scored.sim_time_ns) * 1e-9,
+      {time::to_seconds(scored.sim_time_ns),
        scored.in_outage,
        {scored.error.position_ned_m, scored.error.velocity_ned_m_per_s, scored.error.phi_rad * units::kDegPerRad},
        {solution.position_sigma_ned_m, solution.velocity_sigma_ned_m_per_s,

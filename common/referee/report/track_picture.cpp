@@ -6,9 +6,11 @@
 
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/data/catalog/wire_type.hpp"
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/formats/mcap/mcap_reader.hpp"
 #include "inslab/foundation/files/file_error.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/sim/truth_source.hpp"
 
@@ -48,9 +50,7 @@ tables::Curve thinned_angle(const tables::Curve& curve) {
 
 void Track::add(const TruthState& truth) {
   if (added_++ % keep_every_ != 0) return;
-  points_.push_back({static_cast<double>(truth.header.sim_time_ns) * 1e-9,
-                     {truth.latitude_rad, truth.longitude_rad, truth.height_m},
-                     truth.v_n.norm(),
+  points_.push_back({time::to_seconds(truth.header.sim_time_ns), geodetic_of(truth), truth.v_n.norm(),
                      nav::rpy_from_quaternion(truth.q_nv)});
   if (points_.size() < kMostSamples) return;
   for (std::size_t i = 0; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];

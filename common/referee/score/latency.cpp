@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "inslab/foundation/time/gps_time.hpp"
+
 namespace inslab::score {
 
 namespace {
@@ -30,7 +32,7 @@ void Latency::note(const Sent& sample, std::int64_t received_realtime_ns) {
   if (latency_ns < 0) {
     ++negative_;
   } else {
-    seconds_.add(static_cast<double>(latency_ns) * 1e-9);
+    seconds_.add(time::to_seconds(latency_ns));
   }
 }
 

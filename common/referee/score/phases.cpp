@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "inslab/foundation/time/gps_time.hpp"
+
 namespace inslab::score {
 
 using scenario::Phase;
@@ -25,7 +27,7 @@ void Phases::add_time(const PhaseInstant& end, double seconds, bool covered) {
 template <class Each>
 void Phases::for_each_phase_of(const PhaseInstant& moment, const Each& each) {
   for (const double after_s : after_s_) {
-    if (static_cast<double>(moment.sim_time_ns) * 1e-9 < after_s) continue;
+    if (time::to_seconds(moment.sim_time_ns) < after_s) continue;
     each(phases_[{Phase::All, 0, after_s}]);
     each(phases_[{moment.in_outage ? Phase::Outages : Phase::BetweenOutages, 0, after_s}]);
     const auto asked_for = phases_.find({Phase::SwapInterval, moment.swaps, after_s});

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "inslab/foundation/time/gps_time.hpp"
+
 namespace inslab::score {
 
 /// How regularly solutions come, by their times of validity, which increase.
@@ -26,14 +28,14 @@ class Rhythm {
   /// Intervals between solutions over the time they take; nothing with fewer than two.
   std::optional<double> rate_hz() const {
     if (count_ < 2) return std::nullopt;
-    return static_cast<double>(count_ - 1) / (static_cast<double>(last_ns_ - first_ns_) * 1e-9);
+    return static_cast<double>(count_ - 1) / (time::to_seconds(last_ns_ - first_ns_));
   }
   std::optional<double> first_solution_s() const {
-    return count_ == 0 ? std::nullopt : std::optional<double>(static_cast<double>(first_ns_) * 1e-9);
+    return count_ == 0 ? std::nullopt : std::optional<double>(time::to_seconds(first_ns_));
   }
   /// From a solution to the next, or to the end of the run.
   std::optional<double> longest_gap_s() const {
-    return count_ == 0 ? std::nullopt : std::optional<double>(static_cast<double>(longest_silence_ns_) * 1e-9);
+    return count_ == 0 ? std::nullopt : std::optional<double>(time::to_seconds(longest_silence_ns_));
   }
   std::uint64_t gaps() const { return gaps_; }
 

@@ -1,5 +1,7 @@
 #include "inslab/referee/score/score_json.hpp"
 
+#include "inslab/foundation/time/gps_time.hpp"
+
 namespace inslab::score {
 
 namespace {
@@ -18,7 +20,7 @@ Json phase_json(const Scorer& scorer, const PhaseKey& key, const ErrorStatistics
              {"solutions", errors.count()},   {"time_s", errors.time_s()},          {"covered_s", errors.covered_s()}};
   for (std::size_t i = 0; i < EnumNames<Metric>::values.size(); ++i) {
     if (scenario::is_of_the_run(metric_of(i))) continue;
-    phase[std::string(EnumNames<Metric>::values[i])] = json_of(score::figure(scorer, metric_of(i), key));
+    phase[std::string(EnumNames<Metric>::values[i])] = json_of(figure(scorer, metric_of(i), key));
   }
   if (errors.count() > 0) {
     phase["position_mean_ned_m"] = json_of(errors.position().mean(errors.count()));
@@ -53,21 +55,21 @@ Json score_json(const Scorer& scorer, const std::vector<Verdict>& verdicts) {
   }
   for (std::size_t i = 0; i < EnumNames<Metric>::values.size(); ++i) {
     if (!scenario::is_of_the_run(metric_of(i))) continue;
-    score[std::string(EnumNames<Metric>::values[i])] = json_of(score::figure(scorer, metric_of(i), {}));
+    score[std::string(EnumNames<Metric>::values[i])] = json_of(figure(scorer, metric_of(i), {}));
   }
   score["phases"] = Json::array();
   for (const auto& [key, errors] : scorer.phases()) score["phases"].push_back(phase_json(scorer, key, errors));
   score["outages"] = Json::array();
   for (const OutageDrift& outage : scorer.outages()) {
-    score["outages"].push_back({{"begin_s", static_cast<double>(outage.begin_ns) * 1e-9},
-                                {"end_s", static_cast<double>(outage.end_ns) * 1e-9},
+    score["outages"].push_back({{"begin_s", time::to_seconds(outage.begin_ns)},
+                                {"end_s", time::to_seconds(outage.end_ns)},
                                 {"solutions", outage.solutions},
                                 {"horizontal_m", outage.horizontal_m},
                                 {"vertical_m", outage.vertical_m}});
   }
   score["acceptance"] = Json::array();
   for (const Verdict& verdict : verdicts) {
-    score["acceptance"].push_back({{"line", score::words_of(verdict.limit)},
+    score["acceptance"].push_back({{"line", words_of(verdict.limit)},
                                    {"value", json_of(verdict.value)},
                                    {"passed", verdict.passed},
                                    {"why", verdict.why}});

@@ -71,7 +71,7 @@ void LogScorer::take_part(log::LogWalk& walk) {
 
 LogScore LogScorer::finish() {
   scorer_.finish();
-  std::vector<Verdict> verdicts = score::judge(scorer_, summary_.scenario.acceptance);
+  std::vector<Verdict> verdicts = judge(scorer_, summary_.scenario.acceptance);
   return {std::move(scorer_), std::move(verdicts), worst_, SwapIntervals(summary_)};
 }
 

@@ -16,7 +16,7 @@ std::string shown(const std::optional<double>& value) { return value ? fmt::form
 
 std::string latency_text(const Scorer& scorer) {
   if (!scorer.latency().why_none().empty()) return "  latency: not judged, " + scorer.latency().why_none() + "\n";
-  const auto of = [&](Metric metric) { return shown(score::figure(scorer, metric, {})); };
+  const auto of = [&](Metric metric) { return shown(figure(scorer, metric, {})); };
   std::string text = fmt::format("  latency (IMU sample sent to solution received): p50 {}, p99 {}, max {} ms\n",
                                  of(Metric::LatencyP50), of(Metric::LatencyP99), of(Metric::LatencyMax));
   if (scorer.latency().negative() > 0) {
@@ -28,7 +28,7 @@ std::string latency_text(const Scorer& scorer) {
 
 std::string counts_text(const Scorer& scorer) {
   const SolutionCounts& counts = scorer.counts();
-  const auto of = [&](Metric metric) { return shown(score::figure(scorer, metric, {})); };
+  const auto of = [&](Metric metric) { return shown(figure(scorer, metric, {})); };
   std::string text = fmt::format("\nnavigation app: {} solutions received, {} scored", counts.received, counts.scored);
   if (counts.received == 0) return text + "\n";
   text += fmt::format("; stale {}, future {}, not finite {}, twice {}, out of order {}{}\n", counts.stale,
@@ -52,8 +52,8 @@ std::string phases_text(const Scorer& scorer, const std::vector<Verdict>& verdic
   text += fmt::format(kColumns, "", "", "m", "m", "m", "m", "m/s", "deg", "deg", "(3)", "(3)", "(3)");
   for (const auto& [key, errors] : scorer.phases()) {
     if (!is_shown(key, scorer, verdicts)) continue;
-    const auto of = [&, &phase = key](Metric metric) { return shown(score::figure(scorer, metric, phase)); };
-    text += fmt::format(kColumns, score::words_of(key), errors.count(), of(Metric::HorizontalRms), of(Metric::Cep50),
+    const auto of = [&, &phase = key](Metric metric) { return shown(figure(scorer, metric, phase)); };
+    text += fmt::format(kColumns, words_of(key), errors.count(), of(Metric::HorizontalRms), of(Metric::Cep50),
                         of(Metric::Cep95), of(Metric::VerticalRms), of(Metric::VelocityRms), of(Metric::TiltRms),
                         of(Metric::HeadingRms), of(Metric::PositionNees), of(Metric::VelocityNees),
                         of(Metric::AttitudeNees));
@@ -67,10 +67,8 @@ std::string outages_text(const Scorer& scorer) {
       "\n{} outage{}; largest error in each, RMS over them: horizontal {} m, vertical {} m; worst {} m, "
       "{} m\n",
       scorer.outages().size(), scorer.outages().size() == 1 ? "" : "s",
-      shown(score::figure(scorer, Metric::OutageDriftRms, {})),
-      shown(score::figure(scorer, Metric::OutageVerticalDriftRms, {})),
-      shown(score::figure(scorer, Metric::OutageDriftMax, {})),
-      shown(score::figure(scorer, Metric::OutageVerticalDriftMax, {})));
+      shown(figure(scorer, Metric::OutageDriftRms, {})), shown(figure(scorer, Metric::OutageVerticalDriftRms, {})),
+      shown(figure(scorer, Metric::OutageDriftMax, {})), shown(figure(scorer, Metric::OutageVerticalDriftMax, {})));
 }
 
 }  // namespace
@@ -100,7 +98,7 @@ std::string score_so_far(const Scorer& scorer) {
   if (counts.received == 0) return "";
   std::string words = fmt::format("app: {} solutions", counts.received);
   if (counts.scored == 0) return words + ", none scored yet";
-  const auto of = [&scorer](Metric metric) { return shown(score::figure(scorer, metric, {})); };
+  const auto of = [&scorer](Metric metric) { return shown(figure(scorer, metric, {})); };
   return words + fmt::format(
                      "; errors of the first {}: horizontal RMS {} m, largest {} m; vertical RMS {} m; "
                      "attitude RMS {} deg tilt, {} deg heading",
@@ -113,7 +111,7 @@ std::string score_text(const Scorer& scorer, const std::vector<Verdict>& verdict
   if (scorer.counts().scored > 0) text += phases_text(scorer, verdicts) + outages_text(scorer);
   if (!verdicts.empty()) text += "\n";
   for (const Verdict& verdict : verdicts) {
-    text += fmt::format("{}  {}: {}{}\n", verdict.passed ? "PASS" : "FAIL", score::words_of(verdict.limit),
+    text += fmt::format("{}  {}: {}{}\n", verdict.passed ? "PASS" : "FAIL", words_of(verdict.limit),
                         shown(verdict.value), verdict.passed ? "" : " (" + verdict.why + ")");
   }
   return text;
@@ -127,8 +125,8 @@ std::string junit_xml(const std::string& suite, const std::vector<Verdict>& verd
       "failures=\"{}\" errors=\"0\">\n",
       files::xml_text(suite), verdicts.size(), failures);
   for (const Verdict& verdict : verdicts) {
-    xml += fmt::format("    <testcase classname=\"acceptance\" name=\"{}\">\n",
-                       files::xml_text(score::words_of(verdict.limit)));
+    xml +=
+        fmt::format("    <testcase classname=\"acceptance\" name=\"{}\">\n", files::xml_text(words_of(verdict.limit)));
     if (!verdict.passed) xml += fmt::format("      <failure message=\"{}\"/>\n", files::xml_text(verdict.why));
     if (verdict.value) xml += fmt::format("      <system-out>{:.9g}</system-out>\n", *verdict.value);
     xml += "    </testcase>\n";

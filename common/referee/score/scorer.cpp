@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
+
 namespace inslab::score {
 
 namespace {
@@ -11,7 +14,7 @@ constexpr std::size_t kMostBeforeTruth = 4096;
 constexpr std::int64_t kMostAhead_ns = 60'000'000'000;  // more than lockstep lets an app hear before the logger
 
 bool names_a_time(const NavSolution& solution) {
-  return solution.gps_week <= 10000 && solution.gps_time_of_week_ns >= 0 &&
+  return solution.gps_week <= time::kLastGpsWeek && solution.gps_time_of_week_ns >= 0 &&
          solution.gps_time_of_week_ns < std::int64_t{604800} * 1'000'000'000;
 }
 
@@ -20,8 +23,7 @@ bool is_navigating(const NavSolution& solution) {
 }
 
 bool is_sound(const NavSolution& solution) {
-  return nav::in_domain({solution.latitude_rad, solution.longitude_rad, solution.height_m}) &&
-         std::isfinite(solution.longitude_rad) && solution.v_n.allFinite() &&
+  return nav::in_domain(geodetic_of(solution)) && std::isfinite(solution.longitude_rad) && solution.v_n.allFinite() &&
          std::abs(solution.q_n_body.norm() - 1.0) < 1e-3;
 }
 
@@ -139,7 +141,7 @@ void Scorer::resolve_interval(const TruthState& before, const TruthState& after)
   const std::int64_t end_ns = after.header.sim_time_ns;
   while (const auto dated = order_.take(end_ns)) score(*dated, before, after);
   const bool covered = last_scored_ns_ && end_ns - *last_scored_ns_ <= options_.covers_for.count();
-  const double length_s = static_cast<double>(end_ns - before.header.sim_time_ns) * 1e-9;
+  const double length_s = time::to_seconds(end_ns - before.header.sim_time_ns);
   phases_.add_time({end_ns, outages_.contains(end_ns, newest_truth_ns()), after.journal_in_effect}, length_s, covered);
 }
 

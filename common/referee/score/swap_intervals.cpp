@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "inslab/foundation/time/gps_time.hpp"
+
 namespace inslab::score {
 
 SwapIntervals::SwapIntervals(const evidence::LogSummary& summary) {
   for (const evidence::ProfileInUse& entry : summary.profiles) {
     if (entry.apply_at_ns < 0) continue;
-    const double time_s = static_cast<double>(entry.apply_at_ns) * 1e-9;
+    const double time_s = time::to_seconds(entry.apply_at_ns);
     swaps_.push_back({time_s, fmt::format("{} '{}' for {} at {:.3f} s", enum_name(catalog::kind_of(entry.profile)),
                                           catalog::name_of(entry.profile),
                                           catalog::sensor_name(catalog::target_of(entry.profile)), time_s)});

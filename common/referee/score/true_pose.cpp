@@ -2,14 +2,14 @@
 
 #include <cmath>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/data/samples/sensor_site.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/nav/attitude.hpp"
 
 namespace inslab::score {
 
 namespace {
-
-nav::Geodetic position_of(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
 
 Matrix3 C_between(const nav::Geodetic& from, const nav::Geodetic& to) {
   return C_between_ned(std::sin(from.latitude_rad), std::cos(from.latitude_rad), std::sin(to.latitude_rad),
@@ -31,7 +31,7 @@ Point on_cubic(const Vector3& r0, const Vector3& x1, const Vector3& r1, double h
 
 /// omega_nv_v: the rate of the vehicle less that of its NED.
 Vector3 rate_in_ned(const TruthState& truth) {
-  const nav::Geodetic position = position_of(truth);
+  const nav::Geodetic position = geodetic_of(truth);
   const Vector3 omega_in_n = nav::omega_ie_n(position.latitude_rad) + nav::omega_en_n(position, truth.v_n);
   return truth.omega_iv_v - truth.q_nv.toRotationMatrix().transpose() * omega_in_n;
 }
@@ -49,10 +49,10 @@ Vector3 body_rate(const Vector3& phi, const Vector3& phi_rate) {
 
 TruthState truth_between(const TruthState& before, const TruthState& after, std::int64_t sim_time_ns) {
   if (sim_time_ns >= after.header.sim_time_ns) return after;
-  const double h_s = static_cast<double>(after.header.sim_time_ns - before.header.sim_time_ns) * 1e-9;
-  const double t_s = static_cast<double>(sim_time_ns - before.header.sim_time_ns) * 1e-9;
+  const double h_s = time::to_seconds(after.header.sim_time_ns - before.header.sim_time_ns);
+  const double t_s = time::to_seconds(sim_time_ns - before.header.sim_time_ns);
   if (!(h_s > 0.0) || t_s < 0.0) return before;
-  const nav::Geodetic begin = position_of(before), end = position_of(after);
+  const nav::Geodetic begin = geodetic_of(before), end = geodetic_of(after);
   const Point moved =
       on_cubic(before.v_n, nav::ned_from(begin, end), C_between(begin, end).transpose() * after.v_n, h_s, t_s);
   const nav::Geodetic place = nav::displaced(begin, moved.value);
@@ -82,7 +82,7 @@ TruePose true_pose(const TruthState& truth, const Mounting& mounting) {
 }
 
 SolutionError error_of(const NavSolution& solution, const TruePose& truth) {
-  const nav::Geodetic estimate{solution.latitude_rad, solution.longitude_rad, solution.height_m};
+  const nav::Geodetic estimate = geodetic_of(solution);
   return {nav::ned_from(truth.position, estimate), solution.v_n - truth.v_n,
           nav::rotation_vector_from_quaternion(truth.q_n_body * solution.q_n_body.normalized().conjugate())};
 }

@@ -119,7 +119,7 @@ std::string not_covered(const Scorer& scorer, const PhaseKey& key) {
   if (scorer.counts().received == 0) return "no solution came: the app is missing";
   if (found == scorer.phases().end() || found->second.time_s() == 0.0) return "the run had no such phase";
   const ErrorStatistics& errors = found->second;
-  if (errors.covered_s() >= score::kLeastCover * errors.time_s()) return "";
+  if (errors.covered_s() >= kLeastCover * errors.time_s()) return "";
   return "solutions cover " + number(errors.covered_s()) + " s of " + number(errors.time_s()) + " s";
 }
 
@@ -135,7 +135,7 @@ std::vector<Verdict> judge(const Scorer& scorer, const std::vector<scenario::Acc
   std::vector<Verdict> verdicts;
   for (const scenario::AcceptanceLimit& limit : acceptance) {
     const PhaseKey phase{limit.phase, limit.swap_interval, limit.after_s};
-    score::Verdict verdict{limit, score::figure(scorer, limit.metric, phase), false, ""};
+    Verdict verdict{limit, figure(scorer, limit.metric, phase), false, ""};
     if (scorer.counts().scored == 0) {
       verdict.why = scorer.counts().received == 0 ? "no solution came: the app is missing" : "no solution was scored";
     } else if (!scenario::is_of_the_run(limit.metric)) {
@@ -165,7 +165,7 @@ std::string words_of(const PhaseKey& phase) {
 std::string words_of(const scenario::AcceptanceLimit& limit) {
   std::string words(enum_name(limit.metric));
   if (limit.phase != scenario::Phase::All || limit.after_s > 0.0) {
-    words += ", " + score::words_of(PhaseKey{limit.phase, limit.swap_interval, limit.after_s});
+    words += ", " + words_of(PhaseKey{limit.phase, limit.swap_interval, limit.after_s});
   }
   if (limit.at_least) words += ", at least " + number(*limit.at_least);
   if (limit.at_most) words += ", at most " + number(*limit.at_most);

@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/attitude.hpp"
 
 namespace inslab::score {
 
 void WorstMoment::add(const ScoredSolution& scored) {
-  const double time_s = static_cast<double>(scored.sim_time_ns) * 1e-9;
+  const double time_s = time::to_seconds(scored.sim_time_ns);
   const double yaw_rad = nav::rpy_from_quaternion(scored.truth.q_n_body).yaw_rad;
   const double elapsed_s = time_s - last_time_s_;
   double turn_rate_deg_per_s = 0.0;

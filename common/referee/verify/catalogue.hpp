@@ -22,7 +22,7 @@ const std::string& catalogue_profile_text(const std::string& name);
 /// The profile in it. Throws also json::Error when the text breaks a rule.
 template <class Profile>
 Profile catalogue_profile(const std::string& name) {
-  return json::from_json<Profile>(json::parse_json(catalogue_profile_text(name), name), name);
+  return json::struct_from_json<Profile>(json::parse_json(catalogue_profile_text(name), name), name);
 }
 
 }  // namespace inslab::verify

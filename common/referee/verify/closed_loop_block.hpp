@@ -4,6 +4,7 @@
 #include <string>
 
 #include "inslab/data/samples/trajectory_file.hpp"
+#include "inslab/referee/verify/subjects.hpp"
 #include "inslab/referee/verify/table.hpp"
 #include "inslab/scenario/trajectory.hpp"
 
@@ -26,8 +27,10 @@ std::vector<LoopCase> loop_cases();
 /// The same for an hour, the table's segments repeated; what ends itself is left out.
 std::vector<LoopCase> for_an_hour(std::vector<LoopCase> cases);
 
-/// Files at 200 Hz, `inverse_mechanization`, IMU, mechanization, against the files.
-Table inverse_mechanization_table(const std::string& title, const std::vector<LoopCase>& cases);
+/// Files at 200 Hz, `inverse_mechanization`, IMU, mechanization, against the files; and the same increments by the
+/// independent mechanization.
+Table inverse_mechanization_table(const std::string& title, const std::vector<LoopCase>& cases,
+                                  const Subjects& subjects = {});
 
 /// The first `duration` of the case's rows, at 10 Hz, with what real files have: velocities biased by some cm/s, a
 /// position that jitters by 2 cm from row to row and steps by 0.5 m half-way.
@@ -35,7 +38,8 @@ std::shared_ptr<const TrajectoryFile> contradictory_rows(const LoopCase& one, ti
 
 /// Files whose position and velocity contradict each other, by `inverse_mechanization`: how far the result goes from
 /// the file's positions, beside the bound that file and feedback set.
-Table contradiction_table(const std::vector<std::shared_ptr<const TrajectoryFile>>& files);
+Table contradiction_table(const std::vector<std::shared_ptr<const TrajectoryFile>>& files,
+                          const Subjects& subjects = {});
 
 /// The file at `path`, named without its folder, for contradiction_table(). Throws files::ReadError when it cannot be
 /// read and json::Error, naming the place, when its rows are not a trajectory with velocity and attitude.

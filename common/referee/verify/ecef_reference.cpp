@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "inslab/foundation/time/rate.hpp"
-#include "inslab/models/trajectory/motion_table_model.hpp"
 
 namespace inslab::verify {
 
@@ -20,31 +19,13 @@ using scenario::Motion;
 using scenario::MotionType;
 
 constexpr double kTruthRate_hz = 200.0;
-constexpr Real kPi = 3.14159265358979323846264338327950288L;
-constexpr Real kA = 6378137.0L, kF = 1.0L / 298.257223563L, kE2 = kF * (2.0L - kF), kOmega = 7.292115e-5L;
+namespace earth = reference_earth;
+constexpr Real kPi = earth::kPi;
 
 /// What both solvers integrate: displacement in e (in kLength_m), q_nv, v_n (in kSpeed_m_per_s), and the integrals of
 /// omega_iv_v (rad) and f_v (m/s): one tolerance of 1e-15 then is 1e-11 m, 1e-13 m/s, 2e-15 rad.
 constexpr Real kLength_m = 1e4L, kSpeed_m_per_s = 1e2L;
 using State = std::array<Real, 16>;
-
-RealVector ecef(Real latitude, Real longitude, Real height) {
-  const Real N = kA / std::sqrt(1 - kE2 * std::sin(latitude) * std::sin(latitude));
-  return {(N + height) * std::cos(latitude) * std::cos(longitude),
-          (N + height) * std::cos(latitude) * std::sin(longitude), (N * (1 - kE2) + height) * std::sin(latitude)};
-}
-
-/// Latitude by fixed-point iteration, which contracts by e2 a round: 9 rounds leave 1e-20.
-std::array<Real, 3> geodetic(const RealVector& r) {
-  const Real p = std::sqrt(r.x() * r.x() + r.y() * r.y());
-  Real latitude = std::atan2(r.z(), p * (1 - kE2)), N = kA, height = 0;
-  for (int i = 0; i < 9; ++i) {
-    N = kA / std::sqrt(1 - kE2 * std::sin(latitude) * std::sin(latitude));
-    height = p / std::cos(latitude) - N;
-    latitude = std::atan2(r.z(), p * (1 - kE2 * N / (N + height)));
-  }
-  return {latitude, std::atan2(r.y(), r.x()), height};
-}
 
 /// Thesis (3-10), its five pieces as printed, with (3-13).
 Real turn_rate(Real x, Real t, Real A, Real theta) {
@@ -150,19 +131,14 @@ struct MotionInEcef {
 
   void operator()(const State& y, State& dy, Real t) const {
     const RealVector r = start_e + kLength_m * RealVector(y[0], y[1], y[2]);
-    const auto [lat, lon, h] = geodetic(r);
-    const Real s = std::sin(lat), c = std::cos(lat), sl = std::sin(lon), cl = std::cos(lon);
-    const RealVector north(-s * cl, -s * sl, c), east(-sl, cl, 0), down(-c * cl, -c * sl, -s);
+    const auto [lat, lon, h] = earth::geodetic(r);
+    const Real s = std::sin(lat), c = std::cos(lat);
     const RealQuaternion q(y[3], y[4], y[5], y[6]);
     const RealVector v_n = kSpeed_m_per_s * RealVector(y[7], y[8], y[9]);
-    const RealVector velocity_e = v_n.x() * north + v_n.y() * east + v_n.z() * down;
+    const RealVector velocity_e = earth::C_en(lat, lon) * v_n;
 
-    // TR8350.2 (4-1), (4-3).
-    const Real W2 = 1 - kE2 * s * s, x = h / kA;
-    const Real g = 9.7803253359L * (1 + 0.00193185265241L * s * s) / std::sqrt(W2) *
-                   (1 - 2 * (1 + kF + 0.00344978650684L - 2 * kF * s * s) * x + 3 * x * x);
-    const Real N = kA / std::sqrt(W2), M = kA * (1 - kE2) / (W2 * std::sqrt(W2));
-    const RealVector omega_ie_n(kOmega * c, 0, -kOmega * s);
+    const Real g = earth::gravity_m_per_s2(s, h), N = earth::transverse_m(s), M = earth::meridian_m(s);
+    const RealVector omega_ie_n(earth::kOmega_rad_per_s * c, 0, -earth::kOmega_rad_per_s * s);
     const RealVector omega_en_n(v_n.y() / (N + h), -v_n.x() / (M + h), -v_n.y() * s / (c * (N + h)));
     const RealVector omega_in_n = omega_ie_n + omega_en_n;
     const RealVector earth_n = RealVector(0, 0, g) - (omega_ie_n + omega_in_n).cross(v_n);
@@ -186,7 +162,7 @@ std::vector<scenario::Segment> legs_of(const scenario::Trajectory& trajectory, d
     throw std::invalid_argument(broken->path + " " + broken->reason);
   const scenario::GravityOptions& gravity = trajectory.gravity;
   if (gravity.model != nav::GravityModel::Somigliana || gravity.disturbance_mgal != 0 ||
-      gravity.deflection_north_arcsec != 0 || gravity.deflection_east_arcsec != 0) {
+      gravity.deflection_north_arcsec != 0 || gravity.deflection_east_arcsec != 0 || gravity.variation) {
     throw std::invalid_argument("gravity is not that of the reference: somigliana without disturbance");
   }
   std::vector<scenario::Segment> segments = trajectory.segments;
@@ -225,7 +201,7 @@ ReferenceState reference_of(const State& y, Real time_s) {
 template <class Stepper>
 std::vector<ReferenceState> solve(const scenario::Trajectory& trajectory, const TruthState& start, Real duration_s,
                                   Stepper stepper) {
-  const RealVector start_e = ecef(start.latitude_rad, start.longitude_rad, start.height_m);
+  const RealVector start_e = earth::ecef_m(start.latitude_rad, start.longitude_rad, start.height_m);
   State y = state_at(trajectory, start);
   std::vector<ReferenceState> seconds;
   Real now_s = 0;
@@ -256,7 +232,7 @@ std::vector<ReferenceState> solve(const scenario::Trajectory& trajectory, const 
 }
 
 /// Adds the squares of one second's differences; the truth is advanced to the second's end.
-void add_second(trajectory::MotionTableModel& model, const ReferenceState& reference, const RealVector& start_e,
+void add_second(trajectory::TruthModel& model, const ReferenceState& reference, const RealVector& start_e,
                 Differences& sum) {
   RealVector dtheta = RealVector::Zero(), dv = RealVector::Zero();
   TruthState truth;
@@ -265,13 +241,14 @@ void add_second(trajectory::MotionTableModel& model, const ReferenceState& refer
     dtheta += truth.dtheta_v.cast<Real>();
     dv += truth.dv_v.cast<Real>();
   }
-  const RealVector moved = ecef(truth.latitude_rad, truth.longitude_rad, truth.height_m) - start_e;
+  const RealVector moved = earth::ecef_m(truth.latitude_rad, truth.longitude_rad, truth.height_m) - start_e;
   const RealQuaternion turned = truth.q_nv.cast<Real>().conjugate() * reference.q_nv;
   sum.position_m += (moved - reference.displacement_e_m).squaredNorm();
   sum.velocity_m_per_s += (truth.v_n.cast<Real>() - reference.v_n).squaredNorm();
   sum.attitude_deg += std::pow(2 * 180 / kPi * turned.vec().norm(), 2);
   sum.dtheta_rad += (dtheta - reference.dtheta_v).squaredNorm();
   sum.dv_m_per_s += (dv - reference.dv_v).squaredNorm();
+  sum.dv_size_m_per_s += reference.dv_v.squaredNorm();
 }
 
 }  // namespace
@@ -286,20 +263,21 @@ std::vector<ReferenceState> solve_in_ecef(const scenario::Trajectory& trajectory
   return solve(trajectory, start, duration_s, odeint::make_controlled(kTolerance, 0.0L, DormandPrince()));
 }
 
-Differences compare_with_ecef(const scenario::Trajectory& trajectory, double duration_s) {
-  trajectory::MotionTableModel model(trajectory, time::Rate(kTruthRate_hz), {2300, 0});
-  const TruthState start = model.current();
-  const double end_s = std::min(duration_s, time::to_seconds(model.end()));
+Differences compare_with_ecef(const scenario::Trajectory& trajectory, double duration_s, const TruthOf& truth) {
+  const auto model = truth(trajectory, time::Rate(kTruthRate_hz));
+  const TruthState start = model->current();
+  const double end_s = std::min(duration_s, time::to_seconds(model->end()));
   const auto reference = solve_in_ecef(trajectory, start, end_s, Solver::BulirschStoer);
   const auto second = solve_in_ecef(trajectory, start, end_s, Solver::DormandPrince);
-  const RealVector start_e = ecef(start.latitude_rad, start.longitude_rad, start.height_m);
+  const RealVector start_e = earth::ecef_m(start.latitude_rad, start.longitude_rad, start.height_m);
   Differences rms;
   rms.seconds = reference.size();
   for (std::size_t i = 0; i < reference.size(); ++i) {
     rms.solvers_m = std::max(rms.solvers_m, (second.at(i).displacement_e_m - reference[i].displacement_e_m).norm());
-    add_second(model, reference[i], start_e, rms);
+    add_second(*model, reference[i], start_e, rms);
   }
-  for (Real* value : {&rms.position_m, &rms.velocity_m_per_s, &rms.attitude_deg, &rms.dtheta_rad, &rms.dv_m_per_s}) {
+  for (Real* value : {&rms.position_m, &rms.velocity_m_per_s, &rms.attitude_deg, &rms.dtheta_rad, &rms.dv_m_per_s,
+                      &rms.dv_size_m_per_s}) {
     *value = std::sqrt(*value / static_cast<Real>(rms.seconds));
   }
   return rms;

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "inslab/data/samples/truth_state.hpp"
+#include "inslab/referee/verify/reference_earth.hpp"
+#include "inslab/referee/verify/subjects.hpp"
 #include "inslab/scenario/trajectory.hpp"
 
 /// The truth against an independent solution: the same motion written in ECEF as displacement from the start, in
@@ -12,8 +14,6 @@
 /// Nothing of the integrator is shared: motions, ellipsoid and gravity are written again from their sources.
 namespace inslab::verify {
 
-using Real = long double;
-using RealVector = Eigen::Matrix<Real, 3, 1>;
 using RealQuaternion = Eigen::Quaternion<Real>;
 
 /// The vehicle at one instant, and what a perfect IMU at its reference point measured since the instant before.
@@ -39,13 +39,15 @@ struct Differences {
   Real position_m = 0;
   Real velocity_m_per_s = 0;
   Real attitude_deg = 0;
-  Real dtheta_rad = 0;  ///< of the increments of a second
-  Real dv_m_per_s = 0;  ///< of the increments of a second
-  Real solvers_m = 0;   ///< the largest distance between the positions of the two solvers
+  Real dtheta_rad = 0;       ///< of the increments of a second
+  Real dv_m_per_s = 0;       ///< of the increments of a second
+  Real dv_size_m_per_s = 0;  ///< of the increments of a second themselves
+  Real solvers_m = 0;        ///< the largest distance between the positions of the two solvers
   std::size_t seconds = 0;
 };
 
-/// Runs the motion-table model at 200 Hz beside both solvers.
-Differences compare_with_ecef(const scenario::Trajectory& trajectory, double duration_s);
+/// Runs the truth of the table at 200 Hz beside both solvers.
+Differences compare_with_ecef(const scenario::Trajectory& trajectory, double duration_s,
+                              const TruthOf& truth = product_truth);
 
 }  // namespace inslab::verify

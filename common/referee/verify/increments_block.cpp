@@ -6,10 +6,9 @@
 #include <cmath>
 
 #include "inslab/data/samples/nav_state.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
-#include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/nav/attitude.hpp"
-#include "inslab/nav/strapdown.hpp"
 
 namespace inslab::verify {
 
@@ -56,7 +55,7 @@ scenario::Trajectory sculling() {
 enum class Algorithm { AsPrinted, FullRotationTerm, RateTimesInterval };
 
 nav::ImuIncrements increments_of(const TruthState& truth, Algorithm algorithm) {
-  const double dt_s = static_cast<double>(truth.interval_ns) * 1e-9;
+  const double dt_s = time::to_seconds(truth.interval_ns);
   if (algorithm == Algorithm::RateTimesInterval) return {dt_s * truth.omega_iv_v, dt_s * truth.f_v, dt_s};
   return {truth.dtheta_v, truth.dv_v, dt_s};
 }
@@ -69,22 +68,23 @@ struct Errors {
 
 /// RMS over the instants at which the motion has completed whole periods: elsewhere the trapezoid of (2-47) errs by
 /// dt^2/12 of the acceleration's swing, which comes and goes and says nothing about drift.
-Errors mechanize(const scenario::Trajectory& motion, Algorithm algorithm, double rate_hz, double duration_s) {
-  const time::Rate rate(rate_hz);
-  trajectory::MotionTableModel model(motion, rate, {2300, 0});
+Errors mechanize(const scenario::Trajectory& motion, Algorithm algorithm, double rate_hz, double duration_s,
+                 const Subjects& subjects) {
+  const auto model = subjects.truth(motion, time::Rate(rate_hz));
   const int per_period = static_cast<int>(std::lround(kPeriod_s * rate_hz));
-  TruthState truth = model.current();
-  for (int k = 0; k < per_period; ++k) truth = model.advance();
-  nav::Strapdown strapdown(nav_state(truth), nav::Gravity(motion.gravity.model),
-                           {algorithm == Algorithm::FullRotationTerm}, increments_of(truth, algorithm));
+  TruthState truth = model->current();
+  for (int k = 0; k < per_period; ++k) truth = model->advance();
+  const auto strapdown =
+      subjects.mechanization(nav_state(truth), nav::Gravity(motion.gravity.model),
+                             {algorithm == Algorithm::FullRotationTerm}, increments_of(truth, algorithm));
   Errors sum;
   const int periods = static_cast<int>(duration_s / kPeriod_s);
   for (int period = 0; period < periods; ++period) {
     for (int k = 0; k < per_period; ++k) {
-      truth = model.advance();
-      strapdown.advance(increments_of(truth, algorithm));
+      truth = model->advance();
+      strapdown->advance(increments_of(truth, algorithm));
     }
-    const nav::NavState found = strapdown.state(), expected = nav_state(truth);
+    const nav::NavState found = strapdown->state(), expected = nav_state(truth);
     sum.position_m += nav::ned_from(expected.position, found.position).squaredNorm();
     sum.velocity_m_per_s += (found.v_n - expected.v_n).squaredNorm();
     sum.attitude_rad += std::pow(nav::angle_between(found.q_nb, expected.q_nb), 2.0);
@@ -121,17 +121,18 @@ const std::array<Case, 3>& cases() {
   return list;
 }
 
-std::array<Errors, 3> at_all_rates(const scenario::Trajectory& motion, Algorithm algorithm, double duration_s) {
+std::array<Errors, 3> at_all_rates(const scenario::Trajectory& motion, Algorithm algorithm, double duration_s,
+                                   const Subjects& subjects) {
   std::array<Errors, 3> errors;
   for (std::size_t i = 0; i < kRates_hz.size(); ++i) {
-    errors[i] = mechanize(motion, algorithm, kRates_hz[i], duration_s);
+    errors[i] = mechanize(motion, algorithm, kRates_hz[i], duration_s, subjects);
   }
   return errors;
 }
 
 }  // namespace
 
-std::vector<Table> increments(double duration_s) {
+std::vector<Table> increments(double duration_s, const Subjects& subjects) {
   const std::vector<std::string> columns{"",        "200 Hz", "400 Hz", "1000 Hz", "order 200-400", "order 400-1000",
                                          "expected"};
   Table attitude{"Coning: attitude after " + fmt::format("{:g}", duration_s) + " s, RMS, deg", columns, {}, {}};
@@ -140,8 +141,8 @@ std::vector<Table> increments(double duration_s) {
                {},
                {}};
   for (const Case& one : cases()) {
-    const auto in_coning = at_all_rates(coning(), one.algorithm, duration_s);
-    const auto in_sculling = at_all_rates(sculling(), one.algorithm, duration_s);
+    const auto in_coning = at_all_rates(coning(), one.algorithm, duration_s, subjects);
+    const auto in_sculling = at_all_rates(sculling(), one.algorithm, duration_s, subjects);
     const auto pick = [](const std::array<Errors, 3>& errors, double Errors::*member, double unit) {
       return std::array<double, 3>{unit * (errors[0].*member), unit * (errors[1].*member), unit * (errors[2].*member)};
     };

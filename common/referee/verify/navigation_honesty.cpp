@@ -48,10 +48,10 @@ Row row_of(const char* imu, const std::string& what, double mean, double degrees
 
 }  // namespace
 
-Table honesty_table(std::uint64_t runs) {
+Table honesty_table(std::uint64_t runs, const Subjects& subjects) {
   std::vector<Consistency> found(published_drifts().size());
   for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    const std::vector<NavigationRun> of_imu = navigate(short_drive(seed));
+    const std::vector<NavigationRun> of_imu = navigate(short_drive(seed), subjects);
     for (std::size_t i = 0; i < of_imu.size(); ++i) found[i].add(of_imu[i]);
   }
   Table table;

@@ -3,17 +3,17 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "inslab/data/samples/nav_state.hpp"
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/models/navigation/matching_magnetometer.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"
 #include "inslab/models/navigation/processes.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/noise/random/stream.hpp"
 #include "inslab/referee/verify/catalogue.hpp"
-#include "inslab/referee/verify/loop.hpp"
 #include "inslab/sim/drawn_start.hpp"
-#include "inslab/sim/offline_run.hpp"
 
 namespace inslab::verify {
 
@@ -59,7 +59,9 @@ class Scored {
       return;
     }
     filter_.add(sample);
-    score_.add(sample.header.sim_time_ns, filter_.filter()->state(), nav_state(truth));
+    // One that has given up and waits for a new beginning stays where it was.
+    if (filter_.filter() != nullptr) state_ = filter_.filter()->state();
+    score_.add(sample.header.sim_time_ns, state_, nav_state(truth));
     consistency(sample.header.sim_time_ns, nav_state(truth));
   }
   void gnss(GnssFix fix) {
@@ -69,11 +71,15 @@ class Scored {
     for (const ref::UpdateResult& result : filter_.take_results()) {
       bool rejected = false;
       for (const ref::MeasurementResult& m : result.measurements) {
+        if (m.name != ref::GnssPosition::name && m.name != ref::GnssVelocity::name) continue;
         run_.innovations.push_back(m.nis);
         rejected = rejected || !m.accepted;
       }
       if (rejected) ++run_.rejected;
     }
+  }
+  void aid(const ref::Observation& observation) {
+    if (begun_) filter_.add(observation);
   }
   NavigationRun result() const {
     NavigationRun run = run_;
@@ -85,13 +91,18 @@ class Scored {
   /// Truth plus errors drawn from the filter's own initial covariance.
   void begin(const ImuTruth& truth) {
     const Vector9 sigmas = ref::initial_sigmas(parameters_).head<ref::kNavStates>();
-    filter_.start(sim::drawn_start(truth, sigmas, draws_), truth.header.sim_time_ns);
+    state_ = sim::drawn_start(truth, sigmas, draws_);
+    filter_.start(state_, truth.header.sim_time_ns);
     begun_ = true;
   }
 
   void consistency(std::int64_t time_ns, const nav::NavState& truth) {
     const auto here = [time_ns](double at_s) { return time::from_seconds(at_s).count() == time_ns; };
     if (std::none_of(setup_.nees_at_s.begin(), setup_.nees_at_s.end(), here)) return;
+    if (filter_.filter() == nullptr) {
+      run_.nees.push_back(std::numeric_limits<double>::infinity());
+      return;
+    }
     ref::InertialFilter now = *filter_.filter();
     now.settle();
     const Eigen::Matrix<double, 9, 1> e = errors_of(now.state(), truth);
@@ -105,6 +116,7 @@ class Scored {
   ref::NavigationFilter filter_;
   random::Stream draws_;
   bool begun_ = false;
+  nav::NavState state_;  ///< of the estimate
   NavigationRun run_;
 };
 
@@ -123,6 +135,9 @@ class ScoringSink : public sim::RunSink {
     for (Scored& filter : filters) {
       if (filter.shift_index == index) filter.gnss(fix);
     }
+  }
+  void magnetometer(std::size_t, const MagneticField& sample) override {
+    for (Scored& filter : filters) filter.aid(sample);
   }
   void ack(const ProfileAck&) override {}
 };
@@ -163,6 +178,14 @@ scenario::LoadedScenario navigation_scenario(const NavigationSetup& setup) {
     }
     loaded.gnss.push_back(gnss);
   }
+  if (setup.magnetometer) {
+    scenario::LoadedMagnetometer magnetometer;
+    magnetometer.rate = time::Rate(kMagnetometerRate_hz);
+    magnetometer.errors = *setup.magnetometer;
+    magnetometer.installation = catalogue_profile<InstallationProfile>(kImuPlace);
+    magnetometer.errors.target = magnetometer.installation.target = {SensorKind::Magnetometer, 0};
+    loaded.magnetometers.push_back(magnetometer);
+  }
   return loaded;
 }
 
@@ -170,6 +193,8 @@ ref::NavigationParameters filter_parameters(const NavigationSetup& setup, std::s
   ref::NavigationParameters parameters =
       ref::matching_parameters(setup.imus[imu].believed, catalogue_profile<InstallationProfile>(kImuPlace),
                                catalogue_profile<InstallationProfile>(kAntennaPlace));
+  const auto imu_place = catalogue_profile<InstallationProfile>(kImuPlace);
+  if (setup.magnetometer) ref::match(*setup.magnetometer, imu_place, imu_place, parameters);
   parameters.zero_velocity.use = setup.zero_velocity_updates;
   parameters.max_latency_s = 0.0;
   parameters.initial.position_sigma_ned_m = Vector3::Constant(0.05);
@@ -178,17 +203,15 @@ ref::NavigationParameters filter_parameters(const NavigationSetup& setup, std::s
   return parameters;
 }
 
-std::vector<NavigationRun> navigate(const NavigationSetup& setup) {
+std::vector<NavigationRun> navigate(const NavigationSetup& setup, const Subjects& subjects) {
   const scenario::LoadedScenario loaded = navigation_scenario(setup);
   ScoringSink sink;
   for (std::size_t i = 0; i < setup.imus.size(); ++i) {
     for (std::size_t shift = 0; shift < setup.shifts_s.size(); ++shift) {
-      sink.filters.emplace_back(setup, i, shift, filter_parameters(setup, i), loaded.gravity());
+      sink.filters.emplace_back(setup, i, shift, filter_parameters(setup, i), loaded.gravity_model());
     }
   }
-  sim::OfflineRun run(loaded, kNavigationStart, RunId{}, sink);
-  while (run.step()) {
-  }
+  subjects.simulation(loaded, kNavigationStart, sink);
   std::vector<NavigationRun> runs;
   for (const Scored& filter : sink.filters) runs.push_back(filter.result());
   return runs;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "inslab/data/samples/trajectory_file.hpp"
 #include "inslab/models/navigation/navigation_filter.hpp"
 #include "inslab/referee/verify/outage_score.hpp"
+#include "inslab/referee/verify/subjects.hpp"
 #include "inslab/scenario/load.hpp"
 
 namespace inslab::verify {
@@ -40,9 +42,12 @@ struct NavigationSetup {
   std::vector<double> shifts_s = {0.0, 60.0, 120.0};  ///< of all outages: the same run anew for each, but for the fixes
   std::vector<double> nees_at_s;                      ///< instants of IMU samples
   bool zero_velocity_updates = false;
+  /// Of a magnetometer at the IMU's place, along its axes, at kMagnetometerRate_hz; absent: there is none.
+  std::optional<MagnetometerErrorProfile> magnetometer = std::nullopt;
 };
 
 inline constexpr double kImuRate_hz = 200.0;
+inline constexpr double kMagnetometerRate_hz = 10.0;
 inline constexpr time::GpsTime kNavigationStart{2446, 36000000000000};
 
 /// Every filter begins at the truth plus errors drawn from its initial covariance; the sensors' streams follow from
@@ -53,6 +58,6 @@ scenario::LoadedScenario navigation_scenario(const NavigationSetup& setup);
 navigation::NavigationParameters filter_parameters(const NavigationSetup& setup, std::size_t imu);
 
 /// A run for each IMU of the setup and each shift: those of the first IMU first.
-std::vector<NavigationRun> navigate(const NavigationSetup& setup);
+std::vector<NavigationRun> navigate(const NavigationSetup& setup, const Subjects& subjects = {});
 
 }  // namespace inslab::verify

@@ -13,7 +13,6 @@ namespace inslab::verify {
 
 namespace {
 
-constexpr double kFactor = 2.0;
 constexpr double kStanding_s = 300.0;  // as long as the catalogue's car
 
 ImuErrorProfile imu_profile(const char* imu, const char* kind) {
@@ -81,20 +80,6 @@ DriftFigures ratios(const DriftFigures& found, const DriftFigures& expected) {
   return ratios;
 }
 
-bool none_is_worse(const DriftFigures& ratios) {
-  return std::all_of(ratios.begin(), ratios.end(), [](double ratio) { return ratio <= kFactor; });
-}
-
-std::string verdict(const DriftFigures& ratios) {
-  std::string worse, better;
-  for (std::size_t i = 0; i < ratios.size(); ++i) {
-    if (!(ratios[i] <= kFactor)) worse += std::string(" ") + kDriftNames[i];
-    if (ratios[i] < 1.0 / kFactor) better += std::string(" ") + kDriftNames[i];
-  }
-  if (!worse.empty()) return "worse than twice:" + worse;
-  return better.empty() ? "within a factor 2" : "better than half:" + better;
-}
-
 DriftFigures drift_of(const std::vector<NavigationRun>& runs) {
   DriftFigures figures{};
   double outages = 0.0;
@@ -111,12 +96,13 @@ DriftFigures drift_of(const std::vector<NavigationRun>& runs) {
   return figures;
 }
 
-std::vector<DriftFigures> drifts(std::uint64_t seeds, const std::function<NavigationSetup(std::uint64_t seed)>& setup) {
+std::vector<DriftFigures> drifts(std::uint64_t seeds, const std::function<NavigationSetup(std::uint64_t seed)>& setup,
+                                 const Subjects& subjects) {
   std::vector<std::vector<NavigationRun>> of_imu;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const NavigationSetup one = setup(seed);
     of_imu.resize(one.imus.size());
-    const std::vector<NavigationRun> runs = navigate(one);
+    const std::vector<NavigationRun> runs = navigate(one, subjects);
     for (std::size_t i = 0; i < runs.size(); ++i) of_imu[i / one.shifts_s.size()].push_back(runs[i]);
   }
   std::vector<DriftFigures> figures;
@@ -126,6 +112,10 @@ std::vector<DriftFigures> drifts(std::uint64_t seeds, const std::function<Naviga
 
 std::string text_of(const DriftFigures& f) {
   return fmt::format("{:.3g} / {:.3g}; {:.2g} {:.2g} {:.2g}", f[0], f[1], f[2], f[3], f[4]);
+}
+
+std::string ratios_text(const DriftFigures& r) {
+  return fmt::format("{:.2f} {:.2f}; {:.2f} {:.2f} {:.2f}", r[0], r[1], r[2], r[3], r[4]);
 }
 
 }  // namespace inslab::verify

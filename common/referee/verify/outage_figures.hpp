@@ -34,12 +34,6 @@ const DriftFigures& simulated(const PublishedDrift& published, MotionFrom motion
 /// Figure by figure.
 DriftFigures ratios(const DriftFigures& found, const DriftFigures& expected);
 
-/// Whether no ratio is above 2.
-bool none_is_worse(const DriftFigures& ratios);
-
-/// "within a factor 2", or the names of the figures that are not.
-std::string verdict(const DriftFigures& ratios);
-
 /// The thesis's outages (docs/navigation.md says which of it is from where): its IMUs as it simulates them in 20
 /// minutes of driving after a rest, RTK positions at 1 Hz with white noise, outages of 60 s every 180 s from 420 s on,
 /// three times over. Each filter is told its IMU's errors.
@@ -55,9 +49,13 @@ NavigationSetup full_setup(std::uint64_t seed, MotionFrom motion);
 DriftFigures drift_of(const std::vector<NavigationRun>& runs);
 
 /// That of every IMU of the setups, over seeds 1 to `seeds`.
-std::vector<DriftFigures> drifts(std::uint64_t seeds, const std::function<NavigationSetup(std::uint64_t seed)>& setup);
+std::vector<DriftFigures> drifts(std::uint64_t seeds, const std::function<NavigationSetup(std::uint64_t seed)>& setup,
+                                 const Subjects& subjects = {});
 
 /// "0.545 / 0.112; 0.0013 0.0014 0.0129"
 std::string text_of(const DriftFigures& figures);
+
+/// The same of ratios: "0.38 0.82; 0.44 0.42 0.25".
+std::string ratios_text(const DriftFigures& ratios);
 
 }  // namespace inslab::verify

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/geodesy.hpp"
 
 namespace inslab::verify {
 
 void OutageScore::add(std::int64_t sim_time_ns, const nav::NavState& estimate, const nav::NavState& truth) {
-  const double since_s = static_cast<double>(sim_time_ns) * 1e-9 - times_.first_s;
+  const double since_s = time::to_seconds(sim_time_ns) - times_.first_s;
   if (since_s < 0.0) return;
   const auto outage = static_cast<std::size_t>(since_s / times_.spacing_s);
   const double begin_s = static_cast<double>(outage) * times_.spacing_s;

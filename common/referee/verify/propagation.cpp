@@ -9,6 +9,7 @@
 
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/wgs84.hpp"
+#include "inslab/noise/allan/confidence.hpp"
 #include "inslab/referee/verify/catalogue.hpp"
 #include "inslab/referee/verify/propagation_runs.hpp"
 
@@ -116,14 +117,14 @@ struct HeightSource {
   double v_D_m_per_s;
   double f_D_mgal;
 
-  std::vector<ErrorState> run(int duration_s) const {
+  std::vector<ErrorState> run(int duration_s, const Subjects& subjects) const {
     RestingRun run;
     run.duration_s = duration_s;
     run.vertical = Vertical::Free;
     run.start[2] = -h_m;
     run.start[5] = v_D_m_per_s;
     run.errors.accel.bias_constant_mgal.z() = f_D_mgal;
-    return navigate_at_rest(run, kEvery_s);
+    return navigate_at_rest(run, kEvery_s, subjects);
   }
   double closed_form_m(double t_s, double k_rad_per_s) const {
     const double x = k_rad_per_s * t_s;
@@ -168,11 +169,11 @@ RestingRun drifting(Vertical vertical, int seed) {
   return run;
 }
 
-Drift drift_of(Vertical vertical, int runs) {
+Drift drift_of(Vertical vertical, int runs, const Subjects& subjects) {
   Drift drift;
   for (int seed = 1; seed <= runs; ++seed) {
     const RestingRun run = drifting(vertical, seed);
-    const ErrorState end = navigate_at_rest(run, run.duration_s).back();
+    const ErrorState end = navigate_at_rest(run, run.duration_s, subjects).back();
     drift.radial_m.push_back(end.head<2>().norm());
     drift.mean_squares += end.cwiseAbs2() / runs;
   }
@@ -180,11 +181,35 @@ Drift drift_of(Vertical vertical, int runs) {
   return drift;
 }
 
-Row cep_row(const std::string& name, const Drift& drift, bool held) {
+/// The figure that is printed is the one that is judged: the statement holds for what lies in the CEP's own interval.
+/// That this IMU is better than the statement, as the prediction says, is a known miss (docs/verification.md).
+Row statement_row(const Drift& drift) {
+  constexpr double kFrom_nmi = 1.0, kTo_nmi = 2.0, kPredicted_nmi = 0.93;
   const auto [low, high] = drift.cep_interval_nmi();
-  return {{name, fmt::format("{:.2f} ({:.2f} to {:.2f})", drift.cep_nmi(), low, high),
-           fmt::format("{:.2f}", drift.rms_nmi()), "", ""},
-          held};
+  return {{"CEP, height held, nmi", fmt::format("{:.2f}", drift.cep_nmi()), "1 to 2", "",
+           fmt::format("{:.2f} to {:.2f}", low, high)},
+          low <= kTo_nmi && high >= kFrom_nmi,
+          high < kFrom_nmi && low <= kPredicted_nmi && kPredicted_nmi <= high};
+}
+
+/// Of measured over predicted variance: what chi-square of as many degrees as runs exceeds to either side as seldom as
+/// a normal variable four standard deviations.
+std::pair<double, double> ratio_limits(int runs) {
+  constexpr double kChance = 3.2e-5;
+  return {allan::chi_square_quantile(kChance, runs) / runs, allan::chi_square_quantile(1.0 - kChance, runs) / runs};
+}
+
+void add_prediction_rows(const std::string& what, const Drift& drift, const predict::PredictedError& predicted,
+                         int runs, Table& table) {
+  const auto [low, high] = ratio_limits(runs);
+  for (int axis = 0; axis < 2; ++axis) {
+    const double ratio = drift.mean_squares[axis] / (predicted.position_n_m[axis] * predicted.position_n_m[axis]);
+    table.rows.push_back({{std::string(axis == 0 ? "north" : "east") + " RMS, height " + what + ", nmi",
+                           fmt::format("{:.2f}", std::sqrt(drift.mean_squares[axis]) / kMetresPerNauticalMile),
+                           fmt::format("{:.2f}", predicted.position_n_m[axis] / kMetresPerNauticalMile),
+                           fmt::format("{:.3f}", ratio), fmt::format("{:.2f} to {:.2f}", low, high)},
+                          ratio >= low && ratio <= high});
+  }
 }
 
 tables::Curve curve(const std::string& title, const std::string& style) { return {title, {}, {}, style}; }
@@ -212,7 +237,7 @@ tables::Panel panel_of(const Source& source) {
 
 }  // namespace
 
-std::vector<Table> schuler_tables() {
+std::vector<Table> schuler_tables(const Subjects& subjects) {
   Table curves{"North position of pure inertial navigation at rest, latitude 30 deg, height held",
                {"source", "amplitude, m", "from (68)", "limit", "from linear, 4 h", "limit"},
                {},
@@ -222,7 +247,7 @@ std::vector<Table> schuler_tables() {
   Table period{"Schuler period", {"", "found, min", "2 pi sqrt(M/g), min", "off", "limit"}, {}, {}};
   constexpr double kLinearLimit = 1e-3, kPeriodLimit = 0.01;
   for (const Source& source : sources()) {
-    const std::vector<ErrorState> run = navigate_at_rest(source.run(), kEvery_s);
+    const std::vector<ErrorState> run = navigate_at_rest(source.run(), kEvery_s, subjects);
     const Departure closed = from_closed_form(source, run), linear = from_linear(source.linear(), run);
     curves.rows.push_back({{source.name, fmt::format("{:.1f}", closed.amplitude_m), percent(closed.ratio()),
                             percent(source.limit), percent(linear.ratio()), percent(kLinearLimit)},
@@ -236,7 +261,7 @@ std::vector<Table> schuler_tables() {
   return {curves, period};
 }
 
-Table height_table() {
+Table height_table(const Subjects& subjects) {
   constexpr int kCompared_s = 1800, kFrom_s = 2400, kTo_s = 3600;
   constexpr double kLimit = 0.02, kDoubling_s = 395.0, kDoublingLimit = 0.01;
   Table table{"Height left free",
@@ -248,7 +273,7 @@ Table height_table() {
                                           {"velocity 0.01 m/s down", 0.0, 0.01, 0.0},
                                           {"accelerometer 1 mGal", 0.0, 0.0, 1.0}}};
   for (const HeightSource& source : list) {
-    const std::vector<ErrorState> run = source.run(kTo_s);
+    const std::vector<ErrorState> run = source.run(kTo_s, subjects);
     double largest = 0.0;
     for (std::size_t k = 1; k <= kCompared_s / kEvery_s; ++k) {
       largest = std::max(largest, std::abs(-run[k][2] / source.closed_form_m(time_of(k), height_rate_per_s()) - 1.0));
@@ -264,29 +289,25 @@ Table height_table() {
   return table;
 }
 
-Table drift_table(int runs) {
+Table drift_table(int runs, const Subjects& subjects) {
   if (runs < 10) throw std::invalid_argument("drift needs at least 10 runs");
-  const Drift held = drift_of(Vertical::Held, runs), free = drift_of(Vertical::Free, runs);
+  const Drift held = drift_of(Vertical::Held, runs, subjects), free = drift_of(Vertical::Free, runs, subjects);
+  const auto [free_low, free_high] = free.cep_interval_nmi();
   Table table{
       fmt::format("Drift of a navigation-grade INS in an hour at rest, {} seeds", runs),
-      {"", "CEP, nmi (95 %)", "radial RMS, nmi", "measured / predicted variance", "limits"},
+      {"", "found", "expected", "ratio of variances", "interval or limits"},
       {},
       {"Begun without errors; IMU of config/profiles/imu/grade_aviation.json. The statement checked is 1 to 2 "
-       "nautical miles in an hour, as radial RMS.",
-       "Variances: of north and of east against the nine-state prediction, within 4 standard deviations of a "
-       "chi-square of as many degrees of freedom as runs.",
-       fmt::format("Height free: {:.1f} km RMS of height after the hour.", std::sqrt(free.mean_squares[2]) / 1e3)}};
-  table.rows.push_back(cep_row("height held", held, held.rms_nmi() >= 1.0 && held.rms_nmi() <= 2.0));
-  table.rows.push_back(cep_row("height free", free, free.rms_nmi() > held.rms_nmi()));
-  const predict::PredictedError predicted = predict_at_rest(drifting(Vertical::Held, 1));
-  const double margin = 4.0 * std::sqrt(2.0 / runs);
-  for (int axis = 0; axis < 2; ++axis) {
-    const double ratio = held.mean_squares[axis] / (predicted.position_n_m[axis] * predicted.position_n_m[axis]);
-    table.rows.push_back({{axis == 0 ? "north, height held" : "east, height held", "",
-                           fmt::format("{:.2f}", std::sqrt(held.mean_squares[axis]) / kMetresPerNauticalMile),
-                           fmt::format("{:.3f}", ratio), fmt::format("{:.2f} to {:.2f}", 1.0 - margin, 1.0 + margin)},
-                          std::abs(ratio - 1.0) <= margin});
-  }
+       "nautical miles in an hour, as CEP: it holds when the CEP's 95 % interval, from the ranks of the runs, meets "
+       "it.",
+       "North and east: against the nine-state prediction; limits of the ratio of variances by chi-square with as many "
+       "degrees of freedom as runs, exceeded to either side at 3.2e-5.",
+       fmt::format("Height held: {:.2f} nmi radial RMS. Height free: CEP {:.2f} nmi ({:.2f} to {:.2f}), {:.1f} km RMS "
+                   "of height after the hour.",
+                   held.rms_nmi(), free.cep_nmi(), free_low, free_high, std::sqrt(free.mean_squares[2]) / 1e3)}};
+  table.rows.push_back(statement_row(held));
+  add_prediction_rows("held", held, predict_at_rest(drifting(Vertical::Held, 1)), runs, table);
+  add_prediction_rows("free", free, predict_at_rest(drifting(Vertical::Free, 1)), runs, table);
   return table;
 }
 

@@ -4,7 +4,6 @@
 
 #include "inslab/data/samples/nav_state.hpp"
 #include "inslab/foundation/units/units.hpp"
-#include "inslab/models/imu/imu_model.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/error_model.hpp"
@@ -41,9 +40,9 @@ nav::NavState with_error(nav::NavState state, const ErrorState& x) {
   return state;
 }
 
-imu::ImuModel imu_of(const RestingRun& run) {
-  const time::Rate rate(kRestingRateHz);
-  return imu::ImuModel({run.seed, 0, rate, nav::Gravity(), run.errors, VibrationProfile{}, InstallationProfile{}});
+imu::ImuModel::Setup setup_of(const RestingRun& run) {
+  return {
+      run.seed, 0, time::Rate(kRestingRateHz), nav::Gravity(), run.errors, VibrationProfile{}, InstallationProfile{}};
 }
 
 ErrorState error_of(const nav::NavState& found, const nav::NavState& truth) {
@@ -59,21 +58,22 @@ ErrorState error_of(const nav::NavState& found, const nav::NavState& truth) {
 
 nav::Geodetic resting_place() { return {kLatitudeDeg * units::kDeg, kLongitudeDeg * units::kDeg, 0.0}; }
 
-std::vector<ErrorState> navigate_at_rest(const RestingRun& run, int every_s) {
+std::vector<ErrorState> navigate_at_rest(const RestingRun& run, int every_s, const Subjects& subjects) {
   const time::Rate rate(kRestingRateHz);
   const nav::Gravity gravity;
-  trajectory::MotionTableModel truth(at_rest(run.duration_s), rate, kStart);
-  imu::ImuModel imu = imu_of(run);
-  imu.measure(truth.current());
-  nav::Strapdown strapdown(with_error(nav_state(truth.current()), run.start), gravity, {});
+  const auto truth = subjects.truth(at_rest(run.duration_s), rate);
+  const Imu imu = subjects.imu(setup_of(run));
+  imu(truth->current());
+  const auto strapdown =
+      subjects.mechanization(with_error(nav_state(truth->current()), run.start), gravity, {}, std::nullopt);
   std::vector<ErrorState> errors{run.start};
   const int steps_between = static_cast<int>(std::lround(every_s * kRestingRateHz));
   for (int k = 1; k <= run.duration_s / every_s * steps_between; ++k) {
-    const TruthState now = truth.advance();
-    const ImuSample sample = imu.measure(now)->sample;
-    strapdown.advance({sample.dtheta_b, sample.dv_b, rate.period_s()});
-    if (run.vertical == predict::Vertical::Held) strapdown.hold_vertical(now.height_m, now.v_n.z());
-    if (k % steps_between == 0) errors.push_back(error_of(strapdown.state(), nav_state(now)));
+    const TruthState now = truth->advance();
+    const ImuSample sample = imu(now)->sample;
+    strapdown->advance({sample.dtheta_b, sample.dv_b, rate.period_s()});
+    if (run.vertical == predict::Vertical::Held) strapdown->hold_vertical(now.height_m, now.v_n.z());
+    if (k % steps_between == 0) errors.push_back(error_of(strapdown->state(), nav_state(now)));
   }
   return errors;
 }
@@ -112,7 +112,7 @@ predict::PredictedError predict_at_rest(const RestingRun& run) {
   start.velocity_n_m_per_s = run.start.segment<3>(3).cwiseAbs();
   start.attitude_n_rad = run.start.tail<3>().cwiseAbs();
   predict::ErrorGrowth growth(run.errors, start, nav::Gravity(), run.vertical, kPredictionStep_s);
-  imu::ImuModel imu = imu_of(run);
+  imu::ImuModel imu(setup_of(run));
   imu.measure(truth.current());
   for (int k = 0; k < static_cast<int>(std::lround(run.duration_s * kRestingRateHz)); ++k) {
     growth.advance(imu.measure(truth.advance())->truth, 0.0);

@@ -8,6 +8,7 @@
 #include "inslab/nav/gravity.hpp"
 #include "inslab/nav/strapdown.hpp"
 #include "inslab/referee/predict/error_growth.hpp"
+#include "inslab/referee/verify/subjects.hpp"
 
 /// Pure inertial navigation at rest through the whole chain: truth model, IMU model, mechanization.
 namespace inslab::verify {
@@ -29,7 +30,7 @@ inline constexpr double kRestingRateHz = 10.0;
 nav::Geodetic resting_place();
 
 /// The errors at 0, `every_s`, 2 `every_s`, ... s.
-std::vector<ErrorState> navigate_at_rest(const RestingRun& run, int every_s);
+std::vector<ErrorState> navigate_at_rest(const RestingRun& run, int every_s, const Subjects& subjects = {});
 
 /// The same by the linear model under constant sensor errors in n (rad/s, m/s^2): Runge-Kutta of fourth order with
 /// steps of a second. Held: without its vertical states.

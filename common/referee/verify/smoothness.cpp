@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/time/rate.hpp"
 #include "inslab/foundation/units/units.hpp"
-#include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/nav/geodesy.hpp"
 
 namespace inslab::verify {
@@ -19,8 +19,6 @@ constexpr std::size_t kWindow = 6;
 
 /// The sample at a joint after the ones before it, newest first.
 using Window = std::array<TruthState, kWindow + 1>;
-
-nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
 
 /// What the polynomial through `points` equidistant values says of the next one: sum of (-1)^(i+1) C(points, i) x_(-i).
 template <class Value>
@@ -38,8 +36,9 @@ void add_joint(const Window& window, JointJumps& largest) {
   const TruthState& now = window[0];
   const auto add = [](double& sofar, double jump) { sofar = std::max(sofar, jump); };
   ++largest.joints;
-  add(largest.position_m,
-      extrapolated(window, 4, [&](const TruthState& t) { return nav::ned_from(position(now), position(t)); }).norm());
+  add(largest.position_m, extrapolated(window, 4, [&](const TruthState& t) {
+                            return nav::ned_from(geodetic_of(now), geodetic_of(t));
+                          }).norm());
   const auto five = [&](auto value) { return extrapolated(window, kWindow, value); };
   add(largest.velocity_m_per_s, (five([](const TruthState& t) { return t.v_n; }) - now.v_n).norm());
   // q and -q are the same attitude, and the published sign may change between two samples.
@@ -54,10 +53,10 @@ void add_joint(const Window& window, JointJumps& largest) {
 
 }  // namespace
 
-JointJumps jumps_at_joints(const scenario::Trajectory& trajectory, double duration_s) {
+JointJumps jumps_at_joints(const scenario::Trajectory& trajectory, double duration_s, const TruthOf& truth) {
   const time::Rate rate(200.0);
-  trajectory::MotionTableModel model(trajectory, rate, {2300, 0});
-  const time::Nanoseconds end = std::min(time::from_seconds(duration_s), model.end());
+  const auto model = truth(trajectory, rate);
+  const time::Nanoseconds end = std::min(time::from_seconds(duration_s), model->end());
   JointJumps largest;
   Window window;
   std::uint64_t sample = 0, first_of_segment = 0;
@@ -67,7 +66,7 @@ JointJumps jumps_at_joints(const scenario::Trajectory& trajectory, double durati
     if (joint > end) break;
     for (; rate.at(sample) < joint; ++sample) {
       std::rotate(window.begin(), window.end() - 1, window.end());
-      window[0] = model.advance();
+      window[0] = model->advance();
     }
     if (rate.at(sample) != joint || sample - first_of_segment < kWindow) {
       throw std::invalid_argument("joint " + std::to_string(next) + ": no sample hits it, or it follows too soon");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/referee/verify/subjects.hpp"
 #include "inslab/scenario/trajectory.hpp"
 
 namespace inslab::verify {
@@ -19,6 +20,7 @@ struct JointJumps {
 /// rounding of those samples, 15 and 63 times, and (5 ms)^4 or (5 ms)^6 of that derivative. Throws
 /// std::invalid_argument for a joint within `duration_s` that no sample hits or that follows the one before within
 /// 30 ms.
-JointJumps jumps_at_joints(const scenario::Trajectory& trajectory, double duration_s);
+JointJumps jumps_at_joints(const scenario::Trajectory& trajectory, double duration_s,
+                           const TruthOf& truth = product_truth);
 
 }  // namespace inslab::verify

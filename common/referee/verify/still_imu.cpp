@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "inslab/sim/offline_run.hpp"
+#include "inslab/referee/verify/run_start.hpp"
 
 namespace inslab::verify {
 namespace {
@@ -68,13 +68,11 @@ class AxesSink : public sim::RunSink {
 }  // namespace
 
 std::vector<AxisRecord> record_still_imu(const ImuErrorProfile& errors, double rate_hz, double duration_s,
-                                         std::uint64_t seed) {
+                                         std::uint64_t seed, const Simulation& simulation) {
   const scenario::LoadedScenario loaded = still(errors, rate_hz, duration_s, seed);
   // Beyond an eighth of the record a point has hardly a degree of freedom.
   AxesSink sink(1.0 / rate_hz, static_cast<std::int64_t>(duration_s * rate_hz / 8.0));
-  sim::OfflineRun run(loaded, {2400, 0}, RunId{}, sink);
-  while (run.step()) {
-  }
+  simulation(loaded, kStart, sink);
   return sink.axes();
 }
 

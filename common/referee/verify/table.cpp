@@ -8,8 +8,21 @@ namespace inslab::verify {
 
 bool Table::held() const {
   if (!judged) return true;
-  return !rows.empty() && std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.held; });
+  return !rows.empty() &&
+         std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.held || row.known_miss; });
 }
+
+std::size_t Table::misses() const {
+  if (!judged) return 0;
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.held && row.known_miss; }));
+}
+
+namespace {
+
+const char* verdict_of(const Row& row) { return row.held ? "PASS" : row.known_miss ? "MISS" : "FAIL"; }
+
+}  // namespace
 
 std::string to_text(const Table& table) {
   std::vector<std::size_t> widths;
@@ -28,7 +41,7 @@ std::string to_text(const Table& table) {
   };
   std::string text = table.title + "\n\n" + line(table.columns) + "\n";
   for (const Row& row : table.rows) {
-    text += line(row.cells) + (!table.judged ? "\n" : row.held ? "  PASS\n" : "  FAIL\n");
+    text += line(row.cells) + (table.judged ? std::string("  ") + verdict_of(row) : "") + "\n";
   }
   for (const std::string& note : table.notes) text += "\n" + note + "\n";
   return text;

@@ -11,6 +11,7 @@ namespace inslab::verify {
 struct Row {
   std::vector<std::string> cells;
   bool held = true;
+  bool known_miss = false;  ///< it does not hold, and known_misses.hpp says so of everything in it that does not
 };
 
 struct Table {
@@ -20,11 +21,12 @@ struct Table {
   std::vector<std::string> notes;  ///< printed under the table: the reference used, what a column means
   bool judged = true;              ///< false: figures to look at, no row passes or fails
 
-  /// Whether every row held; a judged table without rows has shown nothing.
+  /// Whether every row held, known misses aside; a judged table without rows has shown nothing.
   bool held() const;
+  std::size_t misses() const;  ///< the known ones
 };
 
-/// The table with aligned columns and PASS or FAIL at the end of each row.
+/// The table with aligned columns and at the end of each row PASS, FAIL, or MISS for a known one.
 std::string to_text(const Table& table);
 
 }  // namespace inslab::verify

@@ -1,5 +1,6 @@
 #include "inslab/referee/verify/town_drive.hpp"
 
+#include "inslab/data/samples/nav_state.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/noise/random/stream.hpp"
 #include "inslab/referee/verify/catalogue.hpp"
@@ -89,8 +90,7 @@ class Recorder : public sim::RunSink {
   void truth(const TruthState&) override {}
   void imu(std::size_t, const ImuSample& sample, const ImuTruth& truth) override {
     if (filter_.filter() == nullptr) {
-      filter_.start({{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nb},
-                    truth.header.sim_time_ns);
+      filter_.start(nav_state(truth), truth.header.sim_time_ns);
     } else {
       filter_.add(sample);
     }
@@ -134,7 +134,7 @@ std::shared_ptr<const TrajectoryFile> recorded_drive(std::uint64_t seed, double 
   setup.outages.first_s = setup.duration_s;
   setup.shifts_s = {0.0};
   const scenario::LoadedScenario loaded = navigation_scenario(setup);
-  Recorder recorder(filter_parameters(setup, 0), loaded.gravity(), "drive_" + std::to_string(seed));
+  Recorder recorder(filter_parameters(setup, 0), loaded.gravity_model(), "drive_" + std::to_string(seed));
   sim::OfflineRun run(loaded, kNavigationStart, RunId{}, recorder);
   while (run.step()) {
   }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "inslab/referee/verify/catalogue.hpp"
@@ -17,6 +19,11 @@ constexpr Real kPositionLimit_m = 1e-6L;
 constexpr Real kVelocityLimit_m_per_s = 1e-8L;
 constexpr Real kAttitudeLimit_deg = 1e-9L;
 constexpr Real kSolversLimit_m = 1e-8L;
+// The increments of a second. An attitude at its limit turns Earth rate by 1.3e-15 rad in it, to which each of 200
+// samples adds the rounding of its own; and it turns the specific force by the limit times its size.
+constexpr Real kDthetaLimit_rad = 1e-14L;
+constexpr Real kSecondOfGravity_m_per_s = 9.8L;  // where a vehicle falls freely, rounding does not get less
+constexpr Real kDvLimit_of_dv = kAttitudeLimit_deg * 3.14159265358979323846L / 180;
 
 // A longitude is published to half a unit in the last place, 1.4e-9 m; the extrapolation adds up 16 such.
 constexpr double kPositionJump_m = 3e-8;
@@ -72,8 +79,9 @@ std::vector<Flight> flights() {
 
 std::string figure(Real value) { return fmt::format("{:.1e}", static_cast<double>(value)); }
 
-Row accuracy_row(const Flight& flight) {
-  const Differences rms = compare_with_ecef(flight.trajectory, flight.duration_s);
+Row accuracy_row(const Flight& flight, const TruthOf& truth) {
+  const Differences rms = compare_with_ecef(flight.trajectory, flight.duration_s, truth);
+  const Real dv_limit_m_per_s = kDvLimit_of_dv * std::max(rms.dv_size_m_per_s, kSecondOfGravity_m_per_s);
   const std::string thesis_m = thesis_position(flight.name);
   const bool in_thesis = thesis_m != "-";
   Row row;
@@ -85,14 +93,20 @@ Row accuracy_row(const Flight& flight) {
                in_thesis ? "<= 0.01" : "-",
                figure(rms.attitude_deg),
                in_thesis ? "<= 0.02" : "-",
+               figure(rms.dtheta_rad),
+               figure(rms.dv_m_per_s),
+               figure(dv_limit_m_per_s),
                figure(rms.solvers_m)};
   row.held = rms.seconds > 0 && rms.position_m <= kPositionLimit_m && rms.velocity_m_per_s <= kVelocityLimit_m_per_s &&
-             rms.attitude_deg <= kAttitudeLimit_deg && rms.solvers_m <= kSolversLimit_m;
+             rms.attitude_deg <= kAttitudeLimit_deg && rms.dtheta_rad <= kDthetaLimit_rad &&
+             rms.dv_m_per_s <= dv_limit_m_per_s && rms.solvers_m <= kSolversLimit_m;
   return row;
 }
 
-Row smoothness_row(const Flight& flight) {
-  const JointJumps jumps = jumps_at_joints(flight.trajectory, flight.duration_s);
+/// Nothing where no segment ends: such a row would hold whatever the truth did.
+std::optional<Row> smoothness_row(const Flight& flight, const TruthOf& truth) {
+  const JointJumps jumps = jumps_at_joints(flight.trajectory, flight.duration_s, truth);
+  if (jumps.joints == 0) return std::nullopt;
   Row row;
   row.cells = {flight.name,
                std::to_string(jumps.joints),
@@ -109,16 +123,19 @@ Row smoothness_row(const Flight& flight) {
 
 }  // namespace
 
-std::vector<Table> verify_trajectory(bool /*full*/) {
+std::vector<Table> verify_trajectory(const Subjects& subjects, double longest_s) {
   Table accuracy;
   accuracy.title = "Truth of motion tables against an independent solution (thesis table 4-1)";
-  accuracy.columns = {"motion", "seconds",          "position RMS m", "thesis",       "velocity RMS m/s",
-                      "thesis", "attitude RMS deg", "thesis",         "two solvers m"};
+  accuracy.columns = {"motion", "seconds",          "position RMS m", "thesis",         "velocity RMS m/s",
+                      "thesis", "attitude RMS deg", "thesis",         "dtheta RMS rad", "dv RMS m/s",
+                      "limit",  "two solvers m"};
   accuracy.notes = {
       fmt::format(
-          "Limits: position {:.0e} m, velocity {:.0e} m/s, attitude {:.0e} deg, the two solvers apart {:.0e} m.",
+          "Limits: position {:.0e} m, velocity {:.0e} m/s, attitude {:.0e} deg, the two solvers apart {:.0e} m.\n"
+          "Increments of a second: dtheta {:.0e} rad; dv the attitude's limit times the specific force.",
           static_cast<double>(kPositionLimit_m), static_cast<double>(kVelocityLimit_m_per_s),
-          static_cast<double>(kAttitudeLimit_deg), static_cast<double>(kSolversLimit_m)),
+          static_cast<double>(kAttitudeLimit_deg), static_cast<double>(kSolversLimit_m),
+          static_cast<double>(kDthetaLimit_rad)),
       "Reference: the same motion written in ECEF as displacement from the start, in long double, by Boost.Odeint's\n"
       "Bulirsch-Stoer and dopri5 at an absolute 1e-11 m, restarted at every corner. RMS of the norms at whole "
       "seconds.\n"
@@ -131,10 +148,12 @@ std::vector<Table> verify_trajectory(bool /*full*/) {
                   kVelocityJump_m_per_s, kAttitudeJump_deg, kRateJump_deg_per_s, kSpecificForceJump_m_per_s2),
       "Each against its polynomial through the samples before, so that what is shown without a jump is rounding.\n"
       "Rate and specific force are continuous because the catalogue leads every motion in and out by ramps."};
-  for (const Flight& flight : flights()) {
-    accuracy.rows.push_back(accuracy_row(flight));
+  for (Flight& flight : flights()) {
+    flight.duration_s = std::min(flight.duration_s, longest_s);
+    accuracy.rows.push_back(accuracy_row(flight, subjects.truth));
     // The free flight of `ballistic` begins with the jump of a rate that nothing leads in.
-    if (flight.name != "ballistic") smoothness.rows.push_back(smoothness_row(flight));
+    if (flight.name == "ballistic") continue;
+    if (auto row = smoothness_row(flight, subjects.truth)) smoothness.rows.push_back(*std::move(row));
   }
   return {accuracy, smoothness};
 }

@@ -8,9 +8,7 @@
 
 #include "inslab/data/samples/nav_state.hpp"
 #include "inslab/foundation/units/units.hpp"
-#include "inslab/models/imu/imu_model.hpp"
 #include "inslab/nav/attitude.hpp"
-#include "inslab/nav/strapdown.hpp"
 
 namespace inslab::verify {
 namespace {
@@ -37,12 +35,13 @@ TruthState rest(std::int64_t k, const nav::Gravity& gravity) {
 
 /// Runs a perfect IMU that shakes; `use` gets each output.
 template <class Use>
-void shake(const VibrationProfile& vibration, std::uint64_t seed, double duration_s, const Use& use) {
+void shake(const ImuOf& imu_of, const VibrationProfile& vibration, std::uint64_t seed, double duration_s,
+           const Use& use) {
   const nav::Gravity gravity;
-  imu::ImuModel model({seed, 0, time::Rate(200.0), gravity, {}, vibration, {}});
+  const Imu imu = imu_of({seed, 0, time::Rate(200.0), gravity, {}, vibration, {}});
   const auto samples = static_cast<std::int64_t>(std::llround(duration_s / kDt));
   for (std::int64_t k = 0; k <= samples; ++k) {
-    if (const auto output = model.measure(rest(k, gravity))) use(*output);
+    if (const auto output = imu(rest(k, gravity))) use(*output);
   }
 }
 
@@ -111,12 +110,12 @@ std::vector<LinearRandomPoint> random_table() {
           {400.0, {0.01, 0.05, 0.3}}};
 }
 
-Table sinusoid_table() {
+Table sinusoid_table(const Subjects& subjects) {
   Table table;
   table.title = "Sinusoids of 10 m/s^2 at 200 Hz: increments against differences of the antiderivative, 10 s";
   table.columns = {"frequency Hz", "worst m/s", "limit m/s", "largest increment m/s", "a sample's a dt m/s"};
   for (const double frequency_hz : {12.5, 99.0, 130.0, 210.0, 1234.5}) {
-    const SinusoidResult result = verify_sinusoid(frequency_hz);
+    const SinusoidResult result = verify_sinusoid(frequency_hz, subjects);
     // Within a second a phase of f turns is good to four roundings of itself, 8 pi f 2^-53 rad; an increment is at most
     // a / (pi f).
     const double limit = 8.0 * 0x1p-53 * 10.0;
@@ -129,7 +128,7 @@ Table sinusoid_table() {
   return table;
 }
 
-Table two_axis_table() {
+Table two_axis_table(const Subjects& subjects) {
   Table table;
   table.title = "Two-axis vibration in the two-sample mechanization, 20 s: drift about or along z";
   table.columns = {"motion", "domain", "f Hz", "textbook", "measured", "relative difference", "limit"};
@@ -142,7 +141,7 @@ Table two_axis_table() {
     for (const VibrationDomain domain : {VibrationDomain::Motion, VibrationDomain::Sensor}) {
       const bool moves = domain == VibrationDomain::Motion;
       const double expected = moves ? -residual : pretended_drift(motion) - residual;
-      const double measured = measured_drift(motion, domain, 20.0);
+      const double measured = measured_drift(motion, domain, 20.0, subjects);
       const double difference = std::abs(measured / expected - 1.0);
       const double limit = moves ? 0.02 : 0.001;
       const double scale = coning ? 3600.0 / units::kDeg : 1e6;
@@ -162,14 +161,14 @@ Table two_axis_table() {
   return table;
 }
 
-Table random_table_of(const std::vector<std::uint64_t>& seeds) {
+Table random_table_of(const std::vector<std::uint64_t>& seeds, const Subjects& subjects) {
   Table table;
   table.title = fmt::format(
       "Random vibration, 20 minutes at 200 Hz, {} record(s): density of interval means over the "
       "table's, images above 100 Hz included",
       seeds.size());
   table.columns = {"axis, band Hz", "(m/s^2)^2/Hz", "ratio", "lower", "upper", "degrees of freedom"};
-  for (const BandResult& band : verify_random(random_table(), seeds, 1200.0)) {
+  for (const BandResult& band : verify_random(random_table(), seeds, 1200.0, subjects)) {
     table.rows.push_back(
         {{fmt::format("{} {:.0f} to {:.0f}", "xyz"[band.axis], band.low_hz, band.high_hz),
           fmt::format("{:.4f}", band.expected), fmt::format("{:.4f}", band.ratio), fmt::format("{:.4f}", band.lower),
@@ -182,7 +181,7 @@ Table random_table_of(const std::vector<std::uint64_t>& seeds) {
 
 }  // namespace
 
-SinusoidResult verify_sinusoid(double frequency_hz) {
+SinusoidResult verify_sinusoid(double frequency_hz, const Subjects& subjects) {
   constexpr double kAmplitude = 10.0, kPhaseDeg = 30.0;
   VibrationProfile vibration;
   vibration.linear.push_back({Vector3(kAmplitude, 0.0, 0.0), frequency_hz, Vector3(kPhaseDeg, 0.0, 0.0)});
@@ -195,7 +194,7 @@ SinusoidResult verify_sinusoid(double frequency_hz) {
     return -kAmplitude / omega * std::cos(omega * static_cast<long double>(k) / 200.0L + kPiL / 6.0L);
   };
   std::int64_t k = 0;
-  shake(vibration, 1, 10.0, [&](const imu::ImuModel::Output& output) {
+  shake(subjects.imu, vibration, 1, 10.0, [&](const imu::ImuModel::Output& output) {
     const double increment = output.truth.accel_error.vibration.x();
     const long double exact = antiderivative(k + 1) - antiderivative(k);
     ++k;
@@ -219,22 +218,24 @@ double pretended_drift(const TwoAxisMotion& motion) {
   return 0.5 * motion.theta_rad * motion.a_m_per_s2 + 0.25 * g * motion.theta_rad * motion.theta_rad;
 }
 
-double measured_drift(const TwoAxisMotion& motion, VibrationDomain domain, double duration_s) {
+double measured_drift(const TwoAxisMotion& motion, VibrationDomain domain, double duration_s,
+                      const Subjects& subjects) {
   nav::Strapdown::Options options;
   options.full_rotation_term = true;
-  std::optional<nav::Strapdown> strapdown;
+  std::unique_ptr<Mechanization> strapdown;
   Vector3 turn_start, turn_rad, v_start, v_m_per_s;
-  shake(profile_of(motion, domain), 1, duration_s + kDt, [&](const imu::ImuModel::Output& output) {
+  shake(subjects.imu, profile_of(motion, domain), 1, duration_s + kDt, [&](const imu::ImuModel::Output& output) {
     const nav::ImuIncrements increments{output.sample.dtheta_b, output.sample.dv_b, kDt};
     const nav::NavState truth = nav_state(output.truth);
     const bool starts = !strapdown;
     if (starts) {
-      strapdown.emplace(truth, nav::Gravity(), options, increments);
+      strapdown = subjects.mechanization(truth, nav::Gravity(), options, increments);
     } else {
       strapdown->advance(increments);
     }
-    turn_rad = nav::rotation_vector_from_quaternion(truth.q_nb.conjugate() * strapdown->q_nb());
-    v_m_per_s = strapdown->v_n() - truth.v_n;
+    const nav::NavState found = strapdown->state();
+    turn_rad = nav::rotation_vector_from_quaternion(truth.q_nb.conjugate() * found.q_nb);
+    v_m_per_s = found.v_n - truth.v_n;
     if (starts) {
       turn_start = turn_rad;
       v_start = v_m_per_s;
@@ -245,12 +246,13 @@ double measured_drift(const TwoAxisMotion& motion, VibrationDomain domain, doubl
 }
 
 std::vector<BandResult> verify_random(const std::vector<LinearRandomPoint>& table,
-                                      const std::vector<std::uint64_t>& seeds, double duration_s) {
+                                      const std::vector<std::uint64_t>& seeds, double duration_s,
+                                      const Subjects& subjects) {
   VibrationProfile vibration;
   vibration.linear_random = table;
   std::array<Periodogram, 3> axes;
   for (const std::uint64_t seed : seeds) {
-    shake(vibration, seed, duration_s, [&axes](const imu::ImuModel::Output& output) {
+    shake(subjects.imu, vibration, seed, duration_s, [&axes](const imu::ImuModel::Output& output) {
       for (int axis = 0; axis < 3; ++axis) axes[axis].add(output.truth.accel_error.vibration[axis] / kDt);
     });
   }
@@ -281,10 +283,10 @@ std::vector<BandResult> verify_random(const std::vector<LinearRandomPoint>& tabl
   return results;
 }
 
-std::vector<Table> vibration_tables(bool full) {
+std::vector<Table> vibration_tables(bool full, const Subjects& subjects) {
   std::vector<std::uint64_t> seeds{1};
   for (std::uint64_t seed = 2; full && seed <= 20; ++seed) seeds.push_back(seed);
-  return {sinusoid_table(), two_axis_table(), random_table_of(seeds)};
+  return {sinusoid_table(subjects), two_axis_table(subjects), random_table_of(seeds, subjects)};
 }
 
 }  // namespace inslab::verify

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "inslab/data/profiles/vibration_profile.hpp"
+#include "inslab/referee/verify/subjects.hpp"
 #include "inslab/referee/verify/table.hpp"
 
 /// That vibration is right: increments of sinusoids at any frequency, coning and sculling in the two-sample
@@ -18,7 +19,7 @@ struct SinusoidResult {
   double largest_m_per_s = 0.0;  ///< largest increment
   double sampled_m_per_s = 0.0;  ///< amplitude times interval: what an instantaneous sample can show
 };
-SinusoidResult verify_sinusoid(double frequency_hz);
+SinusoidResult verify_sinusoid(double frequency_hz, const Subjects& subjects = {});
 
 /// Coning: half angle `theta_rad` about x and y, 90 deg apart; sculling: `theta_rad` about x and `a_m_per_s2` along y,
 /// in phase.
@@ -42,7 +43,8 @@ double two_sample_residual(const TwoAxisMotion& motion, double dt_s);
 double pretended_drift(const TwoAxisMotion& motion);
 
 /// Drift of the mechanized IMU from its published true pose, about or along z, over `duration_s`.
-double measured_drift(const TwoAxisMotion& motion, VibrationDomain domain, double duration_s);
+double measured_drift(const TwoAxisMotion& motion, VibrationDomain domain, double duration_s,
+                      const Subjects& subjects = {});
 
 /// The density of one band, measured over what the table makes of interval means there, with its chi-square limits.
 struct BandResult {
@@ -57,9 +59,10 @@ struct BandResult {
 };
 /// The records of all seeds are taken together.
 std::vector<BandResult> verify_random(const std::vector<LinearRandomPoint>& table,
-                                      const std::vector<std::uint64_t>& seeds, double duration_s);
+                                      const std::vector<std::uint64_t>& seeds, double duration_s,
+                                      const Subjects& subjects = {});
 
 /// The whole block. `full`: seeds 1 to 20 of random vibration instead of the first.
-std::vector<Table> vibration_tables(bool full);
+std::vector<Table> vibration_tables(bool full, const Subjects& subjects = {});
 
 }  // namespace inslab::verify

@@ -19,6 +19,7 @@ struct AlignOptions {
   std::string picture;
   std::uint32_t imu_type = 0;
   calibrate::RecordingOptions recording;
+  double wanted_yaw_deg = 1.0;
 };
 
 int run_align(AlignOptions& options) {
@@ -26,7 +27,11 @@ int run_align(AlignOptions& options) {
   if (options.imu_type != 0) options.recording.novatel.imu_type = options.imu_type;
   const calibrate::AlignedRecording aligned = calibrate::align_recording(options.file, options.recording);
   terminal::tell(stderr, "{}", calibrate::bad_lines_text(aligned));
-  terminal::tell("{}", calibrate::report_text(aligned));
+  const double latitude_deg = options.recording.latitude_deg;
+  terminal::tell("{}", calibrate::report_text(aligned, latitude_deg, options.wanted_yaw_deg));
+  if (const std::string warning = calibrate::warning_text(aligned, latitude_deg); !warning.empty()) {
+    terminal::tell(stderr, "inslab: {}: {}", options.file, warning);
+  }
   if (!options.picture.empty() && aligned.alignment.seconds.count >= 2) {
     const std::string bytes = tables::drawn(
         calibrate::seconds_picture(aligned.alignment, std::filesystem::path(options.file).filename().string()),
@@ -58,6 +63,13 @@ void add_align(CLI::App& app, std::function<int()>& action) {
       ->check(host::one_of({"rfu", "frd"}))
       ->capture_default_str();
   command->add_option("--sensor", options->recording.sensor_number, "of a log of ours: the IMU's number")
+      ->capture_default_str();
+  command
+      ->add_option("--gyro-bias", options->recording.gyro_bias_deg_per_h,
+                   "standard deviation of the gyros' bias, deg/h; otherwise what the recording shows")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--wanted-yaw", options->wanted_yaw_deg, "say which gyros this standard deviation needs, deg")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   nav::AlignmentLimits& limits = options->recording.limits;
   command->add_option("--pole-distance", limits.pole_distance_deg, "refuse nearer to a pole than this, deg")

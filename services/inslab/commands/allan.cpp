@@ -33,6 +33,7 @@ struct AllanOptions {
   std::vector<std::string> terms;
   std::string directory;
   std::string profile;
+  bool accept_poor_fit = false;
 };
 
 /// Where the curves go, without the ending: STEM_allan in the folder asked for, or beside the recording.
@@ -51,13 +52,16 @@ int run_allan(AllanOptions& options) {
   const std::string stem = curves_stem(options);
   files::write_file(stem + ".csv", calibrate::curve_csv(analysis));
   terminal::tell("{}.csv written\n", stem);
-  if (!options.profile.empty()) {
+  const std::string poor = options.profile.empty() || options.accept_poor_fit ? "" : calibrate::poor_fits(analysis);
+  if (!options.profile.empty() && poor.empty()) {
     calibrate::write_profile(options.profile, calibrate::fitted_profile(analysis));
     terminal::tell("profile {} written\n", options.profile);
   }
   files::write_file(stem + ".png", tables::drawn(calibrate::curve_picture(analysis), tables::PictureFormat::Png));
   terminal::tell("{}.png written\n", stem);
-  return host::kOk;
+  if (poor.empty()) return host::kOk;
+  spdlog::error("{}: not written (--accept-poor-fit writes it nevertheless): {}", options.profile, poor);
+  return host::kFailed;
 }
 
 }  // namespace
@@ -86,6 +90,7 @@ void add_allan(CLI::App& app, std::function<int()>& action) {
   command->add_option("-o,--output", options->directory,
                       "folder for FILE_allan.csv and .png; that of the file when not given");
   command->add_option("--profile", options->profile, "write the fit as an IMU error profile");
+  command->add_flag("--accept-poor-fit", options->accept_poor_fit, "write it even where it departs from the curve");
   add_overwrite(*command);
   command->callback([options, &action] { action = [options] { return run_allan(*options); }; });
 }

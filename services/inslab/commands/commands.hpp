@@ -8,7 +8,7 @@ class App;
 }
 
 /// The subcommands of `inslab`. Each function declares its options on `app`; when the command line chose it, `action`
-/// does the work and returns the exit code (app/exit_code.hpp).
+/// does the work and returns the exit code (foundation/host/exit_code.hpp).
 namespace inslab::commands {
 
 void add_run(CLI::App& app, std::function<int()>& action);

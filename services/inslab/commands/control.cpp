@@ -10,6 +10,7 @@
 #include "inslab/foundation/host/shutdown.hpp"
 #include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/foundation/text/shown.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
 namespace inslab::commands {
@@ -46,7 +47,7 @@ int control(CommandKind kind, const ControlOptions& options) {
     return host::kNotApplied;
   }
   terminal::tell("{} at {:.9f} s of sim time, {} truth samples sent, rate {:g}\n", enum_name(status.state),
-                 static_cast<double>(status.sim_time_ns) * 1e-9, status.truth_samples, status.rate);
+                 time::to_seconds(status.sim_time_ns), status.truth_samples, status.rate);
   return host::kOk;
 }
 

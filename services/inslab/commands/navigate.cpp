@@ -3,6 +3,7 @@
 
 #include "inslab/foundation/host/exit_code.hpp"
 #include "inslab/foundation/terminal/tell.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/referee/navigate/navigation_run.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
 
@@ -44,7 +45,9 @@ void add_navigate(CLI::App& app, std::function<int()>& action) {
       "what this scenario's app is told, or parameters that match its sensors; with --parameters its gravity");
   command->add_option("--imu-number", options->imu_number, "of a log: inslab/imu/N")->capture_default_str();
   command->add_option("--gnss-number", options->gnss_number, "of a log: inslab/gnss/N")->capture_default_str();
-  command->add_option("--week", options->gps_week, "of text files, which do not say it")->capture_default_str();
+  command->add_option("--week", options->gps_week, "of text files, which do not say it")
+      ->check(CLI::Range(0u, time::kLastGpsWeek))
+      ->capture_default_str();
   command->add_flag("--start-at-truth", options->start_at_truth, "of a log: begin at the IMU's true state")->needs(log);
   command->add_option("-o,--output", options->output, "writes OUTPUT.nav and OUTPUT_sigmas.txt")->required();
   add_overwrite(*command);

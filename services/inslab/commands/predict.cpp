@@ -9,6 +9,7 @@
 #include "inslab/foundation/terminal/tell.hpp"
 #include "inslab/referee/predict/prediction.hpp"
 #include "inslab/services/inslab/commands/commands.hpp"
+#include "inslab/services/inslab/commands/predict_response.hpp"
 
 namespace inslab::commands {
 namespace {
@@ -17,6 +18,7 @@ struct PredictOptions {
   std::string scenario;
   std::string directory = ".";
   predict::PredictionOptions prediction;
+  ResponseRequest response;
 };
 
 void write(const std::string& path, const std::string& text) {
@@ -44,8 +46,8 @@ int run_predict(const PredictOptions& options) {
 void add_predict(CLI::App& app, std::function<int()>& action) {
   auto options = std::make_shared<PredictOptions>();
   CLI::App* command = app.add_subcommand(kPredict.name, kPredict.purpose);
-  command->add_option("scenario", options->scenario, "scenario file (JSON)")->required();
-  command->add_option("-o,--output", options->directory, "folder for NAME_predicted.csv and .svg")
+  command->add_option("scenario", options->scenario, "scenario file (JSON); without one a rest at --latitude");
+  command->add_option("-o,--output", options->directory, "folder for NAME_predicted or NAME_response, .csv and .svg")
       ->capture_default_str();
   command->add_option("--sensor", options->prediction.sensor_number, "the IMU's number")->capture_default_str();
   const auto sigma = [command](const char* name, double& value, const char* meaning) {
@@ -58,8 +60,16 @@ void add_predict(CLI::App& app, std::function<int()>& action) {
   command->add_flag("--free-inertial", options->prediction.free_inertial,
                     "without the fixes of the scenario's first receiver");
   command->add_flag("--hold-vertical", options->prediction.hold_vertical, "height and vertical velocity are known");
+  add_response_options(*command, options->response);
   add_overwrite(*command);
-  command->callback([options, &action] { action = [options] { return run_predict(*options); }; });
+  command->callback([options, &action] {
+    action = [options] {
+      if (!options->response.is_asked_for(options->scenario)) return run_predict(*options);
+      options->response.options.sensor_number = options->prediction.sensor_number;
+      options->response.options.hold_vertical = options->prediction.hold_vertical;
+      return run_response(options->scenario, options->directory, options->response);
+    };
+  });
 }
 
 }  // namespace inslab::commands

@@ -24,6 +24,9 @@ int soak(study::SoakOptions options, bool keep_log) {
                    loaded.scenario.duration_s / 3600.0, options.hours);
     return host::kBadInput;
   }
+  if (options.profiles.empty()) {
+    options.profiles = (std::filesystem::path(options.run.scenario).parent_path() / "../profiles").lexically_normal();
+  }
   const std::string name = loaded.scenario.name + "-" + host::utc_text(host::realtime_now());
   options.run.clock.mode = "lockstep";
   study::Soak run(options, loaded, say_text);  // before anything is written: it throws when the unit has a set
@@ -57,7 +60,8 @@ void add_soak(CLI::App& app, std::function<int()>& action) {
   command->add_option("--load", options->load, "busy threads beside the set")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  command->add_option("--profiles", options->profiles, "folder of the profiles to swap to")->capture_default_str();
+  command->add_option("--profiles", options->profiles,
+                      "folder of the profiles to swap to; default ../profiles beside the scenario");
   command->add_option("--log", options->run.log_file, "file to write; default runs/soak-NAME-TIME.mcap");
   command->add_flag("--keep-log", *keep_log, "keep the log even when everything held");
   options->run.network.add_to(*command);

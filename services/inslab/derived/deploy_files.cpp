@@ -95,12 +95,12 @@ std::string security_roles() {
   return text;
 }
 
-/// The services by their names in inventories, and whether there is one for each sensor.
+/// The services by their names in inventories, and of which sensors of a scenario there is one for each.
 std::string lab_services() {
   std::string text;
   for (const catalog::Service& service : catalog::services()) {
     text += std::string(text.empty() ? "{\n" : ",\n") + "  \"" + std::string(service.name.substr(kPrefix.size())) +
-            "\": " + (service.one_a_sensor ? "true" : "false");
+            "\": \"" + std::string(service.sensor) + "\"";
   }
   return text + "\n}\n";
 }

@@ -49,6 +49,7 @@ const std::vector<DerivedFile>& derived_files() {
     });
     all.push_back(schema_file<navigation::NavigationParameters>("navigation", "Inslab navigation filter"));
     all.push_back({"idl/profile.idl", wire::profile_idl});
+    all.push_back({"idl/block.idl", wire::block_idl});
     all.push_back({"docs/parameters.md", parameters_page});
     for (DerivedFile& file : deploy_files()) all.push_back(std::move(file));
     return all;

@@ -11,6 +11,7 @@
 #include "inslab/bus/service/set_members.hpp"
 #include "inslab/foundation/host/host.hpp"
 #include "inslab/foundation/host/shutdown.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/models/navigation/app_setup.hpp"
 #include "inslab/scenario/service_names.hpp"
 
@@ -39,11 +40,11 @@ bool in_progress(const SimStatus& status) {
 
 std::string obstacle_to(const RunOptions& options, const scenario::LoadedScenario& loaded) {
   if (const auto& app = loaded.scenario.reference_nav) (void)navigation::setup_for(loaded, *app);
-  if (options.network.transport != "shm") return "";
   constexpr int kThisOneAndTheTrajectoryServer = 2;
   const auto services = static_cast<int>(scenario::required_services(loaded).size());
-  const std::string shortage = dds::shared_memory_shortage(services + kThisOneAndTheTrajectoryServer);
-  return shortage.empty() ? "" : "--transport shm: " + shortage;
+  const std::string shortage = dds::shared_memory_shortage(service::participant_options(options.network, "inslab-run"),
+                                                           services + kThisOneAndTheTrajectoryServer);
+  return shortage.empty() ? "" : "--transport " + options.network.transport + ": " + shortage;
 }
 
 LiveRun::LiveRun(const RunOptions& options, const scenario::LoadedScenario& loaded)
@@ -198,7 +199,7 @@ void LiveRun::note_early_ends(const Progress& progress) {
 std::string LiveRun::when() const {
   const auto status = client_.status();
   if (!status || status->state == RunState::Waiting) return ", before the run began";
-  return fmt::format(", at about {:.3f} s of sim time", static_cast<double>(status->sim_time_ns) * 1e-9);
+  return fmt::format(", at about {:.3f} s of sim time", time::to_seconds(status->sim_time_ns));
 }
 
 /// Whether a service has said that its work is done, and the logger has heard it: then it was on its way out. The

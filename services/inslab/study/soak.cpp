@@ -9,6 +9,7 @@
 #include "inslab/bus/client/shm_segments.hpp"
 #include "inslab/formats/log/log_info.hpp"
 #include "inslab/foundation/host/host.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/scenario/service_names.hpp"
 #include "inslab/services/inslab/study/soak_events.hpp"
 #include "inslab/services/inslab/study/usage_watch.hpp"
@@ -86,7 +87,7 @@ class Soak::Work {
   void tick() {
     const auto status = run_.client().status();
     if (!status || has_ended(status->state) || status->state == RunState::Waiting) return;
-    sim_time_s_ = static_cast<double>(status->sim_time_ns) * 1e-9;
+    sim_time_s_ = time::to_seconds(status->sim_time_ns);
     if (!began_) kill(1);
     began_ = true;
     if (resume_at_ && host::monotonic_now() > *resume_at_) {

@@ -12,9 +12,9 @@ struct SoakOptions {
   live::RunOptions run;
   double hours = 24.0;
   std::uint64_t seed = 1;
-  double often = 1.0;  ///< so many times as many kills and pauses
-  int load = 0;        ///< busy threads beside the set
-  std::string profiles = "config/profiles";
+  double often = 1.0;    ///< so many times as many kills and pauses
+  int load = 0;          ///< busy threads beside the set
+  std::string profiles;  ///< folder with those to swap to, by kind
 };
 
 /// Takes the place for a set when it is made, and soaks one run. What it finds is said as it is found.

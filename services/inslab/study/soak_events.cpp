@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "inslab/data/json/config_error.hpp"
 
 namespace inslab::study {
 
@@ -33,7 +34,12 @@ void SoakEvents::add_profiles(const std::filesystem::path& folder, ProfileKind k
       if (entry.path().extension() == ".json" && name.rfind(prefix, 0) == 0) files.push_back(entry.path());
     }
   }
-  if (files.empty()) throw std::runtime_error(folder.string() + ": has no profiles " + prefix + "*.json");
+  if (files.empty()) {
+    throw json::Error(folder.string(), {Rule::Readable, "",
+                                        "has no profiles " + prefix +
+                                            "*.json; --profiles names the "
+                                            "folder of the folders with those to swap to"});
+  }
   std::sort(files.begin(), files.end());  // the order of a folder is nobody's promise
   for (const auto& file : files) profiles_.push_back(scenario::load_profile(file, kind, sensor));
 }

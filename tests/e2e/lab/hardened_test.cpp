@@ -7,7 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <string>
+#include <vector>
 
+#include "inslab/data/catalog/services.hpp"
 #include "tests/e2e/process.hpp"
 
 namespace inslab::e2e {
@@ -17,7 +20,7 @@ using std::chrono::seconds;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-class HardenedProgram : public testing::TestWithParam<const char*> {};
+class HardenedProgram : public testing::TestWithParam<std::string> {};
 
 TEST_P(HardenedProgram, IsPositionIndependentBoundAtItsStartAndWatchesItsStack) {
   Process readelf("readelf",
@@ -32,14 +35,17 @@ TEST_P(HardenedProgram, IsPositionIndependentBoundAtItsStartAndWatchesItsStack) 
   EXPECT_THAT(said, ContainsRegex("__(memcpy|memmove|snprintf|fprintf|printf|vsnprintf|memset|read|strcpy)_chk"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Named, HardenedProgram,
-                         testing::Values("inslab", "inslab-trajectory-server", "inslab-imu-injector",
-                                         "inslab-gnss-emulator", "inslab-truth-logger", "inslab-reference-nav"),
-                         [](const auto& instance) {
-                           std::string name = instance.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+std::vector<std::string> programs() {
+  std::vector<std::string> names{"inslab"};
+  for (const catalog::Service& service : catalog::services()) names.emplace_back(service.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Named, HardenedProgram, testing::ValuesIn(programs()), [](const auto& instance) {
+  std::string name = instance.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
 
 /// The units as they are installed: their programs where they say.
 class LabUnits : public testing::Test {

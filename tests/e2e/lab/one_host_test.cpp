@@ -33,6 +33,10 @@ class LabOnOneHost : public testing::Test {
  protected:
   /// The host's folder has this build's programs unless `empty`.
   std::string inventory(const std::string& scenario, const std::string& more = "", bool empty = false) {
+    return inventory_of(R"("imu-injector:0", "gnss-emulator:0")", scenario, more, empty);
+  }
+  std::string inventory_of(const std::string& sensors, const std::string& scenario, const std::string& more = "",
+                           bool empty = false) {
     std::filesystem::create_directories(host());
     if (!empty && !std::filesystem::exists(host() + "/build")) {
       for (const char* shared : {"build", "config", "tests"}) {
@@ -42,7 +46,7 @@ class LabOnOneHost : public testing::Test {
     const std::string path = folder_ / ("inventory" + std::to_string(++inventories_) + ".json");
     write(path, R"({"scenario": ")" + scenario + R"(", "domain": )" + own_domain() + more +
                     R"(, "hosts": [{"name": "here", "address": "127.0.0.1", "folder": ")" + host() +
-                    R"(", "services": ["trajectory-server", "imu-injector:0", "gnss-emulator:0", "truth-logger"]}]})");
+                    R"(", "services": ["trajectory-server", )" + sensors + R"(, "truth-logger"]}]})");
     return path;
   }
 
@@ -81,12 +85,38 @@ TEST_F(LabOnOneHost, ASecondSetOfTheSameUnitIsRefusedAndTheFirstGoesOn) {
 
 TEST_F(LabOnOneHost, ASetThatDoesNotStartIsAnErrorAndNoLogOfBefore) {
   write(host() + "/runs/lab.mcap", "of an earlier run");
-  const std::string said = says(1, "run", inventory("tests/data/lab.json", R"(, "clock": ["--rate", "much"])"));
-  EXPECT_THAT(said, HasSubstr("---- here: trajectory-server\n"));
-  EXPECT_THAT(said, HasSubstr("--rate"));
-  EXPECT_THAT(said, HasSubstr("lab: here: trajectory-server ended with exit code 2 before the run began"));
+  const std::string set = inventory("tests/data/lab.json");
+  const std::string programs = host() + "/build/bin", server = programs + "/inslab-trajectory-server";
+  std::filesystem::remove(host() + "/build");
+  std::filesystem::create_directories(programs);
+  for (const auto& entry : std::filesystem::directory_iterator(program(""))) {
+    std::filesystem::create_symlink(entry.path(), programs + "/" + entry.path().filename().string());
+  }
+  std::filesystem::remove(server);
+  write(server, "#!/bin/sh\necho no library of that name\nexit 127\n");
+  std::filesystem::permissions(server, std::filesystem::perms::owner_all);
+  const std::string said = says(1, "run", set);
+  EXPECT_THAT(said, HasSubstr("---- here: trajectory-server\nno library of that name\n"));
+  EXPECT_THAT(said, HasSubstr("lab: here: trajectory-server ended with exit code 127 before the run began"));
   EXPECT_THAT(said, Not(HasSubstr("checks held")));
   EXPECT_THAT(says(0, "status", inventory("tests/data/lab.json")), Not(HasSubstr("  running")));
+}
+
+TEST_F(LabOnOneHost, WhatNoSetCouldBeStartedWithIsRefusedBeforeAnythingStarts) {
+  const std::string scenario = "tests/data/lab.json";
+  EXPECT_THAT(says(2, "check", inventory(scenario, R"(, "clock": ["--rate", "much"])")),
+              ContainsRegex("clock: .*--rate.*much"));
+  EXPECT_THAT(says(2, "run", inventory(scenario, R"(, "clock": ["--faster"])")), ContainsRegex("clock: .*--faster"));
+  EXPECT_THAT(
+      says(2, "check", inventory_of(R"("imu-injector:0", "imu-injector:1", "gnss-emulator:0")", scenario)),
+      HasSubstr("hosts[0].services[2]: is 'imu-injector:1'; tests/data/lab.json has no imu 1, its numbers are 0"));
+  EXPECT_THAT(says(2, "check", inventory_of(R"("imu-injector", "gnss-emulator", "magnetometer")", scenario)),
+              HasSubstr("hosts[0].services[3]: is 'magnetometer:0'; tests/data/lab.json has no magnetometer"));
+  EXPECT_THAT(
+      says(2, "check", inventory_of(R"("imu-injector:0")", scenario)),
+      HasSubstr("hosts: none runs gnss-emulator:0, for which the set would wait: tests/data/lab.json has gnss 0"));
+  EXPECT_THAT(says(0, "check", inventory(scenario, R"(, "clock": ["--clock", "lockstep"])")),
+              HasSubstr("good: 1 hosts"));
 }
 
 TEST_F(LabOnOneHost, AScenarioFromElsewhereIsBroughtWithAllThatItNamesAndItsAcceptanceIsTheExitCode) {

@@ -192,7 +192,7 @@ Bytes forged_farewell(const GuidPrefix& prefix) {
   Bytes datagram = header_of(prefix);
   Bytes guid(prefix.begin(), prefix.end());
   add(guid, {0, 0, 1, 0xc1});
-  Bytes body{0, 0, 16, 0, 0, 0, 1, 0xc7, 0, 1, 0, 0xc2};
+  Bytes body{0, 0, 16, 0, 0, 1, 0, 0xc7, 0, 1, 0, 0xc2};
   add_sequence_number(body, 900);
   add(body, {0x70, 0, 16, 0});  // the key
   add(body, guid);

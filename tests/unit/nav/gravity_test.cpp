@@ -96,6 +96,20 @@ constexpr FieldRow kField[] = {{0, -100, 0, -9.78063412293594},
                                {75, 50000, -0.000202348927174079, -9.67630510591982},
                                {90, 50000, 0, -9.67980790507164}};
 
+// What docs/models.md says that the short forms leave out.
+TEST(NormalField, HasANorthPartThatTheShortFormsLeaveOut) {
+  struct Case {
+    double height_m, north_mgal, limit_mgal;
+  };
+  for (const Case& one : {Case{10e3, 8.1, 0.05}, Case{99e3, 80.0, 0.5}}) {
+    const Geodetic place{45.0 * units::kDeg, 0.0, one.height_m};
+    EXPECT_NEAR(std::abs(Gravity(GravityModel::Normal).g_n(place).x()) / units::kMGal, one.north_mgal, one.limit_mgal);
+    for (const GravityModel model : {GravityModel::Somigliana, GravityModel::Series}) {
+      EXPECT_EQ(Gravity(model).g_n(place).x(), 0.0);
+    }
+  }
+}
+
 TEST(NormalField, EqualsGeographicLibInBothHemispheres) {
   for (const FieldRow& row : kField) {
     for (const double hemisphere : {1.0, -1.0}) {

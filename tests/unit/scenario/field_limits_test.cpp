@@ -25,7 +25,7 @@ void expect_refusal(const Json& base, const test::NumberField& number, const Jso
   Json json = base;
   json[Json::json_pointer(number.pointer)] = outside;
   try {
-    json::from_json<T>(json, "file.json");
+    json::struct_from_json<T>(json, "file.json");
     ADD_FAILURE() << number.path << " = " << outside << " was accepted";
   } catch (const json::Error& error) {
     EXPECT_EQ(error.path(), number.path) << error.what();
@@ -38,7 +38,7 @@ template <class T>
 void expect_acceptance(const Json& base, const test::NumberField& number, const Json& inside) {
   Json json = base;
   json[Json::json_pointer(number.pointer)] = inside;
-  EXPECT_NO_THROW(json::from_json<T>(json, "file.json")) << number.path << " = " << inside;
+  EXPECT_NO_THROW(json::struct_from_json<T>(json, "file.json")) << number.path << " = " << inside;
 }
 
 template <class T>
@@ -56,8 +56,8 @@ void try_ends_of_whole_number(const Json& base, const test::NumberField& number)
 /// Returns how many numbers there were.
 template <class T>
 std::size_t try_ends(T value) {
-  const Json base = json::to_json(value);
-  EXPECT_NO_THROW(json::from_json<T>(base, "file.json"));
+  const Json base = json::json_from_struct(value);
+  EXPECT_NO_THROW(json::struct_from_json<T>(base, "file.json"));
   test::NumberFinder finder;
   T::fields(value, finder);
   for (const test::NumberField& number : finder.found) {
@@ -102,10 +102,10 @@ TEST(FieldLimits, HoldInAScenarioWithEveryMotion) {
 TEST(FieldLimits, OfAnUnsigned64BitNumberAreItsOwn) {
   auto scenario = filled<Scenario>();
   scenario.seed = std::numeric_limits<std::uint64_t>::max();
-  std::string text = json::to_json(scenario).dump();
+  std::string text = json::json_from_struct(scenario).dump();
   const std::string largest = "18446744073709551615";
   const auto read = [](const std::string& json) {
-    return json::from_json<Scenario>(json::parse_json(json, "file.json"), "file.json");
+    return json::struct_from_json<Scenario>(json::parse_json(json, "file.json"), "file.json");
   };
   EXPECT_EQ(read(text).seed, scenario.seed);
   text.replace(text.find(largest), largest.size(), "18446744073709551616");

@@ -8,12 +8,10 @@
 
 namespace inslab::test {
 
-enum class FileKind : std::uint32_t { ImuError, Vibration, Installation, GnssError, Fault, Scenario, Navigation };
-
 /// What config/invalid/expected.json says of one file beside it.
 struct InvalidFile {
   std::string file;
-  FileKind kind = FileKind::Scenario;
+  std::string kind;
   std::optional<SensorKind> sensor_kind;
   Rule rule = Rule::Readable;
   std::string path;
@@ -23,8 +21,8 @@ struct InvalidFile {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
     visit(Field("file").at_most(256).required(), self.file);
-    visit(Field("kind").required(), self.kind);
-    visit(Field("sensor_kind", "of a profile: whom it goes to; absent: gnss for GNSS errors, else imu"),
+    visit(Field("kind", "scenario, navigation, or of a profile").at_most(64).required(), self.kind);
+    visit(Field("sensor_kind", "of a profile: whom it goes to; absent: the first kind of sensor that has such"),
           self.sensor_kind);
     visit(Field("rule").required(), self.rule);
     visit(Field("path", "in the file; empty: the whole file").at_most(256).required(), self.path);
@@ -43,13 +41,3 @@ struct InvalidFiles {
 };
 
 }  // namespace inslab::test
-
-namespace inslab {
-
-template <>
-struct EnumNames<test::FileKind> {
-  static constexpr std::array<std::string_view, 7> values{"imu_error", "vibration", "installation", "gnss_error",
-                                                          "fault",     "scenario",  "navigation"};
-};
-
-}  // namespace inslab

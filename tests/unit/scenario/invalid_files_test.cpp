@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
+#include "inslab/data/catalog/sensor_kinds.hpp"
 #include "inslab/data/json/json_reader.hpp"
 #include "inslab/models/navigation/parameters_file.hpp"
 #include "inslab/scenario/load.hpp"
@@ -22,13 +24,16 @@ const std::vector<test::InvalidFile>& invalid_files() {
 
 void load_any(const test::InvalidFile& expected) {
   const std::filesystem::path file = kFolder / expected.file;
-  if (expected.kind == test::FileKind::Scenario) {
-    scenario::load(file);
-  } else if (expected.kind == test::FileKind::Navigation) {
+  if (expected.kind == "scenario") {
+    load(file);
+  } else if (expected.kind == "navigation") {
     navigation::read_parameters(file.string());
   } else {
-    const SensorKind usual = expected.kind == test::FileKind::GnssError ? SensorKind::Gnss : SensorKind::Imu;
-    scenario::load_profile(file, static_cast<ProfileKind>(expected.kind), {expected.sensor_kind.value_or(usual), 0});
+    const auto& names = EnumNames<ProfileKind>::values;
+    const auto name = std::find(names.begin(), names.end(), expected.kind);
+    ASSERT_NE(name, names.end()) << expected.file << " is said to be of the kind " << expected.kind;
+    const auto kind = static_cast<ProfileKind>(name - names.begin());
+    load_profile(file, kind, {expected.sensor_kind.value_or(catalog::usual_sensor(kind)), 0});
   }
 }
 
@@ -72,7 +77,7 @@ TEST(InvalidFiles, AreAllListed) {
 }
 
 TEST(Scenario, RefusesASensorItDoesNotHave) {
-  const auto loaded = scenario::load(std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "scenarios" / "demo.json");
+  const auto loaded = load(std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "scenarios" / "demo.json");
   EXPECT_EQ(loaded.sensor<catalog::Imu>(0).number, 0U);
   EXPECT_THROW(loaded.sensor<catalog::Imu>(7), json::Error);
   EXPECT_THROW(loaded.sensor<catalog::Gnss>(7), json::Error);

@@ -53,10 +53,19 @@ TEST(LoadedScenario, StartsWhenItSaysOrNow) {
 
 TEST(LoadedScenario, HasTheGravityOfItsOptions) {
   LoadedScenario loaded = demo();
-  const double sin_latitude = 0.5;
-  const Vector3 normal = loaded.gravity().g_n(sin_latitude, 0.0);
+  const nav::Geodetic place = loaded.start_position();
+  const Vector3 normal = loaded.gravity().g_n(place);
   loaded.scenario.trajectory.gravity.disturbance_mgal = 100.0;
-  EXPECT_NEAR(loaded.gravity().g_n(sin_latitude, 0.0).z() - normal.z(), 100e-5, 1e-9);
+  EXPECT_NEAR(loaded.gravity().g_n(place).z() - normal.z(), 100e-5, 1e-9);
+  EXPECT_EQ(loaded.gravity_model().g_n(place), normal) << "an app knows nothing of the disturbance";
+
+  loaded.scenario.trajectory.gravity.variation = GravityVariation{};
+  const Vector3 varied = loaded.gravity().g_n(place);
+  EXPECT_GT((varied - normal).norm(), 1e-6);
+  EXPECT_EQ(loaded.gravity().g_n(place), varied) << "of the seed and the place alone";
+  EXPECT_EQ(loaded.gravity_model().g_n(place), normal);
+  loaded.scenario.seed += 1;
+  EXPECT_NE(loaded.gravity().g_n(place), varied);
 }
 
 }  // namespace load_test

@@ -37,7 +37,7 @@ void expect_schema(const std::filesystem::path& file, const std::string& schema)
 
 template <class T>
 void expect_round_trip(const T& value, const std::filesystem::path& file) {
-  const T back = json::from_json<T>(json::parse_json(json::to_json(value).dump(), "again"), "again");
+  const T back = json::struct_from_json<T>(json::parse_json(json::json_from_struct(value).dump(), "again"), "again");
   EXPECT_EQ(test::bits_of(back), test::bits_of(value)) << file;
 }
 

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <map>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/navigation/app_setup.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -44,7 +46,7 @@ using Nees = std::array<double, 3>;
 Nees nees_of(const navigation::InertialFilter& filter, const ImuTruth& truth) {
   const nav::NavState state = filter.state();
   std::array<Vector3, 3> errors;
-  errors[0] = nav::ned_from(state.position, {truth.latitude_rad, truth.longitude_rad, truth.height_m});
+  errors[0] = nav::ned_from(state.position, geodetic_of(truth));
   errors[1] = state.v_n - truth.v_n;
   // The computed C_nb is (I - [phi x]) C_nb.
   errors[2] = -nav::rotation_vector_from_quaternion(state.q_nb * truth.q_nb.conjugate());
@@ -96,7 +98,7 @@ struct Unit {
       truths.erase(truths.begin(), truths.upper_bound(step->imu_sequence));
       const navigation::InertialFilter* filter = navigator.filter().filter();
       if (filter == nullptr) continue;
-      const double t_s = 1e-9 * static_cast<double>(now.header.sim_time_ns);
+      const double t_s = time::to_seconds(now.header.sim_time_ns);
       if (!begun_s) begun_s = t_s;
       if (t_s - *begun_s > kMoments_s[nees.size()] - 0.5 / kRate_hz) nees.push_back(nees_of(*filter, now));
       if (is_done()) return;
@@ -188,7 +190,7 @@ std::unique_ptr<Unit> begun_with(const Unit& unit, navigation::InitialAttitude a
   double now_s = 0.0;
   while (source.has_next() && !again->is_done() && now_s < longest_s) {
     const TruthState truth = source.take();
-    now_s = 1e-9 * static_cast<double>(truth.header.sim_time_ns);
+    now_s = time::to_seconds(truth.header.sim_time_ns);
     again->take(truth);
   }
   return again;
@@ -225,7 +227,7 @@ TEST_P(ReferenceFilterBegins, OrCheckSaysWhatToSetAndKnowsItsErrors) {
   double now_s = 0.0;
   while (source.has_next() && !is_over() && now_s < kLongest_s) {
     const TruthState truth = source.take();
-    now_s = 1e-9 * static_cast<double>(truth.header.sim_time_ns);
+    now_s = time::to_seconds(truth.header.sim_time_ns);
     for (auto& unit : units) unit->take(truth);
   }
   expect_honest(units);

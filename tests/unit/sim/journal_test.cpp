@@ -139,8 +139,10 @@ TEST(Journal, RejectsASensorThatTheUnitDoesNotHave) {
 
 TEST(Journal, RejectsWhatNoSampleWouldComeOutUnder) {
   Journal j = journal();
-  EXPECT_EQ(accepted(j.submit(imu_errors(kEnd.count() - 1), 0ns)).apply_at_ns, kEnd.count());
-  for (const std::int64_t at : {kEnd.count(), kEnd.count() + 1, std::numeric_limits<std::int64_t>::max()}) {
+  EXPECT_EQ(accepted(j.submit(imu_errors((kEnd - 5ms).count()), 0ns)).apply_at_ns, (kEnd - 5ms).count());
+  // Just before the end it would be in effect for the samples after the end, and there are none.
+  for (const std::int64_t at : {(kEnd - 5ms).count() + 1, kEnd.count() - 1, kEnd.count(), kEnd.count() + 1,
+                                std::numeric_limits<std::int64_t>::max()}) {
     const ProfileAck ack = rejected(j.submit(imu_errors(at), 0ns));
     EXPECT_EQ(ack.field, "request.apply_at_ns");
     EXPECT_EQ(ack.reason, "lies at or after the end of the run at 7200.000 s: no sample would come out under it");

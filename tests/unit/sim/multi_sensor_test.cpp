@@ -4,6 +4,7 @@
 #include <map>
 #include <thread>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/data/wire/cdr.hpp"
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/sim/offline_run.hpp"
@@ -71,8 +72,7 @@ TEST(MultiSensor, EachHasItsOwnRateAndPlace) {
   const scenario::LoadedScenario loaded = two_of_each();
   const ImuTruth &at0 = all.imu_truths.at(0)[1599], &at1 = all.imu_truths.at(1)[799];
   ASSERT_EQ(at0.header.sim_time_ns, at1.header.sim_time_ns);
-  const Vector3 apart_n = nav::ned_from({at0.latitude_rad, at0.longitude_rad, at0.height_m},
-                                        {at1.latitude_rad, at1.longitude_rad, at1.height_m});
+  const Vector3 apart_n = nav::ned_from(geodetic_of(at0), geodetic_of(at1));
   const Vector3 arms_v_m = loaded.imus[1].installation.lever_arm_v_m - loaded.imus[0].installation.lever_arm_v_m;
   EXPECT_NEAR(apart_n.norm(), arms_v_m.norm(), 1e-6);
   EXPECT_GT(arms_v_m.norm(), 0.5);

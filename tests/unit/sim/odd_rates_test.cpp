@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/sim/offline_run.hpp"
 #include "tests/unit/sim/run_recorder.hpp"
 
@@ -119,7 +120,7 @@ TEST(OddRates, AConstantForceGivesTheSameMeanInLongAndShortIntervals) {
   for (const ImuSample& sample : all.samples) {
     shortest_ns = std::min(shortest_ns, sample.interval_ns);
     longest_ns = std::max(longest_ns, sample.interval_ns);
-    const double dt_s = static_cast<double>(sample.interval_ns) * 1e-9;
+    const double dt_s = time::to_seconds(sample.interval_ns);
     ASSERT_LT((sample.dv_b / dt_s - first.mean_f_b).norm(), 1e-12 * first.mean_f_b.norm());
     ASSERT_LT((sample.mean_f_b - first.mean_f_b).norm(), 1e-12 * first.mean_f_b.norm());
   }

@@ -20,7 +20,7 @@ void append(const T& sample, Bytes& out) {
   out.insert(out.end(), encoded.begin(), encoded.end());
 }
 
-Bytes bytes_of(const sim::Sensor<catalog::Imu>::Result& result) {
+Bytes bytes_of(const Sensor<catalog::Imu>::Result& result) {
   Bytes bytes;
   if (result.output) {
     append(result.output->sample, bytes);
@@ -30,14 +30,9 @@ Bytes bytes_of(const sim::Sensor<catalog::Imu>::Result& result) {
   return bytes;
 }
 
-Bytes bytes_of(const sim::Sensor<catalog::Gnss>::Result& result) {
-  Bytes bytes;
-  if (result.output) append(*result.output, bytes);
-  for (const ProfileAck& ack : result.acks) append(ack, bytes);
-  return bytes;
-}
-
-Bytes bytes_of(const sim::Sensor<catalog::Magnetometer>::Result& result) {
+/// Of every kind that puts out one stream.
+template <class Result>
+Bytes bytes_of(const Result& result) {
   Bytes bytes;
   if (result.output) append(*result.output, bytes);
   for (const ProfileAck& ack : result.acks) append(ack, bytes);
@@ -66,6 +61,10 @@ struct Run {
   }
   static const Run& magnetometer() {
     static const Run run("config/scenarios/magnetometer");
+    return run;
+  }
+  static const Run& aiding() {
+    static const Run run("config/scenarios/aiding");
     return run;
   }
 };
@@ -111,33 +110,43 @@ void expect_resumes(const Run& run, const Make& make) {
 }
 
 TEST(ResumedSensors, AnImuGoesOnWithTheSameBits) {
-  expect_resumes<sim::Sensor<catalog::Imu>>(
-      Run::recovery(), [](const auto& scenario) { return sim::Sensor<catalog::Imu>(scenario, scenario.imus[0]); });
+  expect_resumes<Sensor<catalog::Imu>>(
+      Run::recovery(), [](const auto& scenario) { return Sensor<catalog::Imu>(scenario, scenario.imus[0]); });
 }
 
 TEST(ResumedSensors, AnImuSlowerThanTheTruthGoesOnWithTheSameBits) {
-  expect_resumes<sim::Sensor<catalog::Imu>>(
-      Run::recovery(), [](const auto& scenario) { return sim::Sensor<catalog::Imu>(scenario, scenario.imus[1]); });
+  expect_resumes<Sensor<catalog::Imu>>(
+      Run::recovery(), [](const auto& scenario) { return Sensor<catalog::Imu>(scenario, scenario.imus[1]); });
 }
 
 TEST(ResumedSensors, AReceiverGoesOnWithTheSameBits) {
-  expect_resumes<sim::Sensor<catalog::Gnss>>(
-      Run::recovery(), [](const auto& scenario) { return sim::Sensor<catalog::Gnss>(scenario, scenario.gnss[0]); });
+  expect_resumes<Sensor<catalog::Gnss>>(
+      Run::recovery(), [](const auto& scenario) { return Sensor<catalog::Gnss>(scenario, scenario.gnss[0]); });
 }
 
 TEST(ResumedSensors, AMagnetometerGoesOnWithTheSameBits) {
-  expect_resumes<sim::Sensor<catalog::Magnetometer>>(Run::magnetometer(), [](const auto& scenario) {
-    return sim::Sensor<catalog::Magnetometer>(scenario, scenario.magnetometers[0]);
+  expect_resumes<Sensor<catalog::Magnetometer>>(Run::magnetometer(), [](const auto& scenario) {
+    return Sensor<catalog::Magnetometer>(scenario, scenario.magnetometers[0]);
   });
+}
+
+TEST(ResumedSensors, ABarometerAndOdometersGoOnWithTheSameBits) {
+  expect_resumes<Sensor<catalog::Barometer>>(
+      Run::aiding(), [](const auto& scenario) { return Sensor<catalog::Barometer>(scenario, scenario.barometers[0]); });
+  for (const std::size_t i : {0, 1}) {
+    expect_resumes<Sensor<catalog::Odometer>>(Run::aiding(), [i](const auto& scenario) {
+      return Sensor<catalog::Odometer>(scenario, scenario.odometers[i]);
+    });
+  }
 }
 
 TEST(ResumedSensors, AtRatesThatDivideNoneOfTheOthersAllGoOnWithTheSameBits) {
   for (const std::size_t i : {0, 1}) {
-    expect_resumes<sim::Sensor<catalog::Imu>>(
-        Run::odd_rates(), [i](const auto& scenario) { return sim::Sensor<catalog::Imu>(scenario, scenario.imus[i]); });
+    expect_resumes<Sensor<catalog::Imu>>(
+        Run::odd_rates(), [i](const auto& scenario) { return Sensor<catalog::Imu>(scenario, scenario.imus[i]); });
   }
-  expect_resumes<sim::Sensor<catalog::Gnss>>(
-      Run::odd_rates(), [](const auto& scenario) { return sim::Sensor<catalog::Gnss>(scenario, scenario.gnss[0]); });
+  expect_resumes<Sensor<catalog::Gnss>>(
+      Run::odd_rates(), [](const auto& scenario) { return Sensor<catalog::Gnss>(scenario, scenario.gnss[0]); });
 }
 
 }  // namespace resumed_sensors_test

@@ -24,7 +24,7 @@ class RunLogFile : public test::TemporaryFolder {
 
   template <class T>
   T read_back(const std::string& record) {
-    return json::from_json<T>(json::parse_json(metadata_.at(record).at("json"), record), record);
+    return json::struct_from_json<T>(json::parse_json(metadata_.at(record).at("json"), record), record);
   }
 
   scenario::LoadedScenario scenario_ = scenario::load(std::string(INSLAB_SOURCE_DIR) + "/config/scenarios/demo.json");

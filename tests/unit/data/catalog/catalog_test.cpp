@@ -169,9 +169,28 @@ TEST(SensorKinds, EachHasAServiceWithUnitAndPlaceInInventories) {
     const std::string service = Kind::service;
     EXPECT_TRUE(is_service(service));
     EXPECT_EQ(security_identity(service), service);
-    EXPECT_THAT(inventory, HasSubstr("\"" + service.substr(std::string("inslab-").size()) + "\": true"));
+    EXPECT_THAT(inventory, HasSubstr("\"" + service.substr(std::string("inslab-").size()) + "\": \"" +
+                                     std::string(Kind::name) + "\""));
     EXPECT_THAT(text_of("deploy/systemd/" + service + "@.service"), HasSubstr("/" + service + " "));
     EXPECT_THAT(services, HasSubstr(service + " "));
+  });
+}
+
+template <class Sample, class... More>
+Sample first_of(Types<Sample, More...>) {
+  return {};
+}
+
+TEST(SensorKinds, EachSaysInItsSamplesWhichOfItsProfilesWereInEffect) {
+  for_each(SensorKinds{}, [](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    std::set<std::string> profiles, revisions;
+    for_each(typename Kind::Profiles{},
+             [&](auto one) { profiles.insert(std::string(enum_name(decltype(one)::type::kind))); });
+    const auto sample = first_of(SamplesOf<Kind>{});
+    const auto note = [&](const Field& field, const auto&) { revisions.insert(std::string(field.name)); };
+    std::decay_t<decltype(sample.revisions)>::fields(sample.revisions, note);
+    EXPECT_EQ(revisions, profiles) << Kind::name;
   });
 }
 

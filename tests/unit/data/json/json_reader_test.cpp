@@ -32,7 +32,7 @@ TEST(NearestKey, PrefersTheMisspellingToTheLongerCommonBeginning) {
 template <class T>
 std::string reason(const std::string& text) {
   try {
-    from_json<T>(parse_json(text, "f"), "f");
+    struct_from_json<T>(parse_json(text, "f"), "f");
   } catch (const Error& error) {
     return error.what();
   }
@@ -49,7 +49,7 @@ TEST(JsonReader, TakesAMotionByItsNumberInTheThesis) {
   const auto type = [](int number) {
     const Json json = parse_json("{\"duration_s\": 1, \"motions\": [{\"type\": " + std::to_string(number) + "}]}", "f");
     try {
-      return std::string(enum_name(from_json<scenario::Segment>(json, "f").motions.at(0).type));
+      return std::string(enum_name(struct_from_json<scenario::Segment>(json, "f").motions.at(0).type));
     } catch (const Error& error) {
       return error.path();
     }
@@ -73,12 +73,12 @@ TEST(JsonReader, GivesEveryNumberTheMotionOfItsName) {
 }
 
 TEST(JsonReader, TakesOneNumberForAllAxes) {
-  const auto profile = from_json<InstallationProfile>(parse_json(R"({"lever_arm_v_m": 2})", "f"), "f");
+  const auto profile = struct_from_json<InstallationProfile>(parse_json(R"({"lever_arm_v_m": 2})", "f"), "f");
   EXPECT_EQ(profile.lever_arm_v_m, Vector3(2.0, 2.0, 2.0));
 }
 
 TEST(JsonReader, KeepsTheDefaultsOfAbsentKeys) {
-  const auto profile = from_json<GnssErrorProfile>(
+  const auto profile = struct_from_json<GnssErrorProfile>(
       parse_json(R"({"fix_type": "fixed", "position_sigma_ned_m": 1, "velocity_sigma_ned_m_per_s": 1})", "f"), "f");
   EXPECT_EQ(profile.satellites, GnssErrorProfile{}.satellites);
   EXPECT_EQ(profile.fix_type, FixType::Fixed);

@@ -187,6 +187,8 @@ TEST(Receiver, AStreamThatFallsSilentInLockstepIsAskedForAndGoesOnHoweverLongItW
   const auto asked = consumer.asks_within(seconds(30));
   ASSERT_FALSE(asked.empty());
   EXPECT_EQ(asked.front(), 450) << "the first look after 400 ms";
+  EXPECT_FALSE(consumer.asks_within(seconds(2)).empty())
+      << "it goes on, so that a peer whose lease had run out hears it";
   EXPECT_EQ(consumer.lost(), std::nullopt);
   consumer.come(from_to(32, 63));
   EXPECT_THAT(consumer.take(), ElementsAreArray(from_to(32, 63)));
@@ -312,6 +314,34 @@ TEST(Receiver, AProcessThatWasStoppedHasNotWaitedMeanwhile) {
   EXPECT_EQ(consumer.lost(), std::nullopt);
   consumer.come({1, 2});
   EXPECT_THAT(consumer.take(), ElementsAre(1, 2, 3));
+}
+
+// While the lease of a peer has run out nothing of it comes, though it sends; a stream is heard again from then on.
+TEST(Receiver, WhatAPeerSentWhileItsLeaseHadRunOutIsAskedForWithItsNextSample) {
+  Consumer consumer = of_truth(ClockMode::RealTime);
+  consumer.come(from_to(0, 99));
+  consumer.take();
+  consumer.asks_within(seconds(30));
+  EXPECT_EQ(consumer.lost(), std::nullopt) << "silence is no loss";
+  consumer.come(from_to(6100, 6105));
+  EXPECT_THAT(consumer.take(), IsEmpty());
+  EXPECT_FALSE(consumer.asks_within(seconds(7)).empty());
+  EXPECT_EQ(consumer.lost(), std::nullopt) << "patience begins when the gap is seen";
+  consumer.come(from_to(100, 6099));
+  EXPECT_THAT(consumer.take(), ElementsAreArray(from_to(100, 6105)));
+  EXPECT_EQ(consumer.counts().lost, 0u);
+}
+
+TEST(Receiver, AnAppGoesOnWithWhatComesWhenALeaseHadRunOut) {
+  Consumer consumer = of_input(ClockMode::RealTime);
+  consumer.asks();
+  consumer.come({0});
+  consumer.take();
+  consumer.asks_within(seconds(30));
+  consumer.come({300, 301});
+  consumer.asks_within(milliseconds(200));
+  EXPECT_THAT(consumer.take(), ElementsAre(300, 301));
+  EXPECT_EQ(consumer.counts().lost, 299u);
 }
 
 TEST(Receiver, WhatIsMissingAtTheEndIsAskedForWhenTheEndIsKnown) {

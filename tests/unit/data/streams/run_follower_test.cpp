@@ -131,18 +131,18 @@ TEST(RunFollower, StaysForALoggerUntilThatHasClosedTheLogOfThisRun) {
   EXPECT_FALSE(follower.stays_for_the_log(kNow)) << "the run goes on";
   follower.hear(status(RunState::Finished), kNow);
   EXPECT_TRUE(follower.stays_for_the_log(kNow));
-  EXPECT_TRUE(follower.take(streams::log_word(kAnotherRun, true)));
+  EXPECT_TRUE(follower.take(log_word(kAnotherRun, true)));
   EXPECT_TRUE(follower.stays_for_the_log(kNow));
-  EXPECT_TRUE(follower.take(streams::log_word(kRun, false)));
+  EXPECT_TRUE(follower.take(log_word(kRun, false)));
   EXPECT_TRUE(follower.stays_for_the_log(kNow));
-  EXPECT_TRUE(follower.take(streams::log_word(kRun, true)));
+  EXPECT_TRUE(follower.take(log_word(kRun, true)));
   EXPECT_FALSE(follower.stays_for_the_log(kNow));
 }
 
 TEST(RunFollower, ALoggerThatDoesNotComeBackIsNotWaitedForForEver) {
   RunFollower follower = following(RunState::Finished);
-  EXPECT_TRUE(follower.stays_for_the_log(kNow + streams::kTimeToComeBack));
-  EXPECT_FALSE(follower.stays_for_the_log(kNow + streams::kTimeToComeBack + milliseconds(1)));
+  EXPECT_TRUE(follower.stays_for_the_log(kNow + kTimeToComeBack));
+  EXPECT_FALSE(follower.stays_for_the_log(kNow + kTimeToComeBack + milliseconds(1)));
 }
 
 TEST(RunFollower, TellsOnceThatItWaits) {
@@ -154,10 +154,10 @@ TEST(RunFollower, TellsOnceThatItWaits) {
 
 TEST(RunFollower, TakesNoOtherCredit) {
   RunFollower follower;
-  Credit credit = streams::log_word(kRun, true);
+  Credit credit = log_word(kRun, true);
   credit.topic = "inslab/truth";
   EXPECT_FALSE(follower.take(credit));
-  credit = streams::log_word(kRun, true);
+  credit = log_word(kRun, true);
   credit.consumer = "inslab-imu-injector";
   EXPECT_FALSE(follower.take(credit));
 }

@@ -88,6 +88,33 @@ TEST(StreamMonitor, BeginsAfreshWithAnotherRun) {
   expect_counts(monitor.status(), 0, 0, 0);
 }
 
+TEST(StreamMonitor, AnotherProcessGoesOnWithEveryGap) {
+  StreamMonitor killed("inslab/imu/0", StreamDirection::In);
+  for (const std::uint64_t number : {0, 1, 4, 5, 9}) killed.received(header(number), 0);
+  StreamMonitor next("inslab/imu/0", StreamDirection::In);
+  next.go_on(header(0).run_id, killed.progress());
+  EXPECT_EQ(next.first_missing(), 2u);
+  EXPECT_EQ(next.came(), 5u);
+  std::vector<std::uint64_t> new_ones;
+  for (std::uint64_t number = 0; number <= 10; ++number) {
+    if (next.received(header(number), 0)) new_ones.push_back(number);
+  }
+  EXPECT_EQ(new_ones, (std::vector<std::uint64_t>{2, 3, 6, 7, 8, 10}));
+  EXPECT_EQ(next.came(), 11u);
+  EXPECT_EQ(next.lost(), 0u);
+}
+
+// Of a stream with more gaps than are kept, what lies in those that were given up stays lost.
+TEST(StreamMonitor, AnotherProcessKnowsWhatIsLostForGood) {
+  StreamMonitor killed("inslab/imu/0", StreamDirection::In);
+  for (std::uint64_t i = 0; i < 5000; ++i) killed.received(header(2 * i + 1), 0);
+  StreamMonitor next("inslab/imu/0", StreamDirection::In);
+  next.go_on(header(0).run_id, killed.progress());
+  EXPECT_EQ(next.lost(), 5000u);
+  EXPECT_FALSE(next.received(header(0), 0));
+  EXPECT_TRUE(next.received(header(9998), 0));
+}
+
 TEST(StreamMonitor, SurvivesAStreamThatIsAllGapsAndAHugeNumber) {
   StreamMonitor monitor("inslab/truth", StreamDirection::In);
   for (std::uint64_t i = 0; i < 10000; ++i) monitor.received(header(2 * i + 1), 0);

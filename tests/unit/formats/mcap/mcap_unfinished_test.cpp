@@ -84,6 +84,31 @@ TEST_F(UnfinishedMcap, KeepsItsMetadata) {
   EXPECT_EQ(reader.metadata()[0].values.at("key"), "value");
 }
 
+/// Whatever came behind, an end included.
+TEST_F(UnfinishedMcap, GoesOnFromWhereItWasKnownToEnd) {
+  std::uint64_t known_size = 0;
+  {
+    McapWriter log(path("longer.mcap"));
+    write(log, 0, 7);
+    log.flush();
+    known_size = log.file_size();
+    write(log, 7, kMessages);
+    log.metadata("note", {{"key", "value"}});
+    log.close();
+  }
+  const UnfinishedLog unfinished = read_unfinished(path("longer.mcap"), known_size);
+  EXPECT_EQ(unfinished.statistics.message_count, 7u);
+  {
+    McapWriter log(path("longer.mcap"), {}, unfinished);
+    write(log, 7, 9);
+    log.close();
+  }
+  const McapReader reader(path("longer.mcap"));
+  EXPECT_TRUE(reader.closed_properly());
+  EXPECT_EQ(reader.statistics().message_count, 9u);
+  EXPECT_TRUE(reader.metadata().empty());
+}
+
 TEST_F(UnfinishedMcap, RefusesALogThatWasClosed) {
   {
     McapWriter log(path("closed.mcap"));

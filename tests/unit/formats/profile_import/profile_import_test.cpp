@@ -179,7 +179,8 @@ TEST_F(ProfileImport, OfGazeboNamesTheLineAtFault) {
   EXPECT_THAT(error_of(import_gazebo, with("<stddev>0.02<", "<stddev>much<")),
               HasSubstr("line 13: <stddev> is not a finite"));
   EXPECT_THAT(error_of(import_gazebo, with("<update_rate>250</update_rate>", "")), HasSubstr("has no <update_rate>"));
-  EXPECT_THAT(error_of(import_gazebo, with("</model>", "")), HasSubstr("is no XML"));
+  EXPECT_THAT(error_of(import_gazebo, with("</model>", "")),
+              HasSubstr(": is no XML, or is broken there; expected an SDF file of Gazebo"));
   EXPECT_THAT(error_of(import_gazebo, "<sdf/>"), HasSubstr("has no <sensor type=\"imu\">"));
   ImportOptions options;
   options.sensor = "other";

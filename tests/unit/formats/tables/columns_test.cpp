@@ -103,7 +103,7 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
   truth.header.sim_time_ns = 34;
   std::vector<std::uint8_t> payload;
   wire::encode(truth, payload);
-  const log::LogType* type = log::find_log_type("inslab::v2::TruthState");
+  const log::LogType* type = log::find_log_type("inslab::v3::TruthState");
   ASSERT_NE(type, nullptr);
   log::SampleStamp stamp;
   ASSERT_TRUE(type->stamp(payload.data(), payload.size(), stamp));
@@ -114,9 +114,9 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
 }
 
 TEST(LogTypes, KnowEveryTopicTypeAndNoOther) {
-  EXPECT_EQ(log::log_types().size(), 22u);
-  EXPECT_NE(log::find_log_type("inslab::v2::ServiceStatus"), nullptr);
-  EXPECT_EQ(log::find_log_type("inslab::v2::Nothing"), nullptr);
+  EXPECT_EQ(log::log_types().size(), 26u);
+  EXPECT_NE(log::find_log_type("inslab::v3::ServiceStatus"), nullptr);
+  EXPECT_EQ(log::find_log_type("inslab::v3::Nothing"), nullptr);
   EXPECT_EQ(log::find_log_type("inslab::v0::ServiceStatus"), nullptr);
 }
 

@@ -25,7 +25,13 @@ TEST(DecimalTime, IsExactWhereADoubleIsNot) {
   EXPECT_EQ(files::exact_nanoseconds("+12.3456789", 1'000'000), 12'345'679) << "rounded once";
   EXPECT_EQ(files::exact_nanoseconds(".25", 1000), 250);
   EXPECT_EQ(files::exact_nanoseconds("1e3", kS), 1000 * kS);
-  for (const char* wrong : {"", "-", ".", "12:00", "9999999999999999999", "1e30", "nan", "0x10"}) {
+  EXPECT_EQ(files::exact_nanoseconds("1.700000000010000000e+09", kS), 1'700'000'000'010'000'000) << "as NumPy writes";
+  EXPECT_EQ(files::exact_nanoseconds("1.70000000000500000000E18", 1), 1'700'000'000'005'000'000);
+  EXPECT_EQ(files::exact_nanoseconds("-2.5e-01", kS), -250'000'000);
+  EXPECT_EQ(files::exact_nanoseconds("12e-4", kS), 1'200'000);
+  EXPECT_EQ(files::exact_nanoseconds("0.00125e2", kS), 125'000'000);
+  for (const char* wrong : {"", "-", ".", "12:00", "9999999999999999999", "1e30", "nan", "0x10", "e5", ".e1", "1e",
+                            "1e+", "1e5.0", "1.2.3e4", "1e99999"}) {
     EXPECT_EQ(files::exact_nanoseconds(wrong, kS), std::nullopt) << wrong;
   }
 }

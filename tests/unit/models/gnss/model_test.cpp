@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/gnss/gnss_model.hpp"
 #include "inslab/nav/wgs84.hpp"
@@ -37,11 +39,11 @@ TEST(GnssModel, AntennaIsTheRotatedArmAwayInAnyAttitude) {
         truth.q_nv = nav::quaternion_from_rpy(rpy);
         const auto fix = model.observe(truth);
         ASSERT_TRUE(fix.has_value());
-        const nav::Geodetic vehicle{truth.latitude_rad, truth.longitude_rad, truth.height_m};
+        const nav::Geodetic vehicle = geodetic_of(truth);
         const Vector3 expected_e =
             nav::ecef_from_geodetic(vehicle) + nav::C_en(vehicle.latitude_rad, vehicle.longitude_rad) *
                                                    (nav::matrix_from_rpy(rpy) * s.installation.lever_arm_v_m);
-        const Vector3 antenna_e = nav::ecef_from_geodetic({fix->latitude_rad, fix->longitude_rad, fix->height_m});
+        const Vector3 antenna_e = nav::ecef_from_geodetic(geodetic_of(*fix));
         EXPECT_LT((antenna_e - expected_e).norm(), 5e-9) << roll << ' ' << pitch << ' ' << yaw;
       }
     }
@@ -58,9 +60,7 @@ TEST(GnssModel, VelocityIsTheDerivativeOfTheAntennasPosition) {
   const Quaternion start = nav::quaternion_from_rpy({0.3, -0.4, 2.0});
   std::vector<GnssFix> fixes;
   for (std::int64_t k = 1; k <= 400; ++k) fixes.push_back(*model.observe(spinning(k * kTruthNs, rate_v, start)));
-  const auto r_e = [&](std::size_t k) {
-    return nav::ecef_from_geodetic({fixes[k].latitude_rad, fixes[k].longitude_rad, fixes[k].height_m});
-  };
+  const auto r_e = [&](std::size_t k) { return nav::ecef_from_geodetic(geodetic_of(fixes[k])); };
   for (std::size_t k = 2; k + 2 < fixes.size(); ++k) {
     const Vector3 derivative_e = (8.0 * (r_e(k + 1) - r_e(k - 1)) - (r_e(k + 2) - r_e(k - 2))) / (12.0 * 5e-3);
     const Matrix3 C_en = nav::C_en(fixes[k].latitude_rad, fixes[k].longitude_rad);
@@ -140,7 +140,7 @@ TEST(GnssModel, AnOutagePublishesNothingAndChangesNoOtherFix) {
   ASSERT_EQ(some.size(), 44U);  // without 2.0, 2.2 .. 2.8 and 5.0 s
   for (std::size_t i = 0; i < some.size(); ++i) {
     EXPECT_EQ(some[i].header.sequence_number, i);
-    const double t = static_cast<double>(some[i].header.sim_time_ns) * 1e-9;
+    const double t = time::to_seconds(some[i].header.sim_time_ns);
     EXPECT_FALSE((t > 1.999 && t < 2.999) || (t > 4.999 && t < 5.199)) << t;
     const auto epoch = static_cast<std::size_t>(some[i].header.sim_time_ns / 200000000);
     EXPECT_EQ(some[i].latitude_rad, all[epoch - 1].latitude_rad);

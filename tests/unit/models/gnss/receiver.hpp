@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/gnss/gnss_model.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -20,7 +22,7 @@ inline TruthState spinning(std::int64_t time_ns, const Vector3& rate_v, const Qu
   truth.latitude_rad = 0.53;
   truth.longitude_rad = 1.996;
   truth.height_m = 20.0;
-  const double t = static_cast<double>(time_ns) * 1e-9;
+  const double t = time::to_seconds(time_ns);
   truth.q_nv = nav::canonical(q_nv_at_start * nav::quaternion_from_rotation_vector(rate_v * t));
   truth.omega_iv_v = rate_v + truth.q_nv.conjugate() * nav::omega_ie_n(truth.latitude_rad);
   return truth;
@@ -48,8 +50,7 @@ inline std::vector<GnssFix> run(GnssModel model, double duration_s) {
 
 /// Of a fix whose antenna is at the vehicle's reference point.
 inline Vector3 position_error_ned(const GnssFix& fix, const TruthState& truth) {
-  return nav::ned_from({truth.latitude_rad, truth.longitude_rad, truth.height_m},
-                       {fix.latitude_rad, fix.longitude_rad, fix.height_m});
+  return nav::ned_from(geodetic_of(truth), geodetic_of(fix));
 }
 
 }  // namespace inslab::gnss::test

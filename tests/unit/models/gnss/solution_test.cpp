@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "tests/unit/models/gnss/receiver.hpp"
 
@@ -113,7 +115,7 @@ TEST(GnssModel, ReportsEachKindOfSolutionWithItsOwnErrors) {
   ASSERT_EQ(fixes.size(), 34U);  // without 1.0 s and, before there is a fix again, 1.1 to 1.5 s
   for (std::size_t i = 0; i < fixes.size(); ++i) {
     EXPECT_EQ(fixes[i].header.sequence_number, i);
-    const double t = static_cast<double>(fixes[i].header.sim_time_ns) * 1e-9;
+    const double t = time::to_seconds(fixes[i].header.sim_time_ns);
     const bool floating = t > 1.59 && t < 2.59;
     EXPECT_EQ(fixes[i].fix_type, floating ? FixType::Float : FixType::Fixed) << t;
     EXPECT_EQ(fixes[i].position_sigma_ned_m, Vector3::Constant(floating ? 1.0 : 0.01)) << t;
@@ -154,8 +156,8 @@ TEST(GnssModel, CountsSatellitesAndDopsOfItsConstellation) {
   TruthState truth = at_rest(200000000);
   truth.header.gps_week = 2446;
   const auto fix = GnssModel(s).observe(truth);
-  const Geometry sky = geometry_of({truth.latitude_rad, truth.longitude_rad, truth.height_m},
-                                   satellites_e_m(SatelliteModel::Gps, {2446, 0}), 5.0 * units::kDeg);
+  const Geometry sky =
+      geometry_of(geodetic_of(truth), satellites_e_m(SatelliteModel::Gps, {2446, 0}), 5.0 * units::kDeg);
   ASSERT_GE(sky.satellites, 4U);
   EXPECT_EQ(fix->satellites_used, sky.satellites);
   EXPECT_EQ(fix->hdop, sky.hdop);

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "inslab/data/samples/truth_state.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/nav/gravity.hpp"
@@ -77,8 +78,8 @@ class AnalyticMotion {
 
   /// What the trajectory server says of the vehicle at sample `k`.
   TruthState truth(std::int64_t k, std::int64_t period_ns, const nav::Gravity& gravity) const {
-    const double t = static_cast<double>(k * period_ns) * 1e-9;
-    const double t_before = static_cast<double>((k - 1) * period_ns) * 1e-9;
+    const double t = time::to_seconds(k * period_ns);
+    const double t_before = time::to_seconds((k - 1) * period_ns);
     const auto [r_e, v_e, a_e] = path(t);
     TruthState truth;
     truth.header.sequence_number = static_cast<std::uint64_t>(k);

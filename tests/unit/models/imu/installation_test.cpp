@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "inslab/foundation/time/gps_time.hpp"
 #include "tests/unit/models/imu/analytic_motion.hpp"
 
 namespace inslab::imu {
@@ -11,7 +12,7 @@ constexpr std::int64_t kPeriodNs = 5000000;
 constexpr double kPeriodS = 5e-3;
 
 /// As AnalyticMotion::truth computes it: 35 s differ by 7e-15 s otherwise, and at 6 rad/s that shows.
-double seconds(std::int64_t k) { return static_cast<double>(k * kPeriodNs) * 1e-9; }
+double seconds(std::int64_t k) { return time::to_seconds(k * kPeriodNs); }
 
 const nav::Gravity kGravity;
 

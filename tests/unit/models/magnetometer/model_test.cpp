@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/magnetometer/magnetometer_model.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -34,7 +35,7 @@ TruthState truth_at(std::uint64_t k, const nav::RollPitchYaw& rpy = {0.0, 0.0, 0
 
 Vector3 earth_n_nt() {
   const TruthState truth = truth_at(1);
-  return EarthField(time::decimal_year({2446, 0})).B_n_nt({truth.latitude_rad, truth.longitude_rad, truth.height_m});
+  return EarthField(time::decimal_year({2446, 0})).B_n_nt(geodetic_of(truth));
 }
 
 FaultProfile fault(const std::function<void(FaultProfile&)>& change) {

@@ -5,6 +5,7 @@
 
 #include "inslab/data/catalog/profile_kinds.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"
+#include "tests/unit/data/field_changer.hpp"
 
 namespace inslab::navigation::matching {
 namespace matching_uses_test {
@@ -16,40 +17,6 @@ TEST(MatchedProfiles, SaysOfEveryFieldOfEveryProfileWhatBecomesOfIt) {
     EXPECT_EQ(profiles::faults_of<typename decltype(kind)::type>(uses_of(kind), file), "");
   });
 }
-
-/// Adds to the numbers of one field of a profile.
-class Changer {
- public:
-  Changer(std::string path, double by) : path_(std::move(path)), by_(by) {}
-
-  template <class T>
-  void operator()(const Field& field, T& value) {
-    const std::string here = prefix_ + std::string(field.name);
-    if constexpr (is_list<T>) {
-      for (auto& element : value) within(here + "[].", element);
-    } else if constexpr (has_fields<T>) {
-      within(here + ".", value);
-    } else if constexpr (std::is_same_v<T, double>) {
-      if (here == path_) value += by_;
-    } else if constexpr (std::is_enum_v<T>) {
-      if (here == path_) value = static_cast<T>(1);
-    } else if constexpr (!std::is_arithmetic_v<T> && !std::is_same_v<T, std::string>) {
-      if (here == path_) value.array() += by_;
-    }
-  }
-
- private:
-  template <class T>
-  void within(const std::string& prefix, T& value) {
-    const std::string outer = std::exchange(prefix_, prefix);
-    T::fields(value, *this);
-    prefix_ = outer;
-  }
-
-  std::string path_;
-  double by_;
-  std::string prefix_;
-};
 
 Eigen::Matrix<double, 30, 1> figures(const NavigationParameters& p) {
   Eigen::Matrix<double, 30, 1> all;
@@ -67,14 +34,14 @@ TEST(MatchedProfiles, WhatIsSaidToBeHandledChangesTheParametersAndNothingElseDoe
   const auto entries = profiles::detail::numbers_of(all);
   for (const auto& entry : entries) {
     if (entry.path.find("temperature[]") == 0) continue;
-    Changer set(entry.path, 2.0);
+    test::FieldChanger set(entry.path, 2.0);
     ImuErrorProfile::fields(all, set);
   }
   const auto before = figures(matching_parameters(all, {}, {}));
   for (const auto& entry : entries) {
     if (entry.path == "temperature[].at_s") continue;
     ImuErrorProfile changed = all;
-    Changer change(entry.path, 3.0);
+    test::FieldChanger change(entry.path, 3.0);
     ImuErrorProfile::fields(changed, change);
     const bool changes = figures(matching_parameters(changed, {}, {})) != before;
     const bool handled = profiles::detail::use_of(kImuErrorUses, entry.path)->what == profiles::FieldUse::What::Handled;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <functional>
 
 #include "inslab/models/navigation/navigation_filter.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -18,9 +19,13 @@ const nav::Gravity kGravity;
 /// Lies at its berth, then gathers way to the north; its states are the truth of its own increments.
 class CastingOff {
  public:
+  /// Acceleration to the north, m/s^2, by time, s.
+  using Acceleration = std::function<double(double)>;
+
   CastingOff(double rest_s, double acceleration_m_per_s2)
-      : rest_s_(rest_s),
-        acceleration_m_per_s2_(acceleration_m_per_s2),
+      : CastingOff([=](double t_s) { return t_s < rest_s ? 0.0 : acceleration_m_per_s2; }) {}
+  explicit CastingOff(Acceleration acceleration_m_per_s2)
+      : acceleration_m_per_s2_(std::move(acceleration_m_per_s2)),
         strapdown_({{0.98, 0.22, 36.0}, Vector3::Zero(), nav::Quaternion::Identity()}, kGravity, {true}) {}
 
   nav::NavState state() const { return strapdown_.state(); }
@@ -31,7 +36,7 @@ class CastingOff {
     const Matrix3 C_bn = nav::matrix_from_quaternion(now.q_nb).transpose();
     const Vector3 omega_ie = nav::omega_ie_n(now.position.latitude_rad);
     const Vector3 omega_en = nav::omega_en_n(now.position, now.v_n);
-    const Vector3 a_n(time_s() < rest_s_ ? 0.0 : acceleration_m_per_s2_, 0.0, 0.0);
+    const Vector3 a_n(acceleration_m_per_s2_(time_s()), 0.0, 0.0);
     ImuSample sample;
     sample.dtheta_b = kDt_s * (C_bn * (omega_ie + omega_en));
     sample.dv_b = kDt_s * (C_bn * (a_n + (2.0 * omega_ie + omega_en).cross(now.v_n) - kGravity.g_n(now.position)));
@@ -58,8 +63,7 @@ class CastingOff {
   }
 
  private:
-  double rest_s_;
-  double acceleration_m_per_s2_;
+  Acceleration acceleration_m_per_s2_;
   nav::Strapdown strapdown_;
   std::uint64_t k_ = 0;
 };
@@ -151,6 +155,33 @@ TEST(ZeroVelocity, TheGainOfHalfAMinuteShowsWhatNoWindowShows) {
       EXPECT_LT(std::abs(worst.north_m), 12.0) << acceleration_m_per_s2 << " m/s^2, way 29 m and more";
     }
   }
+}
+
+// The speed is 0.0633 t^2: what the first second gains is three sigma_m_per_s at most, and the IMU's own noise and
+// biases make far less.
+TEST(ZeroVelocity, APullAwayIsNotHeldInItsFirstSecond) {
+  for (const NavigationParameters& p : {NavigationParameters{}, fine()}) {
+    for (const double begins_s : {60.0, 60.2, 60.4, 60.6, 60.8, 60.9}) {
+      const auto gently = [=](double t_s) { return t_s < begins_s ? 0.0 : 0.1267 * (t_s - begins_s); };
+      const Worst worst = worst_of(p, CastingOff(gently), 75.0, 50.0);
+      EXPECT_LT(worst.velocity, kHonest) << "from " << begins_s << " s on";
+      EXPECT_LT(worst.position, kHonest) << "from " << begins_s << " s on";
+      EXPECT_LT(std::abs(worst.north_m), 0.1) << "from " << begins_s << " s on";
+    }
+  }
+}
+
+// A sway gains more in a second than the IMU's noise, too, and does so in every one: its zero velocities come less
+// often.
+TEST(ZeroVelocity, ASwayDoesNotKeepThemAway) {
+  constexpr double kOmega = 2.5, kSway_m_per_s = 0.01;
+  const auto sigma_m = [](bool use) {
+    NavigationParameters p;
+    p.zero_velocity.use = use;
+    const auto sways = [](double t_s) { return kSway_m_per_s * kOmega * std::cos(kOmega * t_s); };
+    return worst_of(p, CastingOff(sways), 180.0, 50.0).north_sigma_m;
+  };
+  EXPECT_LT(10.0 * sigma_m(true), sigma_m(false));
 }
 
 // Rest that is rest: the updates are taken, or an IMU of 100 deg/h would not stay within 3 m in a minute's outage.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/wgs84.hpp"
@@ -12,8 +14,6 @@ namespace inslab::trajectory {
 namespace ballistic_test {
 
 constexpr time::GpsTime kStart{2300, 0};
-
-nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
 
 scenario::Trajectory shot(double speed_m_per_s, double pitch_deg, double drag_per_m = 0.0) {
   scenario::Trajectory t = tables::at_wuhan(0.0);
@@ -29,7 +29,7 @@ MotionTableModel model_of(const scenario::Trajectory& trajectory, double rate_hz
 }
 
 Vector3 omega_nv_v(const TruthState& truth) {
-  const Vector3 omega_in_n = nav::omega_ie_n(truth.latitude_rad) + nav::omega_en_n(position(truth), truth.v_n);
+  const Vector3 omega_in_n = nav::omega_ie_n(truth.latitude_rad) + nav::omega_en_n(geodetic_of(truth), truth.v_n);
   return truth.omega_iv_v - truth.q_nv.conjugate() * omega_in_n;
 }
 
@@ -80,7 +80,7 @@ TEST(Ballistic, FliesAParabolaDeflectedByTheEarthsRotation) {
   // 130 m of height, 0.02 m.
   const double t = 10.0;
   MotionTableModel model = model_of(shot(100.0, 30.0));
-  const nav::Geodetic start = position(model.current());
+  const nav::Geodetic start = geodetic_of(model.current());
   const Vector3 v = model.current().v_n;
   const Vector3 omega = nav::omega_ie_n(start.latitude_rad);
   const Vector3 g = nav::Gravity().g_n(start);
@@ -89,7 +89,7 @@ TEST(Ballistic, FliesAParabolaDeflectedByTheEarthsRotation) {
   const Vector3 parabola = v * t + 0.5 * g * t * t;
   const Vector3 deflection = -omega.cross(v) * t * t - omega.cross(g) * t * t * t / 3.0;
   ASSERT_GT(deflection.norm(), 0.2);
-  EXPECT_LT((nav::ned_from(start, position(truth)) - parabola - deflection).norm(), 0.1);
+  EXPECT_LT((nav::ned_from(start, geodetic_of(truth)) - parabola - deflection).norm(), 0.1);
 }
 
 TEST(Ballistic, FallsAtTheSpeedWhereDragIsItsWeight) {
@@ -101,7 +101,7 @@ TEST(Ballistic, FallsAtTheSpeedWhereDragIsItsWeight) {
   for (int i = 0; i < 20000; ++i) truth = model.advance();
   // sqrt(g/k), which it follows into denser gravity 2.4e-4 m/s behind: sqrt(g/k) changes by
   // v (dg/dh) v/(2g) = 1.5e-4 m/s^2, and the speed settles at 2 k v = 0.63/s.
-  EXPECT_NEAR(truth.v_n.norm(), std::sqrt(nav::Gravity().g_n(position(truth)).z() / 0.01), 5e-4);
+  EXPECT_NEAR(truth.v_n.norm(), std::sqrt(nav::Gravity().g_n(geodetic_of(truth)).z() / 0.01), 5e-4);
 }
 
 TEST(Ballistic, EndsTheRunAtTheHeightOfItsStart) {
@@ -114,7 +114,7 @@ TEST(Ballistic, EndsTheRunAtTheHeightOfItsStart) {
     truth = model.advance();
     ASSERT_GE(truth.height_m, 20.0);
   }
-  const double left_s = time::to_seconds(model.end()) - 1e-9 * static_cast<double>(truth.header.sim_time_ns);
+  const double left_s = time::to_seconds(model.end()) - time::to_seconds(truth.header.sim_time_ns);
   EXPECT_GE(left_s, 0.0);
   // A nanosecond of a fall at 50 m/s, and g t^2/2 over what is left.
   EXPECT_NEAR(truth.height_m - truth.v_n.z() * left_s - 0.5 * 9.79 * left_s * left_s, 20.0, 1e-6);

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/data/samples/nav_state.hpp"
 #include "inslab/data/samples/trajectory_file.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -13,7 +15,7 @@ namespace inslab::trajectory {
 inline TrajectoryRow row_of(const TruthState& truth) {
   TrajectoryRow row;
   row.time = time::Nanoseconds(truth.header.sim_time_ns);
-  row.position = {truth.latitude_rad, truth.longitude_rad, truth.height_m};
+  row.position = geodetic_of(truth);
   row.v_n = truth.v_n;
   row.rpy = nav::rpy_from_quaternion(truth.q_nv);
   return row;
@@ -30,8 +32,6 @@ inline TrajectoryFile rows_of(const scenario::Trajectory& table, double rate_hz,
   return file;
 }
 
-inline nav::NavState state_of(const TruthState& truth) {
-  return {{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nv};
-}
+inline nav::NavState state_of(const TruthState& truth) { return nav_state(truth); }
 
 }  // namespace inslab::trajectory

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/trajectory/smooth_model.hpp"
 #include "inslab/models/trajectory/waypoint_motion.hpp"
@@ -46,8 +47,6 @@ std::vector<TruthState> run(const scenario::Trajectory& trajectory, double rate_
 }
 
 double seconds(const TruthState& truth) { return time::to_seconds(truth.header.sim_time_ns); }
-nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
-
 TEST(Heave, IsASinusoidInHeightAndLeavesLatitudeAndLongitude) {
   const auto calm = run(route(300.0, 0.0), 50.0, 100.0), sea = run(route(300.0), 50.0, 100.0);
   for (std::size_t i = 0; i < sea.size(); ++i) {
@@ -71,18 +70,18 @@ TEST(Heave, AtAnchorIsFeltAsTheSinusoidsAcceleration) {
   const auto truth = run(at_anchor(), 100.0, 60.0);
   const nav::Matrix3 C_vn = nav::matrix_from_quaternion(truth[0].q_nv).transpose();
   const nav::Vector3 omega_ie_n = nav::omega_ie_n(truth[0].latitude_rad);
-  const double g_0 = gravity.g_n(std::sin(truth[0].latitude_rad), 40.0).z();
+  const double g_0 = gravity.g_n({truth[0].latitude_rad, truth[0].longitude_rad, 40.0}).z();
   for (std::size_t i = 1; i < truth.size(); ++i) {
     const auto angle = [&](std::size_t k) { return kOmega * seconds(truth[k]); };
     const nav::Vector3 v_n(0.0, 0.0, -kAmplitude_m * kOmega * std::cos(angle(i)));
     const nav::Vector3 a_n(0.0, 0.0, kAmplitude_m * kOmega * kOmega * std::sin(angle(i)));
-    const nav::Vector3 f_n = a_n + 2.0 * omega_ie_n.cross(v_n) - gravity.g_n(position(truth[i]));
+    const nav::Vector3 f_n = a_n + 2.0 * omega_ie_n.cross(v_n) - gravity.g_n(geodetic_of(truth[i]));
     ASSERT_LT((truth[i].f_v - C_vn * f_n).norm(), 1e-12) << i;
     // Velocity and height gained are closed forms; gravity falls nearly linearly over the 30 m: its slope's slope,
     // 7e-13/(m s^2), leaves 2e-12 of the 10 ms.
     const double up_m = kAmplitude_m * (std::sin(angle(i)) - std::sin(angle(i - 1)));
-    const double g_slope = (gravity.g_n(std::sin(truth[0].latitude_rad), 41.0).z() -
-                            gravity.g_n(std::sin(truth[0].latitude_rad), 39.0).z()) /
+    const double g_slope = (gravity.g_n({truth[0].latitude_rad, truth[0].longitude_rad, 41.0}).z() -
+                            gravity.g_n({truth[0].latitude_rad, truth[0].longitude_rad, 39.0}).z()) /
                            2.0;
     const double up_m_s = kAmplitude_m / kOmega * (std::cos(angle(i - 1)) - std::cos(angle(i)));
     nav::Vector3 dv_n(0.0, 0.0, -kAmplitude_m * kOmega * (std::cos(angle(i)) - std::cos(angle(i - 1))));
@@ -104,9 +103,9 @@ TEST(Heave, OfAShipInMotionHasTheForceOfItsVelocitysRate) {
       return (8.0 * (value(truth[i + 1]) - value(truth[i - 1])) - (value(truth[i + 2]) - value(truth[i - 2]))) / 240e-3;
     };
     const Vector3 omega_ie_n = nav::omega_ie_n(here.latitude_rad);
-    const Vector3 omega_en_n = nav::omega_en_n(position(here), here.v_n);
+    const Vector3 omega_en_n = nav::omega_en_n(geodetic_of(here), here.v_n);
     const Vector3 a_n = derivative([](const TruthState& t) { return t.v_n; });
-    const Vector3 f_n = a_n + (2.0 * omega_ie_n + omega_en_n).cross(here.v_n) - gravity.g_n(position(here));
+    const Vector3 f_n = a_n + (2.0 * omega_ie_n + omega_en_n).cross(here.v_n) - gravity.g_n(geodetic_of(here));
     // h^4/30 of the fifth derivative, 15 m (2 pi/20 s)^6: 7e-11 m/s^2; the rounding of 300 m/s over 20 ms 4e-12.
     ASSERT_LT((here.q_nv * here.f_v - f_n).norm(), 3e-10) << i;
   }

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <vector>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/models/trajectory/live_vehicle_model.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/wgs84.hpp"
+#include "inslab/scenario/terrain_gravity.hpp"
 #include "tests/unit/models/trajectory/tables.hpp"
 
 namespace inslab::trajectory::live_vehicle {
@@ -18,9 +21,7 @@ inline constexpr double kTruthRate_hz = 200.0;
 inline constexpr std::int64_t kMillisecond_ns = 1'000'000;
 inline constexpr time::GpsTime kStart{2300, 0};
 
-inline nav::Geodetic position(const TruthState& truth) {
-  return {truth.latitude_rad, truth.longitude_rad, truth.height_m};
-}
+inline nav::Geodetic position(const TruthState& truth) { return geodetic_of(truth); }
 
 /// A drive that swerves, rolls, and changes speed; it begins and goes on smoothly.
 inline scenario::Trajectory drive(double latitude_deg = 48.0, double longitude_deg = 11.0) {
@@ -92,7 +93,7 @@ inline std::vector<Arrival> arrivals_of(const std::vector<VehicleState>& states,
                                         double from_s = 0.0, double to_s = 0.0) {
   std::vector<Arrival> arrivals;
   for (const VehicleState& state : states) {
-    const double t_s = static_cast<double>(state.sim_time_ns) * 1e-9;
+    const double t_s = time::to_seconds(state.sim_time_ns);
     if (t_s < from_s - 1e-9 || t_s > to_s + 1e-9) arrivals.push_back({state, state.sim_time_ns + delay_ns});
   }
   return arrivals;
@@ -115,7 +116,7 @@ inline std::vector<TruthState> follow(LiveVehicleModel& model, const std::vector
 }
 
 inline LiveVehicleModel model_of(const scenario::Trajectory& trajectory, double rate_hz = kTruthRate_hz) {
-  return LiveVehicleModel(trajectory, time::Rate(rate_hz), kStart);
+  return LiveVehicleModel(trajectory, scenario::uniform_gravity(trajectory.gravity), time::Rate(rate_hz), kStart);
 }
 
 }  // namespace inslab::trajectory::live_vehicle

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/wgs84.hpp"
@@ -68,7 +69,7 @@ TEST(MotionTableModel, AtRestFeelsTheEarthsRateAndGravityAlone) {
   const double dt_s = 0.005;
   // Roundings of numbers of 4e-7 rad and 0.05 m/s.
   EXPECT_LT((truth.dtheta_v - C_vn * nav::omega_ie_n(first.latitude_rad) * dt_s).norm(), 1e-21);
-  const Vector3 g_n = nav::Gravity().g_n({first.latitude_rad, first.longitude_rad, first.height_m});
+  const Vector3 g_n = nav::Gravity().g_n(geodetic_of(first));
   EXPECT_LT((truth.dv_v + C_vn * g_n * dt_s).norm(), 3e-17);
   EXPECT_LT((truth.f_v + C_vn * g_n).norm(), 5e-15);
   EXPECT_EQ(truth.latitude_rad, first.latitude_rad);
@@ -82,7 +83,7 @@ TEST(MotionTableModel, TakesTheScenariosGravity) {
   t.gravity.model = nav::GravityModel::Series;
   t.gravity.disturbance_mgal = 50.0;
   const TruthState truth = MotionTableModel(t, time::Rate(200.0), kStart).current();
-  const nav::Geodetic position{truth.latitude_rad, truth.longitude_rad, truth.height_m};
+  const nav::Geodetic position = geodetic_of(truth);
   EXPECT_NEAR(-truth.f_v.z(), nav::Gravity(nav::GravityModel::Series).g_n(position).z() + 50e-5, 1e-14);
 }
 
@@ -110,7 +111,7 @@ TEST(MotionTableModel, ConstantVelocityEastTurnsByTheEarthAndTheTransportRate) {
   Trajectory t = at_wuhan(90.0);
   t.initial.speed_m_per_s = 50.0;
   const TruthState truth = truth_after(t, 10.0);
-  const nav::Geodetic position{truth.latitude_rad, truth.longitude_rad, truth.height_m};
+  const nav::Geodetic position = geodetic_of(truth);
   const Matrix3 C_vn = nav::matrix_from_quaternion(truth.q_nv).transpose();
   const Vector3 omega = nav::omega_ie_n(truth.latitude_rad) + nav::omega_en_n(position, truth.v_n);
   EXPECT_LT((truth.omega_iv_v - C_vn * omega).norm(), 1e-19);

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/trajectory/smooth_model.hpp"
 #include "tests/unit/models/trajectory/rows.hpp"
@@ -14,8 +15,6 @@ namespace row_motion_test {
 
 // Half a unit in the last place of a longitude of 3 rad, in metres on the equator.
 constexpr double kPlace_m = 2.9e-9;
-
-nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
 
 SmoothModel model_of(const TrajectoryFile& file, double rate_hz) {
   return {motion_through(file, {}), "row", nav::Gravity(), time::Rate(rate_hz), {2300, 0}};
@@ -52,7 +51,7 @@ TEST_P(RowMotionAt, PassesThroughEveryRow) {
     for (std::size_t k = 0; k < file.rows.size(); ++k) {
       const TruthState& at_row = truth[k * every];
       ASSERT_EQ(at_row.header.sim_time_ns, file.rows[k].time.count());
-      ASSERT_LT(nav::ned_from(file.rows[k].position, position(at_row)).norm(), kPlace_m) << k;
+      ASSERT_LT(nav::ned_from(file.rows[k].position, geodetic_of(at_row)).norm(), kPlace_m) << k;
       // The angles of the row and back lose a few roundings.
       ASSERT_LT(nav::angle_between(nav::quaternion_from_rpy(*file.rows[k].rpy), at_row.q_nv), 4e-15) << k;
     }
@@ -73,13 +72,13 @@ TEST(RowMotion, TakesRowsAtIrregularTimes) {
   std::size_t row = 0;
   for (const TruthState& sample : truth) {
     if (sample.header.sim_time_ns != file.rows[row].time.count()) continue;
-    ASSERT_LT(nav::ned_from(file.rows[row].position, position(sample)).norm(), kPlace_m) << row;
+    ASSERT_LT(nav::ned_from(file.rows[row].position, geodetic_of(sample)).norm(), kPlace_m) << row;
     ++row;
   }
   EXPECT_EQ(row, file.rows.size());
   // A tenth of a second is short against the table's motions: between the rows the curve is close to them.
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    ASSERT_LT(nav::ned_from(regular.rows[i].position, position(truth[i])).norm(), 2e-3) << i;
+    ASSERT_LT(nav::ned_from(regular.rows[i].position, geodetic_of(truth[i])).norm(), 2e-3) << i;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/data/samples/trajectory_file.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -17,9 +18,7 @@ inline TrajectoryFile of_table(const scenario::Trajectory& table, double rate_hz
   MotionTableModel model(table, time::Rate(rate_hz), {2300, 0});
   for (long i = std::lround(seconds * rate_hz); i >= 0; --i) {
     const TruthState truth = model.current();
-    file.rows.push_back({time::Nanoseconds(truth.header.sim_time_ns),
-                         {truth.latitude_rad, truth.longitude_rad, truth.height_m},
-                         truth.v_n,
+    file.rows.push_back({time::Nanoseconds(truth.header.sim_time_ns), geodetic_of(truth), truth.v_n,
                          nav::rpy_from_quaternion(truth.q_nv)});
     if (i > 0) model.advance();
   }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/models/trajectory/row_motion.hpp"
 #include "inslab/models/trajectory/smooth_model.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -15,8 +16,6 @@ namespace inslab::trajectory {
 namespace smooth_vehicle_test {
 
 constexpr double kPlace_m = 2.9e-9;
-
-nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
 
 std::vector<TruthState> run(const TrajectoryFile& file, double rate_hz) {
   SmoothModel model(motion_through(file, {}), "row", nav::Gravity(), time::Rate(rate_hz), {2300, 0});
@@ -45,7 +44,7 @@ TEST_P(SmoothTruth, DoesNotDependOnTheGridNorItsIncrementsOnTheSteps) {
   const auto coarse = run(GetParam().file(), 200.0);
   const auto fine = run(GetParam().file(), 1000.0);
   for (std::size_t i = 1; i < coarse.size(); ++i) {
-    ASSERT_LT(nav::ned_from(position(coarse[i]), position(fine[5 * i])).norm(), kPlace_m) << i;
+    ASSERT_LT(nav::ned_from(geodetic_of(coarse[i]), geodetic_of(fine[5 * i])).norm(), kPlace_m) << i;
     ASSERT_LT((coarse[i].v_n - fine[5 * i].v_n).norm(), 1e-12) << i;
     ASSERT_LT(nav::angle_between(coarse[i].q_nv, fine[5 * i].q_nv), 2e-15) << i;
     Vector3 dtheta = Vector3::Zero(), dv = Vector3::Zero();
@@ -63,8 +62,8 @@ TEST_P(SmoothTruth, VelocityIsTheDerivativeOfThePosition) {
   const auto truth = run(GetParam().file(), 1000.0);
   for (std::size_t i = 2; i + 2 < truth.size(); ++i) {
     // Five points 1 ms apart: places are good to 3e-9 m, and h^4/30 of the fifth derivative is less.
-    const nav::Geodetic here = position(truth[i]);
-    const auto way = [&](std::size_t j) { return nav::ned_from(here, position(truth[j])); };
+    const nav::Geodetic here = geodetic_of(truth[i]);
+    const auto way = [&](std::size_t j) { return nav::ned_from(here, geodetic_of(truth[j])); };
     const Vector3 velocity = (8.0 * (way(i + 1) - way(i - 1)) - (way(i + 2) - way(i - 2))) / 12e-3;
     ASSERT_LT((velocity - truth[i].v_n).norm(), 6e-6) << i;
   }
@@ -74,7 +73,7 @@ TEST_P(SmoothTruth, AttitudeChangesAsTheIncrementsOfAngleSay) {
   const auto truth = run(GetParam().file(), 1000.0);
   for (std::size_t i = 1; i < truth.size(); ++i) {
     const Vector3 omega_in_n =
-        nav::omega_ie_n(truth[i].latitude_rad) + nav::omega_en_n(position(truth[i]), truth[i].v_n);
+        nav::omega_ie_n(truth[i].latitude_rad) + nav::omega_en_n(geodetic_of(truth[i]), truth[i].v_n);
     const Quaternion q = nav::quaternion_from_rotation_vector(-omega_in_n * 1e-3) * truth[i - 1].q_nv *
                          nav::quaternion_from_rotation_vector(truth[i].dtheta_v);
     // Coning within 1 ms, omega x omega'/12 h^3, of some 0.3 rad/s and 3 rad/s^2.
@@ -89,8 +88,8 @@ TEST_P(SmoothTruth, VelocityChangesAsTheIncrementsOfSpecificForceSay) {
   for (std::size_t i = 1; i + 1 < truth.size(); ++i) {
     const TruthState &here = truth[i], &after = truth[i + 1];
     const Vector3 omega_ie_n = nav::omega_ie_n(here.latitude_rad);
-    const Vector3 omega_en_n = nav::omega_en_n(position(here), here.v_n);
-    const Vector3 rest_n = nav::Gravity().g_n(position(here)) - (2.0 * omega_ie_n + omega_en_n).cross(here.v_n);
+    const Vector3 omega_en_n = nav::omega_en_n(geodetic_of(here), here.v_n);
+    const Vector3 rest_n = nav::Gravity().g_n(geodetic_of(here)) - (2.0 * omega_ie_n + omega_en_n).cross(here.v_n);
     const Vector3 dv_v = here.dv_v - 0.5 * here.dtheta_v.cross(here.dv_v) +  //
                          after.dv_v + 0.5 * after.dtheta_v.cross(after.dv_v);
     const Vector3 change_n = nav::matrix_from_quaternion(here.q_nv) * dv_v + 2e-3 * rest_n;

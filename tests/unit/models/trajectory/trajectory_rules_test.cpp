@@ -8,12 +8,12 @@
 namespace inslab::trajectory {
 namespace trajectory_rules_test {
 
-using trajectory::tables::at_wuhan;
-using trajectory::tables::constant_rate;
-using trajectory::tables::delta_speed;
-using trajectory::tables::motion;
-using trajectory::tables::segment;
-using trajectory::tables::target_speed;
+using tables::at_wuhan;
+using tables::constant_rate;
+using tables::delta_speed;
+using tables::motion;
+using tables::segment;
+using tables::target_speed;
 
 struct NamesOfFields {
   std::set<std::string> names;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/wgs84.hpp"
@@ -24,8 +25,6 @@ std::vector<TruthState> run(const scenario::Trajectory& trajectory, double rate_
   return truth;
 }
 
-nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
-
 struct Case {
   const char* name;
   scenario::Trajectory (*table)();
@@ -41,7 +40,7 @@ TEST_P(TruthConsistency, DoesNotDependOnTheGrid) {
     const TruthState &a = coarse[i], &b = fine[5 * i];
     ASSERT_EQ(a.header.sim_time_ns, b.header.sim_time_ns);
     // 1e-9 m and the unit in the last place that the angles are published with.
-    ASSERT_LT(nav::ned_from(position(a), position(b)).norm(), 1e-9 + kUlpOfTwoRad * nav::wgs84::a_m) << i;
+    ASSERT_LT(nav::ned_from(geodetic_of(a), geodetic_of(b)).norm(), 1e-9 + kUlpOfTwoRad * nav::wgs84::a_m) << i;
     ASSERT_LT((a.v_n - b.v_n).norm(), 1e-10) << i;
     ASSERT_LT(nav::angle_between(a.q_nv, b.q_nv), 1e-12) << i;
     ASSERT_EQ(a.segment_index, b.segment_index);
@@ -69,8 +68,8 @@ TEST_P(TruthConsistency, PositionChangesAsTheVelocitySays) {
   const auto truth = run(GetParam().table(), 1000.0, GetParam().seconds);
   for (std::size_t i = 1; i + 1 < truth.size(); ++i) {
     if (truth[i - 1].segment_index != truth[i + 1].segment_index) continue;  // the acceleration may jump between
-    const Vector3 velocity = (nav::ned_from(position(truth[i]), position(truth[i + 1])) -
-                              nav::ned_from(position(truth[i]), position(truth[i - 1]))) /
+    const Vector3 velocity = (nav::ned_from(geodetic_of(truth[i]), geodetic_of(truth[i + 1])) -
+                              nav::ned_from(geodetic_of(truth[i]), geodetic_of(truth[i - 1]))) /
                              2e-3;
     ASSERT_LT((velocity - truth[i].v_n).norm(), 4e-6) << i;
   }
@@ -82,7 +81,7 @@ TEST_P(TruthConsistency, AttitudeChangesAsTheIncrementsOfAngleSay) {
   const auto truth = run(GetParam().table(), 1000.0, GetParam().seconds);
   for (std::size_t i = 1; i < truth.size(); ++i) {
     const Vector3 omega_in_n =
-        nav::omega_ie_n(truth[i].latitude_rad) + nav::omega_en_n(position(truth[i]), truth[i].v_n);
+        nav::omega_ie_n(truth[i].latitude_rad) + nav::omega_en_n(geodetic_of(truth[i]), truth[i].v_n);
     const Quaternion q = nav::quaternion_from_rotation_vector(-omega_in_n * 1e-3) * truth[i - 1].q_nv *
                          nav::quaternion_from_rotation_vector(truth[i].dtheta_v);
     ASSERT_LT(nav::angle_between(q, truth[i].q_nv), 2e-11) << i;
@@ -120,7 +119,7 @@ double apart_m(const scenario::Trajectory& trajectory, double rate_hz, double fi
   const auto end = [&](double hz) {
     MotionTableModel model(trajectory, time::Rate(hz), {2300, 0});
     for (long i = std::lround(seconds * hz); i > 0; --i) model.advance();
-    return position(model.current());
+    return geodetic_of(model.current());
   };
   return nav::ned_from(end(rate_hz), end(finer_hz)).norm();
 }
@@ -158,7 +157,7 @@ TEST(Truth, KeepsASlowRateGridAsExact) {
   // 1 Hz is integrated in the same small steps: 200 of 5 ms.
   const auto slow = run(tables::basic(), 1.0, 400.0);
   const auto usual = run(tables::basic(), 200.0, 400.0);
-  const double apart_m = nav::ned_from(position(slow.back()), position(usual.back())).norm();
+  const double apart_m = nav::ned_from(geodetic_of(slow.back()), geodetic_of(usual.back())).norm();
   EXPECT_LT(apart_m, 1e-9 + kUlpOfTwoRad * nav::wgs84::a_m);
 }
 

@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 #include "inslab/data/json/config_error.hpp"
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/trajectory/smooth_model.hpp"
 #include "inslab/models/trajectory/truth_model.hpp"
@@ -55,9 +57,8 @@ std::vector<TruthState> run(scenario::LoadedScenario loaded, double rate_hz) {
   return truth;
 }
 
-nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
 nav::RollPitchYaw rpy(const TruthState& truth) { return nav::rpy_from_quaternion(truth.q_nv); }
-double seconds(const TruthState& truth) { return 1e-9 * static_cast<double>(truth.header.sim_time_ns); }
+double seconds(const TruthState& truth) { return time::to_seconds(truth.header.sim_time_ns); }
 
 struct Case {
   const char* name;
@@ -89,12 +90,12 @@ TEST_P(VehicleClasses, PublishDerivativesThatAreThose) {
     const auto derivative = [&](auto value) -> Vector3 {
       return (8.0 * (value(truth[i + 1]) - value(truth[i - 1])) - (value(truth[i + 2]) - value(truth[i - 2]))) / 60e-3;
     };
-    const Vector3 v = derivative([&](const TruthState& t) { return nav::ned_from(position(here), position(t)); });
+    const Vector3 v = derivative([&](const TruthState& t) { return nav::ned_from(geodetic_of(here), geodetic_of(t)); });
     const Vector3 omega_ie_n = nav::omega_ie_n(here.latitude_rad);
-    const Vector3 omega_en_n = nav::omega_en_n(position(here), here.v_n);
+    const Vector3 omega_en_n = nav::omega_en_n(geodetic_of(here), here.v_n);
     const Vector3 a_n = derivative([](const TruthState& t) { return t.v_n; });
-    const Vector3 f_v =
-        here.q_nv.conjugate() * (a_n + (2.0 * omega_ie_n + omega_en_n).cross(here.v_n) - gravity.g_n(position(here)));
+    const Vector3 f_v = here.q_nv.conjugate() *
+                        (a_n + (2.0 * omega_ie_n + omega_en_n).cross(here.v_n) - gravity.g_n(geodetic_of(here)));
     const Vector3 turn = derivative([&](const TruthState& t) -> Vector3 {
       return nav::rotation_vector_from_quaternion(here.q_nv.conjugate() * t.q_nv);
     });
@@ -115,7 +116,7 @@ TEST_P(VehicleClasses, TurnAsTheIncrementsOfAngleSay) {
   const auto truth = run(GetParam().load(), 200.0);
   for (std::size_t i = 1; i < truth.size(); ++i) {
     const Vector3 omega_in_n =
-        nav::omega_ie_n(truth[i].latitude_rad) + nav::omega_en_n(position(truth[i]), truth[i].v_n);
+        nav::omega_ie_n(truth[i].latitude_rad) + nav::omega_en_n(geodetic_of(truth[i]), truth[i].v_n);
     const Quaternion q = nav::quaternion_from_rotation_vector(-omega_in_n * 5e-3) * truth[i - 1].q_nv *
                          nav::quaternion_from_rotation_vector(truth[i].dtheta_v);
     ASSERT_LT(nav::angle_between(q, truth[i].q_nv), 1e-7) << i;
@@ -142,12 +143,12 @@ TEST_P(VehicleClasses, MoveAsAnIndependentIntegrationOfTheirRateAndForce) {
   const double rate_hz = loaded.scenario.duration_s < 500.0 ? 1600.0 : 400.0;
   const long double step_s = 2.0L / rate_hz;  // the rates are by the step
   const auto truth = run(loaded, rate_hz);
-  const nav::Vector3 start_e = nav::ecef_from_geodetic(position(truth.front()));
+  const nav::Vector3 start_e = nav::ecef_from_geodetic(geodetic_of(truth.front()));
   const auto C_en_at = [](const nav::Geodetic& p) { return nav::C_en(p.latitude_rad, p.longitude_rad); };
   const LongVector omega_ie_e(0.0L, 0.0L, nav::wgs84::omega_e_rad_per_s);
 
   EcefState state{};
-  const nav::Matrix3 C_en = C_en_at(position(truth.front()));
+  const nav::Matrix3 C_en = C_en_at(geodetic_of(truth.front()));
   const Eigen::Quaterniond q_start = nav::quaternion_from_matrix(C_en) * truth.front().q_nv;
   for (int i = 0; i < 3; ++i) state[3 + i] = (C_en * truth.front().v_n)[i];
   state[6] = q_start.w(), state[7] = q_start.x(), state[8] = q_start.y(), state[9] = q_start.z();
@@ -173,12 +174,12 @@ TEST_P(VehicleClasses, MoveAsAnIndependentIntegrationOfTheirRateAndForce) {
     sample += 2;
     if (sample % 400 != 0) continue;
     const TruthState& now = truth[sample];
-    const nav::Matrix3 C = C_en_at(position(now));
+    const nav::Matrix3 C = C_en_at(geodetic_of(now));
     const nav::Vector3 r(static_cast<double>(state[0]), static_cast<double>(state[1]), static_cast<double>(state[2]));
     const nav::Vector3 v(static_cast<double>(state[3]), static_cast<double>(state[4]), static_cast<double>(state[5]));
     const Eigen::Quaterniond q(static_cast<double>(state[6]), static_cast<double>(state[7]),
                                static_cast<double>(state[8]), static_cast<double>(state[9]));
-    position_m = std::max(position_m, (start_e + r - nav::ecef_from_geodetic(position(now))).norm());
+    position_m = std::max(position_m, (start_e + r - nav::ecef_from_geodetic(geodetic_of(now))).norm());
     velocity_m_per_s = std::max(velocity_m_per_s, (v - C * now.v_n).norm());
     attitude_rad =
         std::max(attitude_rad, nav::angle_between(q.normalized(), nav::quaternion_from_matrix(C) * now.q_nv));
@@ -235,7 +236,7 @@ TEST(Multirotor, StandsLevelOnItsPadAndHoldsItsPlacesAndYaws) {
     if (k + 1 < waypoints.size()) {
       EXPECT_NEAR(seconds(truth[i]) - from_s, waypoint.wait_s, 0.011) << k;
     }
-    EXPECT_LT(nav::ned_from(place, position(truth[i])).norm(), 1e-8) << k;
+    EXPECT_LT(nav::ned_from(place, geodetic_of(truth[i])).norm(), 1e-8) << k;
     EXPECT_NEAR(rpy(truth[i]).roll_rad, 0.0, 1e-5) << k;
     EXPECT_NEAR(rpy(truth[i]).pitch_rad, 0.0, 1e-5) << k;
     EXPECT_NEAR(nav::wrapped_to_pi(rpy(truth[i]).yaw_rad - yaw_rad), 0.0, 1e-5) << k;

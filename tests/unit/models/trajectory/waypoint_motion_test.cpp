@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "inslab/data/samples/geodetic_of.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/trajectory/smooth_model.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -36,8 +38,6 @@ std::vector<TruthState> run(const scenario::Trajectory& trajectory, double rate_
   return truth;
 }
 
-nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
-
 TEST(WaypointMotion, PassesEveryWaypointAtItsSpeed) {
   const scenario::Trajectory trajectory = tour();
   const auto truth = run(trajectory, 1000.0, 320.0);
@@ -49,7 +49,7 @@ TEST(WaypointMotion, PassesEveryWaypointAtItsSpeed) {
     ASSERT_LT(i, truth.size());
     const nav::Geodetic expected{waypoint.latitude_deg * units::kDeg, waypoint.longitude_deg * units::kDeg,
                                  waypoint.height_m};
-    EXPECT_LT(nav::ned_from(expected, position(truth[i])).norm(), 0.025 + 1e-6) << k;
+    EXPECT_LT(nav::ned_from(expected, geodetic_of(truth[i])).norm(), 0.025 + 1e-6) << k;
     EXPECT_NEAR(truth[i].v_n.norm(), waypoint.speed_m_per_s, 2e-3) << k;
   }
 }
@@ -72,7 +72,7 @@ TEST(WaypointMotion, StandsStillWhileItWaitsAndAtTheEnd) {
   const auto truth = run(tour(), 20.0, 400.0);
   const Vector3 earth_rate = truth[100].omega_iv_v;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    const double t_s = 1e-9 * static_cast<double>(truth[i].header.sim_time_ns);
+    const double t_s = time::to_seconds(truth[i].header.sim_time_ns);
     if (t_s > 20.0 && t_s < 330.0) continue;
     ASSERT_EQ(truth[i].v_n.norm(), 0.0) << t_s;
     // What the attitude's spline rings on with falls to 0.27 of itself from one interval of the wait to the next.
@@ -85,8 +85,8 @@ TEST(WaypointMotion, StandsStillWhileItWaitsAndAtTheEnd) {
 TEST(WaypointMotion, VelocityIsTheDerivativeOfThePosition) {
   const auto truth = run(tour(), 200.0, 320.0);
   for (std::size_t i = 2; i + 2 < truth.size(); ++i) {
-    const nav::Geodetic here = position(truth[i]);
-    const auto way = [&](std::size_t j) { return nav::ned_from(here, position(truth[j])); };
+    const nav::Geodetic here = geodetic_of(truth[i]);
+    const auto way = [&](std::size_t j) { return nav::ned_from(here, geodetic_of(truth[j])); };
     const Vector3 velocity = (8.0 * (way(i + 1) - way(i - 1)) - (way(i + 2) - way(i - 2))) / 60e-3;
     ASSERT_LT((velocity - truth[i].v_n).norm(), 2e-6) << i;
   }

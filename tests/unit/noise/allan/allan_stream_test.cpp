@@ -101,6 +101,13 @@ TEST(AllanStream, OctaveSizesRiseToTheLargestAndHaveLargeStrides) {
   EXPECT_LT(stream.memory_bytes(), 25'000u);
 }
 
+TEST(AllanCurve, EndsAtAQuarterOfTheRecord) {
+  EXPECT_EQ(curve_cluster_sizes(1001).back(), 250);
+  EXPECT_EQ(curve_cluster_sizes(1024).back(), 256);
+  EXPECT_EQ(curve_cluster_sizes(4).back(), 1);
+  EXPECT_TRUE(curve_cluster_sizes(3).empty());
+}
+
 TEST(AllanStream, RefusesSizesAndIntervalsThatAreNone) {
   EXPECT_THROW(AllanStream(1.0, {0}), std::invalid_argument);
   EXPECT_THROW(AllanStream(0.0, {1}), std::invalid_argument);

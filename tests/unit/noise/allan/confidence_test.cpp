@@ -25,6 +25,25 @@ TEST(Confidence, DegreesOfFreedomOfWhiteNoiseAreThoseOfTheClosedForm) {
   EXPECT_NEAR(equivalent_degrees_of_freedom({1, 1.0, 1, 1'000'000}, white, 1.0) / terms, 1.0 / 1.5, 1e-6);
 }
 
+TEST(Confidence, StepsOverManyLagsChangeTheDegreesOfFreedomByLessThanAThousandth) {
+  // Against every lag of the definition, at 640 samples a cluster: steps of ten lags.
+  const NoiseModel models[] = {{1.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+                               {0.0, 0.0, 0.0, 1.0, 0.0, 0.0},
+                               {0.01, 30.0, 0.0, 0.0, 0.0, 0.0},
+                               {1.0, 0.0, 1.0, 0.0, 1.0, 300.0}};
+  const AllanPoint point{640, 1.0, 1, 20'000};
+  for (const NoiseModel& model : models) {
+    const double variance = second_difference_covariance(model, 1.0, point.m, 0);
+    double correlated = 0.0;
+    for (std::int64_t i = 1; i < point.terms; ++i) {
+      const double rho = second_difference_covariance(model, 1.0, point.m, i) / variance;
+      correlated += (1.0 - static_cast<double>(i) / 20'000.0) * rho * rho;
+    }
+    const double expected = 20'000.0 / (1.0 + 2.0 * correlated);
+    EXPECT_NEAR(equivalent_degrees_of_freedom(point, model, 1.0), expected, 1e-3 * expected);
+  }
+}
+
 TEST(Confidence, EstimatesScatterAsTheirDegreesOfFreedomSay) {
   // 400 records: the sample variance of the estimates has relative standard error sqrt(2/400) = 7 % and, chi-square
   // with about 15 degrees being heavier in its tail than normal, sqrt((2 + 12/15)/400) = 8.4 %; four of them.

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
+#include "inslab/foundation/units/units.hpp"
 #include "inslab/noise/random/flicker.hpp"
 #include "tests/unit/noise/allan/simulated_noise.hpp"
 
@@ -65,6 +69,63 @@ TEST(Fit, FindsTheFlickerOfTheSensorModelBesideWhiteNoise) {
     }
   }
   EXPECT_LE(missed, 2);
+}
+
+/// Exact flicker: processes an octave apart, from a 64th of a sample to days, each one's integral over the sample taken
+/// and not a value held.
+class ExactFlicker {
+ public:
+  ExactFlicker(double instability, double dt_s, std::uint64_t seed) : random_(seed) {
+    const double sigma = instability * std::sqrt(std::log(2.0) / units::kPi);
+    for (double time_s = dt_s / 64.0; time_s < 3e5; time_s *= 2.0) {
+      const double p = std::exp(-dt_s / time_s);
+      Process process{p, time_s * (1.0 - p), sigma * std::sqrt(1.0 - p * p), 0.0, 0.0, sigma * normal_(random_)};
+      // Of the noise that comes in during a sample: variance of the end value, of the integral, and both together.
+      const double both = sigma * sigma * time_s * (1.0 - p) * (1.0 - p);
+      const double integral = sigma * sigma * time_s * (2.0 * dt_s - time_s * (1.0 - p) * (3.0 - p));
+      process.integral_by_drive = both / process.drive;
+      process.integral_alone = std::sqrt(std::max(integral - std::pow(process.integral_by_drive, 2), 0.0));
+      processes_.push_back(process);
+    }
+  }
+  double increment() {
+    double sum = 0.0;
+    for (Process& process : processes_) {
+      const double a = normal_(random_), b = normal_(random_);
+      sum += process.x * process.integral_of_x + process.integral_by_drive * a + process.integral_alone * b;
+      process.x = process.decay * process.x + process.drive * a;
+    }
+    return sum;
+  }
+
+ private:
+  struct Process {
+    double decay, integral_of_x, drive, integral_by_drive, integral_alone, x;
+  };
+  std::mt19937_64 random_;
+  std::normal_distribution<double> normal_;
+  std::vector<Process> processes_;
+};
+
+/// 10 deg/h and 0.05 deg/sqrt(h): flicker is above the white noise from 0.2 s on. A model that ends at 0.16 Hz finds
+/// 14.3 and 0.058.
+TEST(Fit, FindsExactFlickerWhereItIsFast) {
+  const double dt_s = 0.02, flicker = 10.0, white = 0.05 * 60.0;  // deg/h, deg/h sqrt(s)
+  const double limit = 0.5 * chi_square_quantile(0.99, 1.0);
+  int missed = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    ExactFlicker exact(flicker, dt_s, seed);
+    random::WhiteNoise noise(white, dt_s, random::Stream(seed, "white"));
+    Record data(dt_s);
+    for (std::uint64_t k = 0; k < 60'000; ++k) data.add(noise.increment(k) + exact.increment());
+    const Likelihood record(data);
+    const Fit found = fit(record, {Term::White, Term::Flicker});
+    EXPECT_NEAR(found.model.flicker, flicker, 0.06 * flicker) << seed;
+    EXPECT_NEAR(found.model.white, white, 0.03 * white) << seed;
+    missed += drop_at(log_of(record), found, Parameter::Flicker, flicker) > limit ? 1 : 0;
+    missed += drop_at(log_of(record), found, Parameter::White, white) > limit ? 1 : 0;
+  }
+  EXPECT_LE(missed, 1);
 }
 
 TEST(Fit, SelectsTheTermsThatAreThere) {

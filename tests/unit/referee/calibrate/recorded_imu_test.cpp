@@ -106,7 +106,8 @@ TEST_F(RecordedImu, GivesBackTheProfileThatMadeItWithinItsConfidence) {
 TEST_F(RecordedImu, ItsProfileIsAFileThatOurReaderTakes) {
   const ImuErrorProfile profile = fitted_profile(errors({allan::Term::White, allan::Term::GaussMarkov}));
   write_profile(path("twin.json"), profile);
-  const auto again = json::from_json<ImuErrorProfile>(json::read_json_file(path("twin.json")), path("twin.json"));
+  const auto again =
+      json::struct_from_json<ImuErrorProfile>(json::read_json_file(path("twin.json")), path("twin.json"));
   EXPECT_EQ(catalog::violation(again), std::nullopt);
   EXPECT_EQ(again.gyro.arw_deg_per_sqrt_h, profile.gyro.arw_deg_per_sqrt_h);
   EXPECT_EQ(again.gyro.bias_gm_correlation_time_s, profile.gyro.bias_gm_correlation_time_s);
@@ -122,6 +123,37 @@ TEST_F(RecordedImu, ReportAndPlotShowEveryAxis) {
   EXPECT_THAT(curve_csv(analysis), ::testing::HasSubstr("\naccel z,0.02"));
   const std::string svg = tables::drawn(curve_picture(analysis), tables::PictureFormat::Svg);
   for (const char* name : recordings::kImuAxisNames) EXPECT_THAT(svg, ::testing::HasSubstr(name));
+}
+
+TEST_F(RecordedImu, TheCurveIsFullyOverlappedAndEndsAtAQuarterOfTheRecord) {
+  const ImuAnalysis analysis = errors({allan::Term::White});
+  std::vector<double> phase{0.0};
+  recordings::ImuRecordingOptions options;
+  options.minus_truth = true;
+  recordings::read_imu_recording(
+      path("car.mcap"), options, [](const recordings::ImuRecordingInfo&) {},
+      [&](const recordings::ImuIncrements& increments) { phase.push_back(phase.back() + increments[4]); });
+  const std::vector<CurvePoint>& curve = analysis.axes[4].curve;
+  const auto samples = static_cast<std::int64_t>(phase.size()) - 1;
+  ASSERT_FALSE(curve.empty());
+  EXPECT_NEAR(curve.back().tau_s, static_cast<double>(samples / 4) / kRate_hz, 1e-9);
+  for (const CurvePoint& point : curve) {
+    const std::int64_t m = std::llround(point.tau_s * kRate_hz);
+    const double every = std::sqrt(allan::overlapped_allan_variance(phase, 1.0 / kRate_hz, m).variance);
+    EXPECT_NEAR(point.deviation, every, 1e-9 * every) << m;
+    EXPECT_LT(point.interval.low, point.deviation);
+    EXPECT_GT(point.interval.high, point.deviation);
+  }
+}
+
+TEST_F(RecordedImu, APoorFitIsNamedInTheReportAndInTheTwin) {
+  const ImuAnalysis poor = errors({allan::Term::White});  // the gyros have a Gauss-Markov bias, too
+  EXPECT_THAT(report_text(poor), ::testing::HasSubstr("the fit is poor: at tau "));
+  EXPECT_THAT(poor_fits(poor), ::testing::StartsWith("gyro x: the fit is poor"));
+  EXPECT_THAT(fitted_profile(poor).source, ::testing::HasSubstr("; poor: gyro x"));
+  const ImuAnalysis good = errors();
+  EXPECT_EQ(poor_fits(good), "");
+  EXPECT_THAT(report_text(good), ::testing::HasSubstr("the fit explains the curve"));
 }
 
 TEST_F(RecordedImu, WithoutItsTruthTheMeanIsNoBias) {

@@ -126,7 +126,7 @@ class SwapEvidenceOfShippedProfiles : public test::TemporaryFolder,
                                       public testing::WithParamInterface<std::filesystem::path> {
  protected:
   static ImuErrorProfile profile(const std::filesystem::path& file) {
-    return json::from_json<ImuErrorProfile>(json::read_json_file(file.string()), file.string());
+    return json::struct_from_json<ImuErrorProfile>(json::read_json_file(file.string()), file.string());
   }
 
   /// The demo's car, whose IMU changes to `errors` and then begins to vibrate.

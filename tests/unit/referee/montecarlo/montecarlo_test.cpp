@@ -230,7 +230,7 @@ TEST_F(Montecarlo, AResultIsReadAsItWasWritten) {
   RunResult result = off_by(4, 0.1);
   result.fingerprint = s.fingerprint;
   folder.keep(result);
-  EXPECT_EQ(json::to_json(*folder.result(4)), json::to_json(result));
+  EXPECT_EQ(json::json_from_struct(*folder.result(4)), json::json_from_struct(result));
   EXPECT_FALSE(folder.result(5));
 }
 

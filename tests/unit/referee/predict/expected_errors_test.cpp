@@ -13,6 +13,7 @@
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/error_model.hpp"
 #include "inslab/nav/strapdown.hpp"
+#include "inslab/referee/predict/response.hpp"
 #include "tests/unit/models/trajectory/tables.hpp"
 
 /// The expected errors against runs of the IMU model and the mechanization, and against the reference filter.
@@ -138,6 +139,27 @@ INSTANTIATE_TEST_SUITE_P(
                   }},
         FixedTerm{"AccelSquare", [](ImuErrorProfile& p) { p.accel.nonlinearity_ppm_per_g.y() = 3000.0; }}),
     [](const auto& term) { return term.param.name; });
+
+// With the sign, and the axis in b: the same bound.
+TEST(Responses, AreTheSignedErrorsThatASensorsBiasMakes) {
+  ImuErrorProfile errors;
+  errors.gyro.bias_constant_deg_per_h.y() = 10.0;
+  errors.accel.bias_constant_mgal.x() = -100.0;
+  Responses responses({error_source("gyro_bias_y=10deg/h"), error_source("accel_bias_x=-100mGal")}, nav::Gravity(),
+                      Vertical::Free);
+  LinearMotion linear(nav::Gravity(), Vertical::Free, 1.0 / kRateHz);
+  imu::ImuModel imu = imu_of({}, 1);
+  imu.measure(motion().front());
+  for (std::size_t k = 1; k < motion().size(); ++k) {
+    if (const auto step = linear.advance(imu.measure(motion()[k])->truth)) responses.add(*step);
+  }
+  const ErrorState found = error_of_run(errors, 1);
+  const ErrorState response = responses.list()[0].errors.back() + responses.list()[1].errors.back();
+  for (const int group : {0, 3, 6}) {
+    EXPECT_LT((found - response).segment<3>(group).norm(), 0.0035 * response.segment<3>(group).norm())
+        << found.segment<3>(group).transpose() << " expected " << response.segment<3>(group).transpose();
+  }
+}
 
 TEST(ExpectedErrors, HardlyDependOnTheirStep) {
   ImuErrorProfile errors;

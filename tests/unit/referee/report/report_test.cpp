@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "inslab/data/catalog/topics.hpp"
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/referee/report/report_files.hpp"
 #include "inslab/referee/report/report_limits.hpp"
 #include "inslab/referee/score/score_words.hpp"
@@ -65,8 +66,7 @@ NavSolution off_by_a_constant(const TruthState& truth) {
   solution.gps_week = truth.header.gps_week;
   solution.gps_time_of_week_ns = truth.header.gps_time_of_week_ns;
   solution.mode = NavMode::Navigating;
-  const nav::Geodetic place =
-      nav::displaced({truth.latitude_rad, truth.longitude_rad, truth.height_m}, Vector3(kOff_m, 0.0, 0.0));
+  const nav::Geodetic place = nav::displaced(geodetic_of(truth), Vector3(kOff_m, 0.0, 0.0));
   solution.latitude_rad = place.latitude_rad;
   solution.longitude_rad = place.longitude_rad;
   solution.height_m = place.height_m;
@@ -170,7 +170,7 @@ scenario::AcceptanceLimit at_most(scenario::Metric metric, double value, scenari
 /// The error is a constant, but for one solution at 7 s, in the outage and after the swap.
 ReportData with_a_leap(ReportData data, const TruthState& truth) {
   NavSolution solution = off_by_a_constant(truth);
-  const score::TruePose pose{{truth.latitude_rad, truth.longitude_rad, truth.height_m}, truth.v_n, truth.q_nv};
+  const score::TruePose pose{geodetic_of(truth), truth.v_n, truth.q_nv};
   score::SolutionError error;
   error.position_ned_m = Vector3(3.0, 4.0, -1.0);
   solution.position_sigma_ned_m = Vector3(0.6, 0.8, 1.0);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "tests/unit/referee/score/straight_run.hpp"
@@ -30,8 +31,7 @@ Scorer scored(int count, const Change& change) {
 
 Scorer with_position_errors(int count, const std::function<Vector3(int)>& error_ned_m) {
   return scored(count, [&](int k, NavSolution& solution) {
-    const nav::Geodetic place =
-        nav::displaced({solution.latitude_rad, solution.longitude_rad, solution.height_m}, error_ned_m(k));
+    const nav::Geodetic place = nav::displaced(geodetic_of(solution), error_ned_m(k));
     solution.latitude_rad = place.latitude_rad;
     solution.longitude_rad = place.longitude_rad;
     solution.height_m = place.height_m;
@@ -173,7 +173,7 @@ TEST(PositionFigures, AreOfTheSolutionsOwnTimeOfValidity) {
   Scorer scorer(scenario_with());
   const auto at = [](double t_s) {
     TruthState truth = standing(t_s);
-    const nav::Geodetic start{truth.latitude_rad, truth.longitude_rad, truth.height_m};
+    const nav::Geodetic start = geodetic_of(truth);
     const nav::Geodetic place = nav::displaced(start, Vector3(0.5 * t_s * t_s, 0.0, 0.0));
     truth.latitude_rad = place.latitude_rad;
     truth.longitude_rad = place.longitude_rad;

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "inslab/foundation/time/gps_time.hpp"
 #include "tests/unit/referee/score/straight_run.hpp"
 
 namespace inslab::score {
@@ -51,7 +52,7 @@ TEST(Scorer, AnOutageReachesFromTheLastFixToTheNext) {
   Scorer scorer(scenario);
   for (int k = 0; k <= 50; ++k) add_fix(scorer, k * 0.2, k >= 11 && k <= 20 ? FixType::None : FixType::Fixed);
   run(scorer, 10.0, [](const TruthState& truth) {
-    const double t_s = static_cast<double>(truth.header.sim_time_ns) * 1e-9;
+    const double t_s = time::to_seconds(truth.header.sim_time_ns);
     return Vector3(t_s > 2.0 && t_s < 4.2 ? t_s - 2.0 : 0.0, 0.0, 0.0);
   });
   ASSERT_EQ(scorer.outages().size(), 1u);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/referee/score/verdict.hpp"
 
@@ -37,7 +38,7 @@ inline NavSolution solution_at(const TruthState& truth, const Vector3& error_ned
   solution.gps_time_of_week_ns = truth.header.gps_time_of_week_ns;
   solution.reference_point = ReferencePoint::Vehicle;
   solution.mode = NavMode::Navigating;
-  const nav::Geodetic place = nav::displaced({truth.latitude_rad, truth.longitude_rad, truth.height_m}, error_ned_m);
+  const nav::Geodetic place = nav::displaced(geodetic_of(truth), error_ned_m);
   solution.latitude_rad = place.latitude_rad;
   solution.longitude_rad = place.longitude_rad;
   solution.height_m = place.height_m;

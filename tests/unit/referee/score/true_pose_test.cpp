@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "tests/unit/referee/score/straight_run.hpp"
 
@@ -49,8 +50,6 @@ TruePose point_of_circle(double t_s, const Vector3& arm_v_m, const Quaternion& q
   return pose;
 }
 
-nav::Geodetic position_of(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
-
 // h^4/384 of the fourth derivative of position, 40 m (0.5 rad/s)^4, is 4e-12 m at 200 Hz; what remains is the rounding
 // of the angles, 1e-9 m. Velocity: that rounding over the interval, and h^3/72 sqrt(3) of the same.
 TEST(TruthBetween, IsExactInTheMiddleOfATurn) {
@@ -58,7 +57,7 @@ TEST(TruthBetween, IsExactInTheMiddleOfATurn) {
     const double t_s = k * 0.005;
     const TruthState between = truth_between(circling(t_s), circling(t_s + 0.005), ns(t_s + 0.0017));
     const TruthState exact = circling(t_s + 0.0017);
-    EXPECT_LT(nav::ned_from(position_of(exact), position_of(between)).norm(), 1e-8);
+    EXPECT_LT(nav::ned_from(geodetic_of(exact), geodetic_of(between)).norm(), 1e-8);
     EXPECT_LT((between.v_n - exact.v_n).norm(), 3e-6);
     EXPECT_LT(nav::angle_between(between.q_nv, exact.q_nv), 1e-9);
     EXPECT_LT((between.omega_iv_v - exact.omega_iv_v).norm(), 1e-6);
@@ -77,7 +76,7 @@ TEST(TruePose, AnArmInATurnMovesWithTheTurn) {
   const Vector3 arm_v_m(2.0, -1.0, 0.5);
   const TruePose pose = true_pose(truth, {arm_v_m, Quaternion::Identity()});
   const Matrix3 C_nv = truth.q_nv.toRotationMatrix();
-  EXPECT_LT((nav::ned_from(position_of(truth), pose.position) - C_nv * arm_v_m).norm(), 2e-9);
+  EXPECT_LT((nav::ned_from(geodetic_of(truth), pose.position) - C_nv * arm_v_m).norm(), 2e-9);
   const Vector3 turning_v(0.0, 0.0, kTurnRate_rad_per_s);
   // The arm's NED is turned against the vehicle's by the arm over the Earth's radius: 20 m/s x 4e-7.
   EXPECT_LT((pose.v_n - truth.v_n - C_nv * turning_v.cross(arm_v_m)).norm(), 1e-5);

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <set>
 
+#include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/referee/verify/smoothness.hpp"
@@ -29,8 +30,6 @@ scenario::LoadedScenario loaded(const std::string& name) {
 trajectory::MotionTableModel model_of(const scenario::Trajectory& trajectory) {
   return trajectory::MotionTableModel(trajectory, time::Rate(1.0 / kStep_s), {2300, 0});
 }
-
-nav::Geodetic position(const TruthState& truth) { return {truth.latitude_rad, truth.longitude_rad, truth.height_m}; }
 
 TEST(Catalogue, IsTwentyMinutesOfEachMotionButTheProjectile) {
   const std::set<std::string> names(catalogue().begin(), catalogue().end());
@@ -170,13 +169,14 @@ TEST_P(OfCatalogue, VelocityAccelerationAndRateAreTheDerivativesOfPositionVeloci
     const TruthState& here = five[2];
     // Truncation is (5 ms)^4/30 = 2e-11 of the fifth derivative: of position at most 0.9 m/s^2 * pi^3 = 27 m/s^5 (bumps
     // of 0.5 deg/s and 2 s at 100 m/s); rounding is 1.5/5 ms of 1.4e-9 m.
-    const Vector3 v = derivative(five, [&](const TruthState& t) { return nav::ned_from(position(here), position(t)); });
+    const Vector3 v =
+        derivative(five, [&](const TruthState& t) { return nav::ned_from(geodetic_of(here), geodetic_of(t)); });
     ASSERT_LT((v - here.v_n).norm(), 1e-6) << now.count();
     // 2e-11 of 0.9 m/s^2 * pi^4, and 300/s of the rounding of 100 m/s.
-    const Vector3 omega_en_n = nav::omega_en_n(position(here), here.v_n);
+    const Vector3 omega_en_n = nav::omega_en_n(geodetic_of(here), here.v_n);
     const Vector3 omega_ie_n = nav::omega_ie_n(here.latitude_rad);
     const Vector3 a_n =
-        here.q_nv * here.f_v + gravity.g_n(position(here)) - (2.0 * omega_ie_n + omega_en_n).cross(here.v_n);
+        here.q_nv * here.f_v + gravity.g_n(geodetic_of(here)) - (2.0 * omega_ie_n + omega_en_n).cross(here.v_n);
     ASSERT_LT((derivative(five, [](const TruthState& t) { return t.v_n; }) - a_n).norm(), 1e-8) << now.count();
     // 2e-11 of 3 deg/s (2 pi/2.5 s)^4, and 300/s of the rounding of a quaternion.
     const Vector3 omega_nv_v = here.omega_iv_v - here.q_nv.conjugate() * (omega_ie_n + omega_en_n);

@@ -1,8 +1,9 @@
+#include "inslab/referee/evidence/evidence_uses.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "inslab/data/catalog/profile_kinds.hpp"
-#include "inslab/referee/evidence/evidence_uses.hpp"
 
 namespace inslab::evidence {
 namespace profile_uses_test {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "inslab/data/samples/stream_header.hpp"
+
+namespace inslab {
+inline namespace samples {
+
+/// Which journal entry each part of a sample was made under; 0 is what the scenario began with.
+struct BarometerRevisions {
+  std::uint32_t barometer_error = 0;
+  std::uint32_t installation = 0;
+  std::uint32_t fault = 0;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("barometer_error"), self.barometer_error);
+    visit(Field("installation"), self.installation);
+    visit(Field("fault"), self.fault);
+  }
+};
+
+/// What a barometer puts out (idl/barometer.idl).
+struct AirPressure {
+  StreamHeader header;
+  std::uint32_t sensor_number = 0;
+  double pressure_pa = 0.0;
+  double temperature_deg_c = 0.0;    ///< of the sensor
+  double pressure_altitude_m = 0.0;  ///< geopotential height of the pressure in the standard atmosphere
+  bool saturated = false;            ///< the pressure was at an end of its range
+  BarometerRevisions revisions;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("header"), self.header);
+    visit(Field("sensor_number"), self.sensor_number);
+    visit(Field("pressure_pa"), self.pressure_pa);
+    visit(Field("temperature_deg_c"), self.temperature_deg_c);
+    visit(Field("pressure_altitude_m"), self.pressure_altitude_m);
+    visit(Field("saturated"), self.saturated);
+    visit(Field("revisions"), self.revisions);
+  }
+};
+
+}  // namespace samples
+}  // namespace inslab
