@@ -182,6 +182,7 @@ struct ReferenceNav {
   std::uint32_t gnss = 0;
   std::string parameters;
   std::optional<std::uint32_t> magnetometer = std::nullopt;
+  std::optional<std::uint32_t> barometer = std::nullopt;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -189,6 +190,7 @@ struct ReferenceNav {
     visit(Field("gnss", "the N of its inslab/gnss/N").in(0.0, 63.0), self.gnss);
     visit(Field("magnetometer", "the N of its inslab/magnetometer/N; absent: it takes none").in(0.0, 63.0),
           self.magnetometer);
+    visit(Field("barometer", "the N of its inslab/barometer/N; absent: it takes none").in(0.0, 63.0), self.barometer);
     visit(Field("parameters",
                 "file of the filter's parameters; absent: those that match the sensors' profiles and "
                 "nominal installation")
@@ -273,7 +275,7 @@ struct Section<catalog::Magnetometer> {
 template <>
 struct Section<catalog::Barometer> {
   static constexpr auto sensors = &Scenario::barometer;
-  static constexpr std::nullptr_t of_the_app = nullptr;
+  static constexpr auto of_the_app = &ReferenceNav::barometer;
 };
 
 template <>

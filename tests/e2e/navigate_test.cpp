@@ -118,12 +118,14 @@ TEST_F(Navigate, OnALogGivesTheSolutionsOfTheAppThatTookPart) {
   expect_the_apps_solutions(*folder_ / "again", log());
 }
 
-TEST_F(Navigate, OnALogTakesTheMagnetometerThatTheAppTook) {
-  const std::string scenario = source("tests/data/reference_nav_magnetometer.json");
-  run({"simulate", scenario, "-o", *folder_ / "."});
-  const std::string log = *folder_ / "reference_nav_magnetometer.mcap";
-  run({"navigate", log, "--scenario", scenario, "-o", *folder_ / "aided"});
-  expect_the_apps_solutions(*folder_ / "aided", log);
+TEST_F(Navigate, OnALogTakesTheOtherSensorsThatTheAppTook) {
+  for (const std::string name : {"reference_nav_magnetometer", "reference_nav_aided"}) {
+    const std::string scenario = source("tests/data/" + name + ".json");
+    run({"simulate", scenario, "-o", *folder_ / "."});
+    const std::string log = *folder_ / (name + ".mcap");
+    run({"navigate", log, "--scenario", scenario, "-o", *folder_ / name});
+    expect_the_apps_solutions(*folder_ / name, log);
+  }
 }
 
 // scored.json names the same sensors and no app. The first of 2000 samples is where the filter begins.

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <map>
 #include <memory>
 
 #include "inslab/bus/dds/reader.hpp"
@@ -118,22 +119,27 @@ TEST(ReferenceNav, InLockstepItsSolutionsAreThoseOfTheOfflineRunToTheBit) {
 
 TEST(ReferenceNav, InLockstepItWaitsForASensorThatItsScenarioGivesItBesides) {
   same_bits_in_lockstep_and_offline("reference_nav_magnetometer");
+  same_bits_in_lockstep_and_offline("reference_nav_aided");
 }
 
-TEST(ReferenceNav, TakesAMagnetometerLive) {
+/// How many samples of each stream the app took in a live run.
+std::map<std::string, std::uint64_t> taken_live(const std::string& name) {
   const TestFolder folder;
   const std::string log = folder / "live.mcap";
-  Process run("inslab",
-              {"run", source("tests/data/reference_nav_magnetometer.json"), "--domain", own_domain(), "--log", log});
-  ASSERT_EQ(run.wait(seconds(90)), 0) << run.output();
-  std::uint64_t samples = 0;
+  Process run("inslab", {"run", source("tests/data/" + name + ".json"), "--domain", own_domain(), "--log", log});
+  EXPECT_EQ(run.wait(seconds(90)), 0) << run.output();
+  std::map<std::string, std::uint64_t> samples;
   for (const ServiceStatus& status : samples_of_kind<ServiceStatus>(log, "inslab/service_status")) {
     if (status.service != "inslab-reference-nav") continue;
-    for (const StreamStatus& stream : status.streams) {
-      if (stream.topic == "inslab/magnetometer/3") samples = stream.samples;
-    }
+    for (const StreamStatus& stream : status.streams) samples[stream.topic] = stream.samples;
   }
-  EXPECT_EQ(samples, 1000U);
+  return samples;
+}
+
+TEST(ReferenceNav, TakesOtherSensorsLive) {
+  EXPECT_EQ(taken_live("reference_nav_magnetometer")["inslab/magnetometer/3"], 1000U);
+  auto aided = taken_live("reference_nav_aided");
+  EXPECT_EQ(aided["inslab/barometer/2"], 500U);
 }
 
 TEST(ReferenceNav, TakesPartInASecuredSetAsTheAppUnderTest) {

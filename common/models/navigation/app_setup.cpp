@@ -1,5 +1,6 @@
 #include "inslab/models/navigation/app_setup.hpp"
 
+#include "inslab/models/navigation/matching_barometer.hpp"
 #include "inslab/models/navigation/matching_magnetometer.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"
 #include "inslab/models/navigation/parameters_file.hpp"

@@ -144,7 +144,28 @@ inline constexpr profiles::FieldUse kMagnetometerErrorUses[] = {
 };
 
 inline constexpr profiles::FieldUse kBarometerErrorUses[] = {
-    profiles::left_out("", "barometers", "the filter takes none")};
+    profiles::handled("geoid_height_m"),
+    profiles::handled("sea_level_pressure_pa"),
+    profiles::handled("sea_level_pressure_rate_pa_per_h"),
+    profiles::handled("sea_level_pressure_gm_sigma_pa"),
+    profiles::handled("sea_level_pressure_gm_correlation_time_s"),
+    profiles::handled("temperature_deviation_deg_c"),
+    profiles::handled("temperature_deviation_gm_sigma_deg_c"),
+    profiles::left_out("temperature_deviation_gm_correlation_time_s", "drift of the air's temperature",
+                       "its deviation is taken for a constant of its size"),
+    profiles::handled("static_pressure_coefficient"),
+    profiles::handled("time_constant_s"),
+    profiles::handled("offset_pa"),
+    profiles::handled("white_sigma_pa"),
+    profiles::handled("gm_sigma_pa"),
+    profiles::handled("gm_correlation_time_s"),
+    profiles::no_error("min_pressure_pa", "saturated samples come marked as such and are not used"),
+    profiles::no_error("max_pressure_pa", "saturated samples come marked as such and are not used"),
+    profiles::handled("quantization_pa"),
+    profiles::no_error("temperature_offset_deg_c", "the filter does not look at the temperature"),
+    profiles::no_error("temperature_white_sigma_deg_c", "the filter does not look at the temperature"),
+    profiles::no_error("temperature_quantization_deg_c", "the filter does not look at the temperature"),
+};
 
 inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
     profiles::left_out("", "odometers", "the filter takes none")};

@@ -7,9 +7,12 @@
 namespace inslab::navigation {
 
 std::optional<Violation> violation(const NavigationParameters& p) {
-  if (!(p.lever_arm_b_m.norm() <= catalog::kMaxLeverArmM)) {
-    return Violation{Rule::LeverArmLength, "lever_arm_b_m",
-                     "is " + std::to_string(p.lever_arm_b_m.norm()) + " m long; a lever arm has at most 1000 m"};
+  const std::pair<const char*, const Vector3&> arms[] = {{"lever_arm_b_m", p.lever_arm_b_m},
+                                                         {"barometer.lever_arm_b_m", p.barometer.lever_arm_b_m}};
+  for (const auto& [name, arm_b_m] : arms) {
+    if (arm_b_m.norm() <= catalog::kMaxLeverArmM) continue;
+    return Violation{Rule::LeverArmLength, name,
+                     "is " + std::to_string(arm_b_m.norm()) + " m long; a lever arm has at most 1000 m"};
   }
   if (p.initial.attitude == InitialAttitude::Given && !(std::abs(p.initial.rpy_deg.y()) <= 90.0)) {
     return Violation{Rule::InitialPitch, "initial.rpy_deg",

@@ -5,6 +5,7 @@
 
 #include "inslab/foundation/fields/field.hpp"
 #include "inslab/foundation/fields/violation.hpp"
+#include "inslab/models/navigation/barometer_belief.hpp"
 #include "inslab/models/navigation/magnetometer_belief.hpp"
 
 /// The reference navigation app: a loosely coupled error-state Kalman filter without bus, clock or files.
@@ -81,6 +82,8 @@ struct EstimatedErrors {
   bool hard_iron = false;
   bool soft_iron = false;
   bool earth_field = false;
+  bool pressure_bias = false;
+  bool pressure_slope = false;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -92,6 +95,8 @@ struct EstimatedErrors {
     visit(Field("soft_iron", "nine states of the magnetometer"), self.soft_iron);
     visit(Field("earth_field", "three states: where the Earth's magnetic field is not that of the model"),
           self.earth_field);
+    visit(Field("pressure_bias", "three states of the barometer"), self.pressure_bias);
+    visit(Field("pressure_slope", "two states of the barometer: of heights, and of the speed"), self.pressure_slope);
   }
 };
 
@@ -169,6 +174,7 @@ struct NavigationParameters {
   GyroModel gyro;
   AccelModel accel;
   MagnetometerBelief magnetometer;
+  BarometerBelief barometer;
   EstimatedErrors states;
   Vector3 lever_arm_b_m = Vector3::Zero();
   InitialState initial;
@@ -186,6 +192,7 @@ struct NavigationParameters {
     visit(Field("gyro", "gyro triad"), self.gyro);
     visit(Field("accel", "accelerometer triad"), self.accel);
     visit(Field("magnetometer", "when the app has one"), self.magnetometer);
+    visit(Field("barometer", "when the app has one"), self.barometer);
     visit(Field("states", "sensor errors that are estimated; position, velocity and attitude always are"), self.states);
     visit(Field("lever_arm_b_m", "from the IMU's centre to the antenna, in the IMU's axes").in(-1000.0, 1000.0),
           self.lever_arm_b_m);

@@ -24,6 +24,10 @@ Process process_of(StateBlock block, const NavigationParameters& p) {
       return {p.magnetometer.soft_iron_sigma.segment<3>(6), Vector3::Zero()};
     case StateBlock::EarthField:
       return {p.magnetometer.earth_field_sigma_ned_nt, p.magnetometer.earth_field_correlation_time_s};
+    case StateBlock::PressureBias:
+      return {p.barometer.bias_sigma_m, p.barometer.bias_correlation_time_s};
+    case StateBlock::PressureSlope:
+      return {{p.barometer.height_scale_sigma, p.barometer.static_pressure_sigma, 0.0}, Vector3::Zero()};
     case StateBlock::Position:
     case StateBlock::Velocity:
     case StateBlock::Attitude:

@@ -24,14 +24,16 @@ enum class StateBlock : std::uint8_t {
   SoftIronX,   ///< 1, the first row of what the magnetometer's response is besides the identity
   SoftIronY,
   SoftIronZ,
-  EarthField,  ///< nT, n: of the World Magnetic Model
+  EarthField,     ///< nT, n: of the World Magnetic Model
+  PressureBias,   ///< m of pressure altitude: constant, the weather's drift, the sensor's
+  PressureSlope,  ///< 1: of heights, and the share of the dynamic pressure that the port shows
 };
 
 struct BlockFacts {
   std::string_view name;
   Eigen::Index size;  ///< errors
 };
-inline constexpr std::array<BlockFacts, 12> kBlocks{{{"position", 3},
+inline constexpr std::array<BlockFacts, 14> kBlocks{{{"position", 3},
                                                      {"velocity", 3},
                                                      {"attitude", 3},
                                                      {"gyro_bias", 3},
@@ -42,7 +44,9 @@ inline constexpr std::array<BlockFacts, 12> kBlocks{{{"position", 3},
                                                      {"soft_iron_x", 3},
                                                      {"soft_iron_y", 3},
                                                      {"soft_iron_z", 3},
-                                                     {"earth_field", 3}}};
+                                                     {"earth_field", 3},
+                                                     {"pressure_bias", 3},
+                                                     {"pressure_slope", 2}}};
 inline constexpr std::array kSoftIron{StateBlock::SoftIronX, StateBlock::SoftIronY, StateBlock::SoftIronZ};
 inline constexpr std::size_t kFirstChosenBlock = 3;
 inline constexpr Eigen::Index kLargestBlock = 3;
@@ -82,7 +86,9 @@ class StateLayout {
                              chosen.soft_iron,
                              chosen.soft_iron,
                              chosen.soft_iron,
-                             chosen.earth_field};
+                             chosen.earth_field,
+                             chosen.pressure_bias,
+                             chosen.pressure_slope};
     static_assert(std::size(is_there) == kBlocks.size());
     for (std::size_t i = 0; i < kBlocks.size(); ++i) {
       first_[i] = is_there[i] ? size_ : kAbsent;

@@ -26,22 +26,13 @@ class Circling {
   std::int64_t time_ns() const { return static_cast<std::int64_t>(k_) * kDt_ns; }
   const Vector3& omega_ib_b() const { return omega_ib_b_; }
 
-  ImuSample next() {
+  ImuSample next() { return next_with(Vector3(0.0, speed_ * rate_, 0.0)); }
+
+  /// Leaves the circle: its velocity in its own axes changes by `push_b`, m/s^2, whatever that velocity is.
+  ImuSample next(const Vector3& push_b) {
     const nav::NavState now = strapdown_.state();
-    const Matrix3 C_bn = nav::matrix_from_quaternion(now.q_nb).transpose();
-    const Vector3 omega_ie = nav::omega_ie_n(now.position.latitude_rad);
-    const Vector3 omega_en = nav::omega_en_n(now.position, now.v_n);
-    omega_ib_b_ = C_bn * (omega_ie + omega_en) + Vector3(0.0, 0.0, rate_);
-    const Vector3 f_b = Vector3(0.0, speed_ * rate_, 0.0) +
-                        C_bn * ((2.0 * omega_ie + omega_en).cross(now.v_n) - kGravity.g_n(now.position));
-    ImuSample sample;
-    sample.dtheta_b = kDt_s * omega_ib_b_;
-    sample.dv_b = kDt_s * f_b;
-    sample.interval_ns = kDt_ns;
-    sample.header.sequence_number = k_++;
-    sample.header.sim_time_ns = time_ns();
-    strapdown_.advance({sample.dtheta_b, sample.dv_b, kDt_s});
-    return sample;
+    const Vector3 v_b = nav::matrix_from_quaternion(now.q_nb).transpose() * now.v_n;
+    return next_with(push_b + Vector3(0.0, 0.0, rate_).cross(v_b));
   }
 
   GnssFix fix(const Vector3& arm_b_m = Vector3::Zero()) const {
@@ -62,6 +53,24 @@ class Circling {
   }
 
  private:
+  /// The interval in which the velocity changes by `force_b` in axes that do not turn.
+  ImuSample next_with(const Vector3& force_b) {
+    const nav::NavState now = strapdown_.state();
+    const Matrix3 C_bn = nav::matrix_from_quaternion(now.q_nb).transpose();
+    const Vector3 omega_ie = nav::omega_ie_n(now.position.latitude_rad);
+    const Vector3 omega_en = nav::omega_en_n(now.position, now.v_n);
+    omega_ib_b_ = C_bn * (omega_ie + omega_en) + Vector3(0.0, 0.0, rate_);
+    const Vector3 f_b = force_b + C_bn * ((2.0 * omega_ie + omega_en).cross(now.v_n) - kGravity.g_n(now.position));
+    ImuSample sample;
+    sample.dtheta_b = kDt_s * omega_ib_b_;
+    sample.dv_b = kDt_s * f_b;
+    sample.interval_ns = kDt_ns;
+    sample.header.sequence_number = k_++;
+    sample.header.sim_time_ns = time_ns();
+    strapdown_.advance({sample.dtheta_b, sample.dv_b, kDt_s});
+    return sample;
+  }
+
   double speed_;
   double rate_;
   nav::Strapdown strapdown_;

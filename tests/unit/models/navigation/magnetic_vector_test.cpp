@@ -2,15 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
 #include "inslab/models/navigation/matching_magnetometer.hpp"
-#include "inslab/models/navigation/processes.hpp"
-#include "inslab/noise/random/stream.hpp"
-#include "tests/unit/models/navigation/circling.hpp"
+#include "tests/unit/models/navigation/drawn_run.hpp"
 
 namespace inslab::navigation {
 namespace magnetic_vector_test {
@@ -36,13 +33,6 @@ NavigationParameters told() {
   p.magnetometer.white_sigma_nt.setConstant(50.0);
   p.magnetometer.hard_iron_sigma_nt.setConstant(400.0);
   return p;
-}
-
-/// The estimate of a situation whose errors are `x` of `layout`: truth plus errors.
-Situation erring(Situation at, const StateVector& x, const StateLayout& layout) {
-  at.C_nb = nav::matrix_from_quaternion(nav::quaternion_from_rotation_vector(-x.segment<3>(kAttitude))) * at.C_nb;
-  layout.for_each_chosen([&](StateBlock block) { at.estimates[block] += x.segment<3>(layout.first(block)); });
-  return at;
 }
 
 // Central differences of step h err by the third derivative times h^2/6: of 5e4 nT and h = 1e-4, some 1e-4 nT.
@@ -172,66 +162,17 @@ TEST(MagneticVector, ItsParametersMatchAProfileAndChooseWhatThereIsToEstimate) {
   EXPECT_TRUE(p.states.hard_iron && p.states.soft_iron);
 }
 
-/// One run in which everything that the filter is told of is drawn: the squared normalised error of its whole state.
 double nees_of_run(std::uint64_t seed) {
-  NavigationParameters p = told();
-  p.zero_velocity.use = false;
-  p.gyro.bias_sigma_deg_per_h.setConstant(20.0);
-  for (auto* constants : {&p.gyro.bias_correlation_time_s, &p.gyro.scale_factor_correlation_time_s,
-                          &p.accel.bias_correlation_time_s, &p.accel.scale_factor_correlation_time_s}) {
-    constants->setZero();
-  }
-  const StateLayout layout(p.states);
-  const random::Stream draws(seed, "magnetic_vector_test");
-  std::uint64_t drawn = 0;
-  const auto normal = [&] { return draws.normal(drawn++); };
-  const auto normals = [&] { return Vector3(normal(), normal(), normal()); };
-  StateVector e = initial_sigmas(p);
-  for (Eigen::Index i = 0; i < e.size(); ++i) e[i] *= normal();
-  const auto of = [&](StateBlock block) { return Vector3(e.segment<3>(layout.first(block))); };
-
-  Circling truth;
-  nav::NavState start = truth.state();
-  start.position = nav::displaced(start.position, of(StateBlock::Position));
-  start.v_n += of(StateBlock::Velocity);
-  start.q_nb = nav::quaternion_from_rotation_vector(-of(StateBlock::Attitude)) * start.q_nb;
-  NavigationFilter filter(p, kGravity);
-  filter.start(start, 0);
-  // Estimates begin with 0: the sensors' true errors are the negative of the filter's.
-  const Vector3 gyro_noise = std::sqrt(kDt_s) * units::kDegPerSqrtH * p.gyro.arw_deg_per_sqrt_h;
-  const Vector3 accel_noise = std::sqrt(kDt_s) * units::kMPerSPerSqrtH * p.accel.vrw_m_per_s_per_sqrt_h;
+  DrawnRun run(told(), seed, "magnetic_vector_test");
+  const Vector3 hard_iron_nt = -run.of(StateBlock::HardIron);
   for (int k = 0; k < 8000; ++k) {
-    ImuSample sample = truth.next();
-    sample.dtheta_b += -sample.dtheta_b.cwiseProduct(of(StateBlock::GyroScale)) - kDt_s * of(StateBlock::GyroBias) +
-                       gyro_noise.cwiseProduct(normals());
-    sample.dv_b += -sample.dv_b.cwiseProduct(of(StateBlock::AccelScale)) - kDt_s * of(StateBlock::AccelBias) +
-                   accel_noise.cwiseProduct(normals());
-    filter.add(sample);
-    if (k < 4000 && is_fix_time(truth)) {
-      GnssFix fix = truth.fix();
-      const nav::Geodetic measured = nav::displaced(geodetic_of(fix), fix.position_sigma_ned_m.cwiseProduct(normals()));
-      fix.latitude_rad = measured.latitude_rad;
-      fix.longitude_rad = measured.longitude_rad;
-      fix.height_m = measured.height_m;
-      fix.v_n += fix.velocity_sigma_ned_m_per_s.cwiseProduct(normals());
-      filter.add(fix);
-    }
-    if (k % 20 == 19) {
-      filter.add(field_at(truth, -of(StateBlock::HardIron) + p.magnetometer.white_sigma_nt.cwiseProduct(normals())));
-    }
+    run.advance();
+    if (k < 4000) run.fix_if_due();
+    if (k % 20 != 19) continue;
+    const Vector3 noise_nt = run.parameters().magnetometer.white_sigma_nt.cwiseProduct(run.normals());
+    run.filter().add(field_at(run.truth(), hard_iron_nt + noise_nt));
   }
-  InertialFilter now = *filter.filter();
-  now.settle();
-  const nav::NavState state = now.state(), is = truth.state();
-  const Matrix3 M = nav::matrix_from_quaternion(state.q_nb) * nav::matrix_from_quaternion(is.q_nb).transpose();
-  StateVector error(layout.size());
-  error.segment<3>(kPosition) = nav::ned_from(is.position, state.position);
-  error.segment<3>(kVelocity) = state.v_n - is.v_n;
-  error.segment<3>(kAttitude) = 0.5 * Vector3(M(1, 2) - M(2, 1), M(2, 0) - M(0, 2), M(0, 1) - M(1, 0));
-  layout.for_each_chosen(
-      [&](StateBlock block) { error.segment<3>(layout.first(block)) = now.estimates()[block] + of(block); });
-  const Eigen::MatrixXd P = now.covariance().matrix();
-  return error.dot(Eigen::VectorXd(P.llt().solve(Eigen::VectorXd(error))));
+  return run.nees();
 }
 
 // 40 s, of which the last 20 without fixes. Over 100 runs the mean of chi-square of 24 degrees of freedom has a
