@@ -171,12 +171,18 @@ std::optional<Violation> reference_nav_violation(const Scenario& scenario) {
   std::optional<Violation> missing;
   for_each(catalog::SensorKinds{}, [&](auto tag) {
     using Kind = typename decltype(tag)::type;
-    const auto number = sensor_of_the_app<Kind>(*scenario.reference_nav);
-    if (missing || !number || has_sensor(scenario, {Kind::kind, *number})) return;
-    missing = Violation{Rule::SensorExists, "reference_nav." + std::string(Kind::name),
-                        "names " + catalog::sensor_name({Kind::kind, *number}) + ", which the scenario does not have"};
+    for_each_of_the_app<Kind>(*scenario.reference_nav, [&](std::string_view key, std::uint32_t number) {
+      if (missing || has_sensor(scenario, {Kind::kind, number})) return;
+      missing = Violation{Rule::SensorExists, "reference_nav." + std::string(key),
+                          "names " + catalog::sensor_name({Kind::kind, number}) + ", which the scenario does not have"};
+    });
   });
   if (missing) return missing;
+  if (const ReferenceNav& app = *scenario.reference_nav; app.other_odometer && app.other_odometer == app.odometer) {
+    return Violation{Rule::SensorNumberOnce, "reference_nav.other_odometer",
+                     "is " + std::to_string(*app.other_odometer) +
+                         ", as reference_nav.odometer; expected the odometer of the wheel across from it"};
+  }
   if (!scenario.require_nav_app) return std::nullopt;
   return Violation{Rule::OneNavApp, "require_nav_app",
                    "is true beside reference_nav; expected one of them: two apps on inslab/nav cannot be told apart"};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/catalog/sensor_kinds.hpp"
@@ -183,6 +184,8 @@ struct ReferenceNav {
   std::string parameters;
   std::optional<std::uint32_t> magnetometer = std::nullopt;
   std::optional<std::uint32_t> barometer = std::nullopt;
+  std::optional<std::uint32_t> odometer = std::nullopt;
+  std::optional<std::uint32_t> other_odometer = std::nullopt;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -191,6 +194,12 @@ struct ReferenceNav {
     visit(Field("magnetometer", "the N of its inslab/magnetometer/N; absent: it takes none").in(0.0, 63.0),
           self.magnetometer);
     visit(Field("barometer", "the N of its inslab/barometer/N; absent: it takes none").in(0.0, 63.0), self.barometer);
+    visit(Field("odometer", "the N of its inslab/odometer/N, on a wheel that is not steered; absent: it takes none")
+              .in(0.0, 63.0),
+          self.odometer);
+    visit(Field("other_odometer", "the N of the odometer on the wheel across from it; absent: it takes one alone")
+              .in(0.0, 63.0),
+          self.other_odometer);
     visit(Field("parameters",
                 "file of the filter's parameters; absent: those that match the sensors' profiles and "
                 "nominal installation")
@@ -251,37 +260,47 @@ struct Scenario {
   }
 };
 
-/// Where the sensors of a kind stand in a scenario, and which of them the reference navigation app navigates by; null:
-/// by none of that kind.
+/// A key of ReferenceNav that names a sensor: `Number` is optional where the app can do without.
+template <class Number>
+struct AppKey {
+  std::string_view name;
+  Number ReferenceNav::*number;
+};
+template <class Number>
+AppKey(const char*, Number ReferenceNav::*) -> AppKey<Number>;
+
+/// Where the sensors of a kind stand in a scenario, and the keys by which the reference navigation app is given some of
+/// them; none: it navigates by none of that kind.
 template <class Kind>
 struct Section;
 template <>
 struct Section<catalog::Imu> {
   static constexpr auto sensors = &Scenario::imu;
-  static constexpr auto of_the_app = &ReferenceNav::imu;
+  static constexpr std::tuple of_the_app{AppKey{"imu", &ReferenceNav::imu}};
 };
 template <>
 struct Section<catalog::Gnss> {
   static constexpr auto sensors = &Scenario::gnss;
-  static constexpr auto of_the_app = &ReferenceNav::gnss;
+  static constexpr std::tuple of_the_app{AppKey{"gnss", &ReferenceNav::gnss}};
 };
 
 template <>
 struct Section<catalog::Magnetometer> {
   static constexpr auto sensors = &Scenario::magnetometer;
-  static constexpr auto of_the_app = &ReferenceNav::magnetometer;
+  static constexpr std::tuple of_the_app{AppKey{"magnetometer", &ReferenceNav::magnetometer}};
 };
 
 template <>
 struct Section<catalog::Barometer> {
   static constexpr auto sensors = &Scenario::barometer;
-  static constexpr auto of_the_app = &ReferenceNav::barometer;
+  static constexpr std::tuple of_the_app{AppKey{"barometer", &ReferenceNav::barometer}};
 };
 
 template <>
 struct Section<catalog::Odometer> {
   static constexpr auto sensors = &Scenario::odometer;
-  static constexpr std::nullptr_t of_the_app = nullptr;
+  static constexpr std::tuple of_the_app{AppKey{"odometer", &ReferenceNav::odometer},
+                                         AppKey{"other_odometer", &ReferenceNav::other_odometer}};
 };
 
 template <class Kind>
@@ -291,32 +310,43 @@ const auto& sensors_of(const Scenario& scenario) {
 
 /// Whether the reference navigation app uses sensors of this kind at all.
 template <class Kind>
-inline constexpr bool is_navigated_by = !std::is_null_pointer_v<decltype(Section<Kind>::of_the_app)>;
+inline constexpr bool is_navigated_by = std::tuple_size_v<std::decay_t<decltype(Section<Kind>::of_the_app)>> > 0;
 
 namespace detail {
-template <class Kind, bool = is_navigated_by<Kind>>
-inline constexpr bool is_aid = false;
-template <class Kind>
-inline constexpr bool is_aid<Kind, true> =
-    is_optional<std::decay_t<decltype(std::declval<ReferenceNav>().*Section<Kind>::of_the_app)>>;
+template <class Keys>
+inline constexpr bool can_do_without = false;
+template <class... Number>
+inline constexpr bool can_do_without<std::tuple<AppKey<std::optional<Number>>...>> = sizeof...(Number) > 0;
 
 template <class List>
 struct AidKinds;
 template <class... Kind>
 struct AidKinds<Types<Kind...>> {
+  template <class One>
+  static constexpr bool is_aid = can_do_without<std::decay_t<decltype(Section<One>::of_the_app)>>;
   using type = Joined<std::conditional_t<is_aid<Kind>, Types<Kind>, Types<>>...>;
 };
 }  // namespace detail
 
-/// The kinds of sensor that the app takes besides an IMU and a receiver, where its scenario says so: those whose key
-/// in ReferenceNav is optional. What it does with their streams is made for each of them.
+/// The kinds of sensor that the app takes besides an IMU and a receiver, where its scenario says so: those whose keys
+/// in ReferenceNav are optional. What it does with their streams is made for each of them.
 using AidKinds = typename detail::AidKinds<catalog::SensorKinds>::type;
 
-/// The number of the sensor of that kind that the app navigates by.
+/// Calls `visit` with the key and the number of each sensor of that kind that the app navigates by.
+template <class Kind, class Visit>
+void for_each_of_the_app(const ReferenceNav& app, const Visit& visit) {
+  for_each_of(Section<Kind>::of_the_app, [&](const auto& key) {
+    const std::optional<std::uint32_t> number = app.*key.number;
+    if (number) visit(key.name, *number);
+  });
+}
+
+/// Whether the app navigates by that sensor.
 template <class Kind>
-std::optional<std::uint32_t> sensor_of_the_app(const ReferenceNav& app) {
-  if constexpr (is_navigated_by<Kind>) return app.*Section<Kind>::of_the_app;
-  return std::nullopt;
+bool is_of_the_app(const ReferenceNav& app, std::uint32_t number) {
+  bool is_one = false;
+  for_each_of_the_app<Kind>(app, [&](std::string_view, std::uint32_t one) { is_one = is_one || one == number; });
+  return is_one;
 }
 
 /// Calls `visit` with the Tag of the kind and the sensor, for every sensor, kind by kind.

@@ -41,7 +41,7 @@ template <class Kind>
 std::vector<ServiceKey> stream_consumers(const Scenario& scenario, catalog::Audience audience, std::uint32_t number) {
   std::vector<ServiceKey> services{{catalog::kTruthLogger, 0u}};
   const auto& app = scenario.reference_nav;
-  if (audience == catalog::Audience::App && app && sensor_of_the_app<Kind>(*app) == number) {
+  if (audience == catalog::Audience::App && app && is_of_the_app<Kind>(*app, number)) {
     services.emplace_back(catalog::kReferenceNav, 0u);
   }
   return services;

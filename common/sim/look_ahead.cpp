@@ -161,7 +161,7 @@ void leave_out_idle_sensors(scenario::LoadedScenario& scenario) {
     using Kind = typename decltype(tag)::type;
     const auto& app = scenario.scenario.reference_nav;
     const auto is_idle = [&](const scenario::Loaded<Kind>& sensor) {
-      const bool is_navigated_by = app && scenario::sensor_of_the_app<Kind>(*app) == sensor.number;
+      const bool is_navigated_by = app && scenario::is_of_the_app<Kind>(*app, sensor.number);
       return !is_navigated_by && !can_saturate(scenario, sensor);
     };
     auto& sensors = scenario.*scenario::LoadedSection<Kind>::sensors;

@@ -63,7 +63,7 @@ void OfflineRun::process(const TruthState& truth) {
       Wiring::hand(sink_, i, *result.output);
       if constexpr (scenario::is_navigated_by<Kind>) {
         const auto& sample = std::get<0>(Wiring::samples(*result.output));
-        if (navigator_ && scenario::sensor_of_the_app<Kind>(*app_) == sample.sensor_number) navigator_->add(sample);
+        if (navigator_ && scenario::is_of_the_app<Kind>(*app_, sample.sensor_number)) navigator_->add(sample);
       }
     }
     for (const ProfileAck& ack : result.acks) sink_.ack(ack);

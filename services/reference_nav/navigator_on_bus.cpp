@@ -94,10 +94,10 @@ void NavigatorOnBus::handle(const streams::Arrived<GnssFix>& arrived) {
 }
 
 /// Of another sensor.
-template <class Sample>
-void NavigatorOnBus::handle(const streams::Arrived<Sample>& arrived) {
-  std::get<AidInput<catalog::SourceOf<Sample>>>(aids_).add(arrived,
-                                                           [this](const Sample& sample) { navigator_.add(sample); });
+template <class Arrived>
+void NavigatorOnBus::handle(const Arrived& arrived) {
+  std::get<AidInput<typename Arrived::Source>>(aids_).add(arrived,
+                                                          [this](const auto& sample) { navigator_.add(sample); });
 }
 
 void NavigatorOnBus::handle(const SimStatus& status) {

@@ -42,8 +42,8 @@ class NavigatorOnBus {
   void handle(const Message& message);
   void handle(const streams::Arrived<ImuSample>& arrived);
   void handle(const streams::Arrived<GnssFix>& arrived);
-  template <class Sample>
-  void handle(const streams::Arrived<Sample>& arrived);
+  template <class Arrived>
+  void handle(const Arrived& arrived);
   void handle(const SimStatus& status);
   void handle(const ServiceStatus& status);
   void handle(const Credit& credit);

@@ -20,8 +20,9 @@ class Sources {
     complete_up_to_ns_[{catalog::Gnss::service, app.gnss}] = kEver;
     for_each(scenario::AidKinds{}, [&](auto tag) {
       using Kind = typename decltype(tag)::type;
-      const auto number = scenario::sensor_of_the_app<Kind>(app);
-      if (number) complete_up_to_ns_[{Kind::service, *number}] = kEver;
+      scenario::for_each_of_the_app<Kind>(app, [this](std::string_view, std::uint32_t number) {
+        complete_up_to_ns_[{Kind::service, number}] = kEver;
+      });
     });
   }
 

@@ -140,6 +140,8 @@ TEST(ReferenceNav, TakesOtherSensorsLive) {
   EXPECT_EQ(taken_live("reference_nav_magnetometer")["inslab/magnetometer/3"], 1000U);
   auto aided = taken_live("reference_nav_aided");
   EXPECT_EQ(aided["inslab/barometer/2"], 500U);
+  EXPECT_EQ(aided["inslab/odometer/1"], 1000U);
+  EXPECT_EQ(aided["inslab/odometer/4"], 300U);
 }
 
 TEST(ReferenceNav, TakesPartInASecuredSetAsTheAppUnderTest) {

@@ -2,22 +2,33 @@
 
 #include "inslab/models/navigation/matching_barometer.hpp"
 #include "inslab/models/navigation/matching_magnetometer.hpp"
+#include "inslab/models/navigation/matching_odometer.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"
 #include "inslab/models/navigation/parameters_file.hpp"
 
 namespace inslab::navigation {
 
+namespace {
+
+/// Parameters know the odometers' streams by the scenario's word alone.
+NavigationParameters with_numbers(NavigationParameters parameters, const scenario::ReferenceNav& app) {
+  parameters.odometer.number = app.odometer;
+  parameters.other_odometer.number = app.other_odometer;
+  return parameters;
+}
+
+}  // namespace
+
 AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::ReferenceNav& app) {
   const scenario::LoadedImu& imu = scenario.sensor<catalog::Imu>(app.imu);
   const scenario::LoadedGnss& gnss = scenario.sensor<catalog::Gnss>(app.gnss);
   if (!app.parameters.empty()) {
-    return {
-        read_parameters((scenario.file.parent_path() / app.parameters).string()), scenario.gravity_model(), app, {}};
+    const std::string file = (scenario.file.parent_path() / app.parameters).string();
+    return {with_numbers(read_parameters(file), app), scenario.gravity_model(), app, {}};
   }
-  AppSetup setup{matching_parameters(imu.errors, imu.nominal_installation, gnss.nominal_installation),
-                 scenario.gravity_model(),
-                 app,
-                 {}};
+  const NavigationParameters of_imu =
+      matching_parameters(imu.errors, imu.nominal_installation, gnss.nominal_installation);
+  AppSetup setup{with_numbers(of_imu, app), scenario.gravity_model(), app, {}};
   const auto note_left_out = [&setup](const catalog::AnyProfile& profile) {
     for (const std::string& name : left_out_of_matching(profile)) setup.left_out.push_back(name);
   };
@@ -26,11 +37,11 @@ AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::Ref
   note_left_out(gnss.errors);
   for_each(scenario::AidKinds{}, [&](auto tag) {
     using Kind = typename decltype(tag)::type;
-    const auto number = scenario::sensor_of_the_app<Kind>(app);
-    if (!number) return;
-    const auto& aid = scenario.sensor<Kind>(*number);
-    match(aid.errors, aid.nominal_installation, imu.nominal_installation, setup.parameters);
-    note_left_out(aid.errors);
+    scenario::for_each_of_the_app<Kind>(app, [&](std::string_view, std::uint32_t number) {
+      const auto& aid = scenario.sensor<Kind>(number);
+      match(aid.errors, aid.nominal_installation, imu.nominal_installation, setup.parameters);
+      note_left_out(aid.errors);
+    });
   });
   return setup;
 }

@@ -81,6 +81,7 @@ InertialFilter::InertialFilter(const NavigationParameters& parameters, const nav
       last_accepted_ns_(time_ns) {
   if (covariance.size() != layout_.size()) throw std::invalid_argument("the covariance is of another state");
   layout_.for_each_chosen([&](StateBlock block) { estimates_[block] = errors[block]; });
+  if (parameters.odometer.number || parameters.other_odometer.number) recent_.emplace(time_ns);
 }
 
 nav::ImuIncrements InertialFilter::corrected(const nav::ImuIncrements& raw) const {
@@ -95,6 +96,7 @@ void InertialFilter::advance(const ImuInterval& interval) {
   const double dt_s = newest_.dt_s;
   const nav::Quaternion q_start = strapdown_.q_nb();
   const Vector3 v_n_start = strapdown_.v_n();
+  const Vector3 v_b_start = recent_ ? Vector3(q_start.conjugate() * v_n_start) : Vector3(Vector3::Zero());
   if (sums_.dt_s == 0.0) sums_.v_n_start = v_n_start;
   strapdown_.advance(newest_);
   if (interval.window_begins) {
@@ -125,9 +127,16 @@ void InertialFilter::advance(const ImuInterval& interval) {
     sums_.velocity_noise.diagonal().array() +=
         held_over_variance(coasting_.force_sigma_m_per_s2, dt_s, interval.force_held_over_s);
   }
+  if (recent_) note_motion(v_b_start, interval.end_ns);
   time_ns_ = interval.end_ns;
   if (sums_.dt_s > covariance_interval_s_ - 0.5 * dt_s) settle();
   if (interval.at_rest) rest();
+}
+
+void InertialFilter::note_motion(const Vector3& v_b_begin, std::int64_t end_ns) {
+  const nav::Quaternion q_bn = strapdown_.q_nb().conjugate();
+  const Vector3 omega_ie_n = nav::omega_ie_n(strapdown_.position().latitude_rad);
+  recent_->add(end_ns, v_b_begin, q_bn * strapdown_.v_n(), newest_.dtheta_b - newest_.dt_s * (q_bn * omega_ie_n));
 }
 
 /// Phi = I + A + A^2/2 with A the integral of F: docs/navigation.md says what that leaves out.
@@ -175,7 +184,11 @@ Situation InertialFilter::situation() const {
   at.position = strapdown_.position();
   at.v_n = strapdown_.v_n();
   at.C_nb = nav::matrix_from_quaternion(strapdown_.q_nb());
-  if (newest_.dt_s > 0.0) at.omega_ib_b = newest_.dtheta_b / newest_.dt_s;
+  if (newest_.dt_s > 0.0) {
+    at.omega_ib_b = newest_.dtheta_b / newest_.dt_s;
+    at.f_ib_b = newest_.dv_b / newest_.dt_s;
+  }
+  if (recent_) at.recent = &*recent_;
   at.estimates = estimates_;
   at.rate_by_measured = (Vector3::Ones() + estimates_[StateBlock::GyroScale]).cwiseInverse();
   return at;

@@ -105,6 +105,7 @@ class InertialFilter {
   };
 
   static Noise noise_of(const NavigationParameters& parameters, const StateLayout& layout);
+  void note_motion(const Vector3& v_b_begin, std::int64_t end_ns);
   nav::ImuIncrements corrected(const nav::ImuIncrements& increments) const;
   double squared_normalised(const Measurement& measurement) const;
   void take(const Measurement& measurement, StateVector& x);
@@ -131,7 +132,8 @@ class InertialFilter {
   nav::Strapdown strapdown_;
   Covariance covariance_;
   Estimates estimates_;
-  nav::ImuIncrements newest_;  ///< corrected
+  nav::ImuIncrements newest_;           ///< corrected
+  std::optional<RecentMotion> recent_;  ///< where a measurement of an interval may ask for it
   Sums sums_;
   Rest rest_;
   std::int64_t time_ns_;

@@ -168,7 +168,22 @@ inline constexpr profiles::FieldUse kBarometerErrorUses[] = {
 };
 
 inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
-    profiles::left_out("", "odometers", "the filter takes none")};
+    profiles::handled("scale_factor_ppm"),
+    profiles::handled("scale_factor_turn_on_sigma_ppm"),
+    profiles::handled("scale_factor_gm_sigma_ppm"),
+    profiles::handled("scale_factor_gm_correlation_time_s"),
+    profiles::handled("tyre_warming_ppm"),
+    profiles::handled("tyre_warming_time_s"),
+    profiles::handled("noise_m_per_sqrt_m"),
+    profiles::no_error("longitudinal_slip_threshold_m_per_s2", "shapes the slip"),
+    profiles::left_out("longitudinal_slip_s2_per_m", "slip of wheels", "the innovation test is there for it"),
+    profiles::no_error("lateral_slip_threshold_m_per_s2", "shapes the slip"),
+    profiles::left_out("lateral_slip_s2_per_m", "slip of wheels", "the innovation test is there for it"),
+    profiles::handled("counts_per_revolution"),
+    profiles::handled("wheel_circumference_m"),
+    profiles::handled("dead_below_m_per_s"),
+    profiles::no_error("direction_known", "a sample says it itself"),
+};
 
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("", "faults", "a fault is no error that a filter is told of")};

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "inslab/models/navigation/recent_motion.hpp"
 #include "inslab/models/navigation/state_layout.hpp"
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/nav/vectors.hpp"
@@ -18,8 +19,10 @@ struct Situation {
   nav::Vector3 v_n = nav::Vector3::Zero();               ///< m/s
   nav::Matrix3 C_nb = nav::Matrix3::Identity();          ///< v_n = C_nb v_b
   nav::Vector3 omega_ib_b = nav::Vector3::Zero();        ///< rad/s, of the newest interval, corrected
+  nav::Vector3 f_ib_b = nav::Vector3::Zero();            ///< m/s^2, the same
   nav::Vector3 rate_by_measured = nav::Vector3::Ones();  ///< 1/(1 + scale factor) of the gyros
   Estimates estimates;                                   ///< of the sensors' errors
+  const RecentMotion* recent = nullptr;  ///< of the filter that is asked; null where nothing asks for it
 };
 
 /// What one measurement tells the filter: up to three rows that err together with the state, z = H x + noise. Made by

@@ -8,6 +8,8 @@
 #include "inslab/models/navigation/gnss_velocity.hpp"
 #include "inslab/models/navigation/magnetic_vector.hpp"
 #include "inslab/models/navigation/pressure_altitude.hpp"
+#include "inslab/models/navigation/rolling_without_slide.hpp"
+#include "inslab/models/navigation/wheel_speed.hpp"
 #include "inslab/models/navigation/zero_velocity_update.hpp"
 
 namespace inslab::navigation {
@@ -21,7 +23,8 @@ namespace inslab::navigation {
 ///   add_to(measurements, sample, situation, parameters)   adds those that it makes of a sample: none, one or several
 ///
 /// Kinds of one sample share its time: their gates are judged by the state before any of them, in this order.
-using MeasurementKinds = std::tuple<GnssPosition, GnssVelocity, ZeroVelocityUpdate, MagneticVector, PressureAltitude>;
+using MeasurementKinds = std::tuple<GnssPosition, GnssVelocity, ZeroVelocityUpdate, MagneticVector, PressureAltitude,
+                                    WheelSpeed, RollingWithoutSlide>;
 
 namespace detail {
 template <class Sample, class = void>

@@ -7,6 +7,7 @@
 #include "inslab/foundation/fields/violation.hpp"
 #include "inslab/models/navigation/barometer_belief.hpp"
 #include "inslab/models/navigation/magnetometer_belief.hpp"
+#include "inslab/models/navigation/odometer_belief.hpp"
 
 /// The reference navigation app: a loosely coupled error-state Kalman filter without bus, clock or files.
 namespace inslab::navigation {
@@ -84,6 +85,9 @@ struct EstimatedErrors {
   bool earth_field = false;
   bool pressure_bias = false;
   bool pressure_slope = false;
+  bool wheel_scale = false;
+  bool other_wheel_scale = false;
+  bool wheel_axis = false;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -97,6 +101,11 @@ struct EstimatedErrors {
           self.earth_field);
     visit(Field("pressure_bias", "three states of the barometer"), self.pressure_bias);
     visit(Field("pressure_slope", "two states of the barometer: of heights, and of the speed"), self.pressure_slope);
+    visit(Field("wheel_scale", "two states of the odometer: constant and drift"), self.wheel_scale);
+    visit(Field("other_wheel_scale", "the same of the other odometer"), self.other_wheel_scale);
+    visit(
+        Field("wheel_axis", "two states of the odometer: pitch and yaw of its wheel, which slide and rise are seen in"),
+        self.wheel_axis);
   }
 };
 
@@ -175,6 +184,9 @@ struct NavigationParameters {
   AccelModel accel;
   MagnetometerBelief magnetometer;
   BarometerBelief barometer;
+  OdometerBelief odometer;
+  OdometerBelief other_odometer;
+  RollingConstraint rolling_constraint;
   EstimatedErrors states;
   Vector3 lever_arm_b_m = Vector3::Zero();
   InitialState initial;
@@ -193,6 +205,10 @@ struct NavigationParameters {
     visit(Field("accel", "accelerometer triad"), self.accel);
     visit(Field("magnetometer", "when the app has one"), self.magnetometer);
     visit(Field("barometer", "when the app has one"), self.barometer);
+    visit(Field("odometer", "when the app has one"), self.odometer);
+    visit(Field("other_odometer", "of the wheel across, when the app has two"), self.other_odometer);
+    visit(Field("rolling_constraint", "that the odometer's wheel neither slides aside nor leaves the road"),
+          self.rolling_constraint);
     visit(Field("states", "sensor errors that are estimated; position, velocity and attitude always are"), self.states);
     visit(Field("lever_arm_b_m", "from the IMU's centre to the antenna, in the IMU's axes").in(-1000.0, 1000.0),
           self.lever_arm_b_m);

@@ -4,6 +4,15 @@
 
 namespace inslab::navigation {
 
+namespace {
+
+Process wheel_scale(const OdometerBelief& wheel) {
+  return {units::kPpm * Vector3(wheel.scale_factor_sigma_ppm, wheel.scale_factor_drift_sigma_ppm, 0.0),
+          {0.0, wheel.scale_factor_drift_correlation_time_s, 0.0}};
+}
+
+}  // namespace
+
 Process process_of(StateBlock block, const NavigationParameters& p) {
   switch (block) {
     case StateBlock::GyroBias:
@@ -28,6 +37,12 @@ Process process_of(StateBlock block, const NavigationParameters& p) {
       return {p.barometer.bias_sigma_m, p.barometer.bias_correlation_time_s};
     case StateBlock::PressureSlope:
       return {{p.barometer.height_scale_sigma, p.barometer.static_pressure_sigma, 0.0}, Vector3::Zero()};
+    case StateBlock::WheelScale:
+      return wheel_scale(p.odometer);
+    case StateBlock::OtherWheelScale:
+      return wheel_scale(p.other_odometer);
+    case StateBlock::WheelAxis:
+      return {Vector3::Constant(units::kDeg * p.odometer.axis_sigma_deg), Vector3::Zero()};
     case StateBlock::Position:
     case StateBlock::Velocity:
     case StateBlock::Attitude:

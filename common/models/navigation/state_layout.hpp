@@ -27,13 +27,16 @@ enum class StateBlock : std::uint8_t {
   EarthField,     ///< nT, n: of the World Magnetic Model
   PressureBias,   ///< m of pressure altitude: constant, the weather's drift, the sensor's
   PressureSlope,  ///< 1: of heights, and the share of the dynamic pressure that the port shows
+  WheelScale,     ///< 1, of an odometer: constant and drift
+  OtherWheelScale,
+  WheelAxis,  ///< rad, pitch and yaw of the wheel against what the filter is told
 };
 
 struct BlockFacts {
   std::string_view name;
   Eigen::Index size;  ///< errors
 };
-inline constexpr std::array<BlockFacts, 14> kBlocks{{{"position", 3},
+inline constexpr std::array<BlockFacts, 17> kBlocks{{{"position", 3},
                                                      {"velocity", 3},
                                                      {"attitude", 3},
                                                      {"gyro_bias", 3},
@@ -46,7 +49,10 @@ inline constexpr std::array<BlockFacts, 14> kBlocks{{{"position", 3},
                                                      {"soft_iron_z", 3},
                                                      {"earth_field", 3},
                                                      {"pressure_bias", 3},
-                                                     {"pressure_slope", 2}}};
+                                                     {"pressure_slope", 2},
+                                                     {"wheel_scale", 2},
+                                                     {"other_wheel_scale", 2},
+                                                     {"wheel_axis", 2}}};
 inline constexpr std::array kSoftIron{StateBlock::SoftIronX, StateBlock::SoftIronY, StateBlock::SoftIronZ};
 inline constexpr std::size_t kFirstChosenBlock = 3;
 inline constexpr Eigen::Index kLargestBlock = 3;
@@ -88,7 +94,10 @@ class StateLayout {
                              chosen.soft_iron,
                              chosen.earth_field,
                              chosen.pressure_bias,
-                             chosen.pressure_slope};
+                             chosen.pressure_slope,
+                             chosen.wheel_scale,
+                             chosen.other_wheel_scale,
+                             chosen.wheel_axis};
     static_assert(std::size(is_there) == kBlocks.size());
     for (std::size_t i = 0; i < kBlocks.size(); ++i) {
       first_[i] = is_there[i] ? size_ : kAbsent;

@@ -59,11 +59,12 @@ OfflineFilter filter_with_streams_of(const mcap::McapReader& log, const navigati
   for_each(scenario::AidKinds{}, [&](auto tag) {
     using Kind = typename decltype(tag)::type;
     using Sample = catalog::FirstSampleOf<Kind>;
-    const auto number = scenario::sensor_of_the_app<Kind>(setup.app);
-    if (!number) return;
-    log::for_each_sample<Sample>(log, catalog::stream_topic<Sample>(*number), [&](const Sample& sample, std::uint64_t) {
-      filter.add(sample);
-      return true;
+    scenario::for_each_of_the_app<Kind>(setup.app, [&](std::string_view, std::uint32_t number) {
+      const std::string topic = catalog::stream_topic<Sample>(number);
+      log::for_each_sample<Sample>(log, topic, [&](const Sample& sample, std::uint64_t) {
+        filter.add(sample);
+        return true;
+      });
     });
   });
   return filter;

@@ -26,6 +26,14 @@ class Circling {
   std::int64_t time_ns() const { return static_cast<std::int64_t>(k_) * kDt_ns; }
   const Vector3& omega_ib_b() const { return omega_ib_b_; }
 
+  /// Of a point that the arm leads to, over the ground, in the vehicle's axes, m/s; the turn is that of the newest
+  /// interval.
+  Vector3 velocity_b(const Vector3& arm_b_m) const {
+    const nav::NavState now = state();
+    const Matrix3 C_bn = nav::matrix_from_quaternion(now.q_nb).transpose();
+    return C_bn * now.v_n + (omega_ib_b_ - C_bn * nav::omega_ie_n(now.position.latitude_rad)).cross(arm_b_m);
+  }
+
   ImuSample next() { return next_with(Vector3(0.0, speed_ * rate_, 0.0)); }
 
   /// Leaves the circle: its velocity in its own axes changes by `push_b`, m/s^2, whatever that velocity is.
