@@ -11,6 +11,19 @@ TEST(VerifyNavigation, FiltersThatMatchTheirImusKnowHowWrongTheyAreAfterAnOutage
   EXPECT_TRUE(table.held()) << to_text(table);
 }
 
+TEST(VerifyNavigation, WithEachOtherSensorTheyKnowItToo) {
+  for (const Aid aid : kAids) {
+    const Table table = honesty_table(100, aid);
+    EXPECT_TRUE(table.held()) << to_text(table);
+  }
+}
+
+TEST(VerifyNavigation, EachOtherSensorTakesAwayTheDriftThatItCan) {
+  const Table table = aids_table({});
+  EXPECT_EQ(table.rows.size(), 9U);
+  EXPECT_TRUE(table.held()) << to_text(table);
+}
+
 TEST(VerifyNavigation, DriftsOfARecordedDriveAreWithinTwiceTheThesisButForTheKnownMisses) {
   OutageRuns runs;
   runs.motions = {MotionFrom::File};

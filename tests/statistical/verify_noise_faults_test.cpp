@@ -258,7 +258,64 @@ TEST(PlantedFaults, HonestyRowsSeeSensorsThatAreWorseThanTheFiltersAreTold) {
       },
       worse_imus));
   expect_each_row_to_fail_by_some_fault(
-      nullptr, {{"sensors two and three times as bad", [&] { return Tables{honesty_table(10, worse)}; }}});
+      nullptr, {{"sensors two and three times as bad", [&] { return Tables{honesty_table(10, {}, worse)}; }}});
+}
+
+/// The drives without another sensor stay as they are.
+Subjects imus_beside_aids(double factor) {
+  return with_simulation(simulation_of([factor](scenario::LoadedScenario& scenario) {
+    if (scenario.barometers.empty() && scenario.odometers.empty() && scenario.magnetometers.empty()) return;
+    for (scenario::LoadedImu& imu : scenario.imus) scale(imu.errors, factor);
+  }));
+}
+
+TEST(PlantedFaults, RowsOfOtherSensorsSeeDriftsThatAreTooLarge) {
+  const Subjects worse = imus_beside_aids(25.0);
+  expect_each_row_to_fail_by_some_fault(nullptr, {{"IMUs 25 times as bad beside another sensor",
+                                                   [&] { return Tables{aids_table(one_outage(), worse)}; }}});
+}
+
+// Of one outage alone the navigation grade may happen to drift by nothing; there are five up to 700 s.
+TEST(PlantedFaults, RowsOfOtherSensorsSeeDriftsThatAreTooSmall) {
+  const Subjects perfect = with_simulation(simulation_of([](scenario::LoadedScenario& scenario) {
+    for (scenario::LoadedBarometer& barometer : scenario.barometers) {
+      barometer.errors.sea_level_pressure_gm_sigma_pa = barometer.errors.gm_sigma_pa = 0.0;
+      barometer.errors.white_sigma_pa = 0.0;
+    }
+    for (scenario::LoadedOdometer& odometer : scenario.odometers) odometer.errors = {};
+    for (scenario::LoadedMagnetometer& magnetometer : scenario.magnetometers) magnetometer.errors = {};
+    if (scenario.barometers.empty() && scenario.odometers.empty() && scenario.magnetometers.empty()) return;
+    for (scenario::LoadedImu& imu : scenario.imus) scale(imu.errors, 0.0);
+    for (scenario::LoadedGnss& gnss : scenario.gnss) gnss.errors.position_sigma_ned_m *= 1e-3;
+  }));
+  OutageRuns five_outages;
+  five_outages.duration_s = 700.0;
+  const Table table = aids_table(five_outages, perfect);
+  ASSERT_EQ(table.rows.size(), 9U);
+  for (const Row& row : table.rows) EXPECT_FALSE(row.held) << to_text(table);
+}
+
+// Ten drives: the band is 9 +- 4.4.
+TEST(PlantedFaults, HonestyRowsWithAnotherSensorSeeWhenItIsWorseThanTheFiltersAreTold) {
+  const Simulation worse_imus = simulation_of([](scenario::LoadedScenario& scenario) {
+    for (scenario::LoadedImu& imu : scenario.imus) scale(imu.errors, 4.0);
+    for (scenario::LoadedBarometer& barometer : scenario.barometers) barometer.errors.white_sigma_pa *= 4.0;
+    for (scenario::LoadedOdometer& odometer : scenario.odometers) odometer.errors.noise_m_per_sqrt_m *= 4.0;
+    for (scenario::LoadedMagnetometer& magnetometer : scenario.magnetometers) magnetometer.errors.white_sigma_nt *= 4.0;
+  });
+  const Subjects worse = with_simulation(simulation_with_fixes(
+      [](GnssFix& fix) {
+        fix.position_sigma_ned_m *= 0.4;
+        fix.velocity_sigma_ned_m_per_s *= 0.4;
+      },
+      worse_imus));
+  expect_each_row_to_fail_by_some_fault(nullptr, {{"sensors two and a half and four times as bad", [&] {
+                                                     Tables tables;
+                                                     for (const Aid aid : kAids) {
+                                                       tables.push_back(honesty_table(10, aid, worse));
+                                                     }
+                                                     return tables;
+                                                   }}});
 }
 
 }  // namespace verify_noise_faults_test

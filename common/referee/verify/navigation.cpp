@@ -93,6 +93,8 @@ std::vector<Table> navigation(bool full, const OutageTimes& outages) {
   if (!(outages == OutageTimes{})) return tables;
   tables.push_back(beyond_table(runs));
   tables.push_back(honesty_table(100));
+  tables.push_back(aids_table(runs));
+  for (const Aid aid : kAids) tables.push_back(honesty_table(100, aid));
   if (full) tables.push_back(readings_table(5));
   return tables;
 }

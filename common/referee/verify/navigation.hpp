@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "inslab/referee/verify/aids.hpp"
 #include "inslab/referee/verify/outage_figures.hpp"
 #include "inslab/referee/verify/table.hpp"
 
@@ -25,9 +27,14 @@ Table outage_table(const OutageRuns& runs, const Subjects& subjects = {});
 /// and how far the thesis's own simulation is from these.
 Table beyond_table(const OutageRuns& runs, const Subjects& subjects = {});
 
-/// The filter against its own covariance: NEES of position, velocity and attitude, the last after an outage, and
-/// squared innovations, pooled over `runs` seeded drives, inside their 95 % bands.
-Table honesty_table(std::uint64_t runs, const Subjects& subjects = {});
+/// The drives of the first table from parameters, without and with each of the other sensors: the drift that it is
+/// there for, within limits on both sides that follow from the drift without it and its own.
+Table aids_table(const OutageRuns& runs, const Subjects& subjects = {});
+
+/// The filter, with another sensor where one is named, against its own covariance: NEES of position, velocity and
+/// attitude, the last after an outage, and squared innovations of fixes, pooled over `runs` seeded drives, inside their
+/// 95 % bands; with another sensor inside those of 99.9 %, as there are many rows then.
+Table honesty_table(std::uint64_t runs, const std::optional<Aid>& aid = std::nullopt, const Subjects& subjects = {});
 
 /// What the figures from parameters become under other readings of what the thesis does not say. Not judged.
 Table readings_table(std::uint64_t seeds);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "inslab/referee/verify/aids.hpp"
 #include "inslab/referee/verify/catalogue.hpp"
 #include "inslab/referee/verify/navigation.hpp"
 #include "inslab/referee/verify/outage_figures.hpp"
@@ -59,17 +60,6 @@ void tell_more_noise(NavigationSetup& setup) {
   told.accel.scale_factor_gm_sigma_ppm.setConstant(300.0);
 }
 
-/// As an RM3100 has it in a vehicle that is calibrated to 150 nT and 0.003: the same every time, which a Gauss-Markov
-/// process of an hour draws anew for each seed.
-void add_magnetometer(NavigationSetup& setup) {
-  MagnetometerErrorProfile& errors = setup.magnetometer.emplace();
-  errors.white_sigma_nt.setConstant(15.0);
-  errors.quantization_nt.setConstant(13.3);
-  errors.gm_sigma_nt.setConstant(150.0);
-  errors.gm_correlation_time_s.setConstant(3600.0);
-  errors.soft_iron << 0.003, 0.001, 0.0, 0.001, -0.002, 0.001, 0.0, 0.001, 0.002;
-}
-
 void go_beyond(NavigationSetup& setup) { setup = full_setup(setup.seed, MotionFrom::Parameters); }
 
 /// Beyond the thesis, with filters that know nothing of it.
@@ -116,7 +106,7 @@ constexpr Reading kReadings[] = {
        s.outages.spacing_s = 120.0, s.shifts_s = {0.0, 60.0};
      }},
     {"zero-velocity updates", [](NavigationSetup& s) { s.zero_velocity_updates = true; }},
-    {"a magnetometer too", add_magnetometer},
+    {"a magnetometer too", [](NavigationSetup& s) { add(Aid::Magnetometer, s); }},
     {"town drive at first hand", [](NavigationSetup& s) { s.motion = town_drive(s.seed, 300.0, s.duration_s); }},
     {"pos830's filter told more noise", tell_more_noise},
     {"beyond the thesis", go_beyond},

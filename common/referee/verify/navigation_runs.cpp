@@ -7,7 +7,9 @@
 
 #include "inslab/data/samples/nav_state.hpp"
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/models/navigation/matching_barometer.hpp"
 #include "inslab/models/navigation/matching_magnetometer.hpp"
+#include "inslab/models/navigation/matching_odometer.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"
 #include "inslab/models/navigation/processes.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -23,6 +25,8 @@ namespace ref = navigation;
 
 constexpr const char* kImuPlace = "installation/imu_trunk";
 constexpr const char* kAntennaPlace = "installation/antenna_roof";
+constexpr const char* kBarometerPlace = "installation/barometer_dashboard";
+constexpr const char* kOdometerPlace = "installation/odometer_rear_left";
 
 /// delta r, delta v, phi of an estimate.
 Eigen::Matrix<double, 9, 1> errors_of(const nav::NavState& estimate, const nav::NavState& truth) {
@@ -136,11 +140,61 @@ class ScoringSink : public sim::RunSink {
       if (filter.shift_index == index) filter.gnss(fix);
     }
   }
-  void magnetometer(std::size_t, const MagneticField& sample) override {
+  void magnetometer(std::size_t, const MagneticField& sample) override { aid(sample); }
+  void barometer(std::size_t, const AirPressure& sample) override { aid(sample); }
+  void odometer(std::size_t, const WheelTravel& sample) override { aid(sample); }
+  void ack(const ProfileAck&) override {}
+
+ private:
+  void aid(const ref::Observation& sample) {
     for (Scored& filter : filters) filter.aid(sample);
   }
-  void ack(const ProfileAck&) override {}
 };
+
+/// The other sensors of the setup.
+void add_aids(const NavigationSetup& setup, scenario::LoadedScenario& loaded) {
+  const time::Rate rate(kAidRate_hz);
+  if (setup.magnetometer) {
+    scenario::LoadedMagnetometer magnetometer;
+    magnetometer.rate = rate;
+    magnetometer.errors = *setup.magnetometer;
+    magnetometer.installation = catalogue_profile<InstallationProfile>(kImuPlace);
+    magnetometer.errors.target = magnetometer.installation.target = {SensorKind::Magnetometer, 0};
+    loaded.magnetometers.push_back(magnetometer);
+  }
+  if (setup.barometer) {
+    scenario::LoadedBarometer barometer;
+    barometer.rate = rate;
+    barometer.errors = setup.barometer->errors;
+    barometer.installation = catalogue_profile<InstallationProfile>(kBarometerPlace);
+    barometer.errors.target = barometer.installation.target = {SensorKind::Barometer, 0};
+    loaded.barometers.push_back(barometer);
+  }
+  if (setup.odometer) {
+    scenario::LoadedOdometer odometer;
+    odometer.rate = rate;
+    odometer.errors = setup.odometer->errors;
+    odometer.installation = catalogue_profile<InstallationProfile>(kOdometerPlace);
+    odometer.installation.mounting_rpy_deg += setup.odometer->axis_off_rpy_deg;
+    odometer.errors.target = odometer.installation.target = {SensorKind::Odometer, 0};
+    loaded.odometers.push_back(odometer);
+  }
+}
+
+/// What the filter is told of them.
+void match_aids(const NavigationSetup& setup, ref::NavigationParameters& parameters) {
+  const auto imu_place = catalogue_profile<InstallationProfile>(kImuPlace);
+  if (setup.magnetometer) ref::match(*setup.magnetometer, imu_place, imu_place, parameters);
+  if (setup.barometer) {
+    const auto place = catalogue_profile<InstallationProfile>(kBarometerPlace);
+    ref::match(setup.barometer->believed, place, imu_place, parameters);
+  }
+  if (!setup.odometer) return;
+  parameters.odometer.number = 0;
+  ref::match(setup.odometer->errors, catalogue_profile<InstallationProfile>(kOdometerPlace), imu_place, parameters);
+  parameters.odometer.axis_sigma_deg = setup.odometer->axis_sigma_deg;
+  parameters.rolling_constraint = setup.odometer->constraint;
+}
 
 }  // namespace
 
@@ -178,14 +232,7 @@ scenario::LoadedScenario navigation_scenario(const NavigationSetup& setup) {
     }
     loaded.gnss.push_back(gnss);
   }
-  if (setup.magnetometer) {
-    scenario::LoadedMagnetometer magnetometer;
-    magnetometer.rate = time::Rate(kMagnetometerRate_hz);
-    magnetometer.errors = *setup.magnetometer;
-    magnetometer.installation = catalogue_profile<InstallationProfile>(kImuPlace);
-    magnetometer.errors.target = magnetometer.installation.target = {SensorKind::Magnetometer, 0};
-    loaded.magnetometers.push_back(magnetometer);
-  }
+  add_aids(setup, loaded);
   return loaded;
 }
 
@@ -193,8 +240,7 @@ ref::NavigationParameters filter_parameters(const NavigationSetup& setup, std::s
   ref::NavigationParameters parameters =
       ref::matching_parameters(setup.imus[imu].believed, catalogue_profile<InstallationProfile>(kImuPlace),
                                catalogue_profile<InstallationProfile>(kAntennaPlace));
-  const auto imu_place = catalogue_profile<InstallationProfile>(kImuPlace);
-  if (setup.magnetometer) ref::match(*setup.magnetometer, imu_place, imu_place, parameters);
+  match_aids(setup, parameters);
   parameters.zero_velocity.use = setup.zero_velocity_updates;
   parameters.max_latency_s = 0.0;
   parameters.initial.position_sigma_ned_m = Vector3::Constant(0.05);

@@ -28,6 +28,20 @@ struct TestedImu {
   VibrationProfile vibration;
 };
 
+/// A barometer and what the filter is told of it.
+struct TestedBarometer {
+  BarometerErrorProfile errors;
+  BarometerErrorProfile believed;
+};
+
+/// An odometer on the rear left wheel, whose filter is told its errors.
+struct TestedOdometer {
+  OdometerErrorProfile errors;
+  Vector3 axis_off_rpy_deg = Vector3::Zero();  ///< of the wheel, beside what the filter is told
+  double axis_sigma_deg = 0.3;                 ///< which is as sure as that
+  navigation::RollingConstraint constraint = {};
+};
+
 /// What a run is made of.
 struct NavigationSetup {
   std::uint64_t seed = 1;
@@ -42,12 +56,14 @@ struct NavigationSetup {
   std::vector<double> shifts_s = {0.0, 60.0, 120.0};  ///< of all outages: the same run anew for each, but for the fixes
   std::vector<double> nees_at_s;                      ///< instants of IMU samples
   bool zero_velocity_updates = false;
-  /// Of a magnetometer at the IMU's place, along its axes, at kMagnetometerRate_hz; absent: there is none.
+  /// Other sensors, at kAidRate_hz; absent: there is none. The magnetometer is at the IMU's place, along its axes.
   std::optional<MagnetometerErrorProfile> magnetometer = std::nullopt;
+  std::optional<TestedBarometer> barometer = std::nullopt;
+  std::optional<TestedOdometer> odometer = std::nullopt;
 };
 
 inline constexpr double kImuRate_hz = 200.0;
-inline constexpr double kMagnetometerRate_hz = 10.0;
+inline constexpr double kAidRate_hz = 10.0;
 inline constexpr time::GpsTime kNavigationStart{2446, 36000000000000};
 
 /// Every filter begins at the truth plus errors drawn from its initial covariance; the sensors' streams follow from
