@@ -1,5 +1,7 @@
 #include "inslab/models/navigation/app_setup.hpp"
 
+#include <algorithm>
+
 #include "inslab/models/navigation/matching_barometer.hpp"
 #include "inslab/models/navigation/matching_magnetometer.hpp"
 #include "inslab/models/navigation/matching_odometer.hpp"
@@ -30,7 +32,10 @@ AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::Ref
       matching_parameters(imu.errors, imu.nominal_installation, gnss.nominal_installation);
   AppSetup setup{with_numbers(of_imu, app), scenario.gravity_model(), app, {}};
   const auto note_left_out = [&setup](const catalog::AnyProfile& profile) {
-    for (const std::string& name : left_out_of_matching(profile)) setup.left_out.push_back(name);
+    for (const std::string& name : left_out_of_matching(profile)) {
+      const auto& named = setup.left_out;
+      if (std::find(named.begin(), named.end(), name) == named.end()) setup.left_out.push_back(name);
+    }
   };
   note_left_out(imu.errors);
   note_left_out(imu.vibration);
