@@ -202,6 +202,8 @@ struct ImuErrorProfile {
   std::vector<TemperaturePoint> temperature;
   double latency_s = 0.0;
   double drop_probability = 0.0;
+  double accel_delay_s = 0.0;
+  Vector9 accel_place_m = Vector9::Zero();
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -213,6 +215,18 @@ struct ImuErrorProfile {
     visit(Field("latency_s", "from the end of the interval to delivery").in(0.0, 1.0), self.latency_s);
     visit(Field("drop_probability", "of each sample: it comes without increments, marked as not valid").in(0.0, 1.0),
           self.drop_probability);
+    visit(Field("accel_delay_s",
+                "how much later than the gyros the accelerometers felt what they put out; below 0: "
+                "earlier")
+              .in(-0.005, 0.005)
+              .appended(),
+          self.accel_delay_s);
+    visit(Field("accel_place_m",
+                "where each accelerometer sits from the IMU's point (size effect), 3x3 row by row: x, y, z of "
+                "accelerometer x, of accelerometer y, of accelerometer z")
+              .in(-1.0, 1.0)
+              .appended(),
+          self.accel_place_m);
   }
 };
 

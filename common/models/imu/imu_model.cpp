@@ -1,5 +1,6 @@
 #include "inslab/models/imu/imu_model.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -28,6 +29,7 @@ ImuModel::ImuModel(const Setup& setup)
       accel_(in_si(setup.errors.accel), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/accel",
              "vrw"),
       g_sensitivity_(setup.errors.gyro.g_sensitivity_deg_per_h_per_g),
+      size_effect_(setup.errors.accel_place_m),
       gyro_limits_(in_si(setup.errors.gyro), rate_.period_s()),
       accel_limits_(in_si(setup.errors.accel), rate_.period_s()),
       drops_(setup.errors.drop_probability,
@@ -35,7 +37,7 @@ ImuModel::ImuModel(const Setup& setup)
       latency_ns_(time::from_seconds(setup.errors.latency_s).count()),
       revisions_{setup.errors.request.journal_number, setup.vibration.request.journal_number,
                  setup.installation.request.journal_number, 0} {
-  use_bandwidths(in_si(setup.errors.gyro), in_si(setup.errors.accel));
+  use_responses(in_si(setup.errors.gyro), in_si(setup.errors.accel), setup.errors.accel_delay_s);
 }
 
 void ImuModel::apply(const ImuErrorProfile& profile) {
@@ -70,7 +72,7 @@ std::optional<ImuModel::Output> ImuModel::measure(const TruthState& truth) {
   if (previous_ns == from_ns_) begin_interval();
   const Installation::Instant end = installation_.at(truth);
   const Increments perfect = perfect_increments(truth, end);
-  if (is_filtered_) follow_motion(truth, end, perfect);
+  if (is_followed_) follow_motion(truth, end, perfect);
   perfect_ += perfect;
   start_ = end;
   previous_ = truth;
@@ -89,6 +91,7 @@ void ImuModel::find_interval(std::int64_t from_ns) {
 
 void ImuModel::begin_interval() {
   perfect_ = Increments();
+  size_effect_dv_.setZero();
   gyro_motion_.begin();
   accel_motion_.begin();
   if (pending_.empty()) return;
@@ -123,14 +126,20 @@ void ImuModel::tune(const ImuErrorProfile& profile, Continuity continuity, std::
   g_sensitivity_ = GSensitivity(profile.gyro.g_sensitivity_deg_per_h_per_g);
   gyro_limits_.retune(gyro, continuity);
   accel_limits_.retune(accel, continuity);
-  use_bandwidths(gyro, accel);
+  size_effect_ = SizeEffect(profile.accel_place_m);
+  use_responses(gyro, accel, profile.accel_delay_s);
   drops_.retune(profile.drop_probability);
   latency_ns_ = time::from_seconds(profile.latency_s).count();
 }
 
-void ImuModel::use_bandwidths(const TriadParameters& gyro, const TriadParameters& accel) {
+/// Accelerometers that are early are gyros that are late.
+void ImuModel::use_responses(const TriadParameters& gyro, const TriadParameters& accel, double accel_delay_s) {
+  const std::int64_t delay_ns = time::from_seconds(accel_delay_s).count();
+  gyro_motion_.retune(std::max<std::int64_t>(-delay_ns, 0));
+  accel_motion_.retune(std::max<std::int64_t>(delay_ns, 0));
   is_filtered_ = !gyro.bandwidth_hz.isZero(0.0) || !accel.bandwidth_hz.isZero(0.0);
-  bandwidths_ = {low_passes(gyro), low_passes(accel)};
+  is_followed_ = is_filtered_ || delay_ns != 0 || !size_effect_.is_off();
+  bandwidths_ = {low_passes(gyro), low_passes(accel), gyro_motion_.delay_ns(), accel_motion_.delay_ns()};
   vibration_.use(bandwidths_);
 }
 
@@ -164,6 +173,8 @@ void ImuModel::relocated() {
   discontinuity_ = true;
   gyro_limits_.relocate();
   accel_limits_.relocate();
+  gyro_motion_.relocate();
+  accel_motion_.relocate();
 }
 
 Increments ImuModel::perfect_increments(const TruthState& truth, const Installation::Instant& end) const {
@@ -171,22 +182,72 @@ Increments ImuModel::perfect_increments(const TruthState& truth, const Installat
   return mounted_increments(installation_, *previous_, truth, start_, end, vibration_);
 }
 
-/// What the filters make of the motion up to `truth`. Of a moving mount they see the means over the truth's intervals.
+/// What the triads feel of the motion up to `truth`, for filters, delays and the size effect.
 void ImuModel::follow_motion(const TruthState& truth, const Installation::Instant& end, const Increments& perfect) {
-  const double dt_s = time::to_seconds(truth.interval_ns);
-  MotionPiece piece;
   if (vibration_.mount_moves()) {
-    piece.omega = {perfect.dtheta / dt_s, Vector3::Zero(), Vector3::Zero()};
-    piece.f = {perfect.dv / dt_s, Vector3::Zero(), Vector3::Zero()};
-  } else {
-    piece = motion_piece(installation_, *previous_, truth, start_, end, perfect);
+    follow_mounted(truth, end, perfect);
+    return;
   }
-  gyro_motion_.add(bandwidths_.gyro, piece.omega, Vector3::Zero(), dt_s);
-  accel_motion_.add(bandwidths_.accel, piece.f, piece.impulse, dt_s);
+  const std::int64_t from_ns = previous_->header.sim_time_ns, to_ns = truth.header.sim_time_ns;
+  const double dt_s = time::to_seconds(truth.interval_ns);
+  MotionPiece piece = motion_piece(installation_, *previous_, truth, start_, end, perfect);
+  if (!size_effect_.is_off()) {
+    size_effect_dv_ += size_effect_.increment(piece.omega, piece.rate_jump, dt_s);
+    piece = with_size_effect(piece, size_effect_, dt_s);
+  }
+  gyro_motion_.add(bandwidths_.gyro, {from_ns, to_ns, piece.omega, Vector3::Zero()});
+  accel_motion_.add(bandwidths_.accel, {from_ns, to_ns, piece.f, piece.impulse});
+}
+
+/// The same on a moving mount, of which filters see the means over the truth's intervals; they are cut where the window
+/// of a late triad begins and ends.
+void ImuModel::follow_mounted(const TruthState& truth, const Installation::Instant& end, const Increments& perfect) {
+  const std::int64_t from_ns = previous_->header.sim_time_ns, to_ns = truth.header.sim_time_ns;
+  const MountedInterval mounted(installation_, *previous_, truth, start_, end, vibration_);
+  const auto add = [&](const Increments& felt, std::int64_t part_from_ns, std::int64_t part_to_ns) {
+    const double dt_s = time::to_seconds(part_to_ns - part_from_ns);
+    const auto mean = [dt_s](const Vector3& increment) {
+      return Course{increment / dt_s, Vector3::Zero(), Vector3::Zero()};
+    };
+    gyro_motion_.add(bandwidths_.gyro, {part_from_ns, part_to_ns, mean(felt.dtheta), Vector3::Zero()});
+    accel_motion_.add(bandwidths_.accel, {part_from_ns, part_to_ns, mean(felt.dv), Vector3::Zero()});
+  };
+  const bool is_wide = !size_effect_.is_off();
+  if (is_wide) size_effect_dv_ += mounted.size_effect(size_effect_);
+  const std::int64_t delay_ns = std::max(gyro_motion_.delay_ns(), accel_motion_.delay_ns());
+  if (delay_ns == 0) {
+    Increments felt = perfect;
+    if (is_wide) felt.dv += mounted.size_effect(size_effect_);
+    add(felt, from_ns, to_ns);
+    return;
+  }
+  std::uint64_t k = rate_.index(time::Nanoseconds(from_ns));
+  for (std::int64_t a_ns = from_ns, b_ns = from_ns; a_ns < to_ns; a_ns = b_ns) {
+    while ((b_ns = rate_.at(k).count() - delay_ns) <= a_ns) ++k;
+    b_ns = std::min(b_ns, to_ns);
+    const auto part = [&](std::int64_t t_ns) {
+      return static_cast<double>(t_ns - from_ns) / static_cast<double>(truth.interval_ns);
+    };
+    Increments felt = mounted.increments(part(a_ns), part(b_ns));
+    if (is_wide) felt.dv += mounted.size_effect(size_effect_, part(a_ns), part(b_ns));
+    add(felt, a_ns, b_ns);
+  }
+}
+
+/// What the triads felt of the motion over the interval that ends.
+Increments ImuModel::felt_motion() {
+  Increments felt = perfect_;
+  if (!is_followed_) return felt;
+  gyro_motion_.end(bandwidths_.gyro, from_ns_, to_ns_);
+  accel_motion_.end(bandwidths_.accel, from_ns_, to_ns_);
+  felt.dv += size_effect_dv_;
+  if (gyro_motion_.is_late()) felt.dtheta = gyro_motion_.late();
+  if (accel_motion_.is_late()) felt.dv = accel_motion_.late();
+  return felt;
 }
 
 /// What motion and vibration do within the interval that ends, with the triads' linear errors.
-ImuModel::Within ImuModel::within_interval(double temperature_deg_c) {
+ImuModel::Within ImuModel::within_interval(const Increments& felt, double temperature_deg_c) {
   const double warmer_k = temperature_deg_c - Temperature::kCalibratedAt;
   const Vibration::Passed passed = vibration_.passed(from_ns_, to_ns_);
   const auto within = [&](const TriadErrors& triad, Unsteady unsteady, const Unsteady& vibration,
@@ -197,12 +258,12 @@ ImuModel::Within ImuModel::within_interval(double temperature_deg_c) {
     }
     return WithinInterval{unsteady, triad.sensed(random_felt, warmer_k), triad.sensed(random_passed, warmer_k)};
   };
-  const auto motion = [&](MotionResponse& response, const LowPasses& filters, const Vector3& increment) {
+  const auto motion = [&](FeltMotion& response, const LowPasses& filters, const Vector3& increment) {
     return response.about(filters, increment / interval_.dt_s, interval_.dt_s);
   };
-  return {within(gyro_, motion(gyro_motion_, bandwidths_.gyro, perfect_.dtheta), passed.gyro, passed.random_felt.dtheta,
+  return {within(gyro_, motion(gyro_motion_, bandwidths_.gyro, felt.dtheta), passed.gyro, passed.random_felt.dtheta,
                  passed.random_passed.dtheta),
-          within(accel_, motion(accel_motion_, bandwidths_.accel, perfect_.dv), passed.accel, passed.random_felt.dv,
+          within(accel_, motion(accel_motion_, bandwidths_.accel, felt.dv), passed.accel, passed.random_felt.dv,
                  passed.random_passed.dv)};
 }
 
@@ -221,9 +282,10 @@ std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) 
   perfect.dv_b = perfect_.dv;
   perfect.interval_ns = end_ns - from_ns_;
   set_pose(truth, perfect);
+  const Increments felt = felt_motion();
   std::optional<Within> within;
-  if (is_filtered_) within = within_interval(temperature_deg_c);
-  set_errors(vibration_.increments(from_ns_, end_ns), temperature_deg_c, perfect);
+  if (is_filtered_) within = within_interval(felt, temperature_deg_c);
+  set_errors(felt, vibration_.increments(from_ns_, end_ns), temperature_deg_c, perfect);
   perfect.discontinuity = discontinuity_;
   perfect.revisions = revisions_;
   discontinuity_ = false;
@@ -256,10 +318,16 @@ void ImuModel::set_pose(const TruthState& truth, ImuTruth& perfect) const {
   }
 }
 
-void ImuModel::set_errors(const Increments& vibration, double temperature_deg_c, ImuTruth& perfect) {
+void ImuModel::set_errors(const Increments& felt, const Increments& vibration, double temperature_deg_c,
+                          ImuTruth& perfect) {
   const double warmer_k = temperature_deg_c - Temperature::kCalibratedAt;
-  gyro_.add_errors(perfect_.dtheta, vibration.dtheta, warmer_k, interval_, perfect.gyro_error);
-  accel_.add_errors(perfect_.dv, vibration.dv, warmer_k, interval_, perfect.accel_error);
+  if (is_followed_) {
+    perfect.accel_error.size_effect = size_effect_dv_;
+    perfect.gyro_error.delay = felt.dtheta - perfect_.dtheta;
+    perfect.accel_error.delay = felt.dv - (perfect_.dv + size_effect_dv_);
+  }
+  gyro_.add_errors(felt.dtheta, vibration.dtheta, warmer_k, interval_, perfect.gyro_error);
+  accel_.add_errors(felt.dv, vibration.dv, warmer_k, interval_, perfect.accel_error);
   if (!g_sensitivity_.is_off()) {
     perfect.gyro_error.g_sensitivity = g_sensitivity_.error(perfect_.dv + vibration.dv);
   }

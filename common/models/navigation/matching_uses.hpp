@@ -59,6 +59,8 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
     profiles::handled("temperature[].temperature_deg_c"),
     profiles::no_error("latency_s", "samples come with their own time"),
     profiles::no_error("drop_probability", "dropped samples come marked as such and the filter bridges them"),
+    profiles::left_out("accel_delay_s", "delay of a triad", "the filter takes both triads to feel the same interval"),
+    profiles::left_out("accel_place_m", "size effect", "the filter takes the accelerometers to sit at one point"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {

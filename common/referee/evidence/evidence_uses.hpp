@@ -83,6 +83,8 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
                        "slow: first differences, which show the white noise, do not see it"),
     profiles::left_out("latency_s", "latency", "samples are compared by their time of validity"),
     profiles::left_out("drop_probability", "dropped samples", "samples that are not valid are passed over"),
+    profiles::left_out("accel_delay_s", "delay of a triad", "comes with the motion, whose effect is not weighed"),
+    profiles::left_out("accel_place_m", "size effect", "comes with the motion, whose effect is not weighed"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {

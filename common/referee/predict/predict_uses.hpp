@@ -53,6 +53,8 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
     profiles::handled("temperature[].temperature_deg_c"),
     profiles::left_out("latency_s", "latency", "the prediction is of the time of validity"),
     profiles::left_out("drop_probability", "dropped samples", "no linear form along the motion"),
+    profiles::left_out("accel_delay_s", "delay of a triad", "no linear form along the motion"),
+    profiles::left_out("accel_place_m", "size effect", "needs the angular acceleration, which is not in the truth"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {
