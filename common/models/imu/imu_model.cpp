@@ -13,6 +13,11 @@ namespace {
 
 std::string sensor_name(std::uint32_t number) { return "imu" + std::to_string(number); }
 
+SecondOrderDrift second_order_drift(const ImuErrorProfile& profile) {
+  return {profile.gyro_g2_sensitivity_deg_per_h_per_g2, profile.gyro_anisoelasticity_deg_per_h_per_g2,
+          profile.gyro_anisoinertia_deg_per_h_per_deg2_per_s2};
+}
+
 }  // namespace
 
 ImuModel::ImuModel(const Setup& setup)
@@ -25,19 +30,23 @@ ImuModel::ImuModel(const Setup& setup)
       vibration_(catalog::checked_for<catalog::Imu>(setup.vibration),
                  {rate_.period_s(), setup.seed, sensor_name(setup.sensor_number)}),
       temperature_(catalog::checked_for<catalog::Imu>(setup.errors).temperature),
-      gyro_(in_si(setup.errors.gyro), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/gyro", "arw"),
-      accel_(in_si(setup.errors.accel), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/accel",
+      gyro_(gyros_in_si(setup.errors), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/gyro", "arw"),
+      accel_(accels_in_si(setup.errors), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/accel",
              "vrw"),
       g_sensitivity_(setup.errors.gyro.g_sensitivity_deg_per_h_per_g),
+      second_order_drift_(second_order_drift(setup.errors)),
+      gyro_thermal_(gyros_in_si(setup.errors)),
+      accel_thermal_(accels_in_si(setup.errors)),
+      rectification_(setup.errors.accel_rectification_mgal_per_g2),
       size_effect_(setup.errors.accel_place_m),
-      gyro_limits_(in_si(setup.errors.gyro), rate_.period_s()),
-      accel_limits_(in_si(setup.errors.accel), rate_.period_s()),
+      gyro_limits_(gyros_in_si(setup.errors), rate_.period_s()),
+      accel_limits_(accels_in_si(setup.errors), rate_.period_s()),
       drops_(setup.errors.drop_probability,
              random::Stream(setup.seed, sensor_name(setup.sensor_number) + "/dropped_samples")),
       latency_ns_(time::from_seconds(setup.errors.latency_s).count()),
       revisions_{setup.errors.request.journal_number, setup.vibration.request.journal_number,
                  setup.installation.request.journal_number, 0} {
-  use_responses(in_si(setup.errors.gyro), in_si(setup.errors.accel), setup.errors.accel_delay_s);
+  use_responses(gyros_in_si(setup.errors), accels_in_si(setup.errors), setup.errors.accel_delay_s);
 }
 
 void ImuModel::apply(const ImuErrorProfile& profile) {
@@ -118,14 +127,18 @@ void ImuModel::take(const ImuErrorProfile& profile, std::uint64_t k) {
 }
 
 void ImuModel::tune(const ImuErrorProfile& profile, Continuity continuity, std::uint64_t k) {
-  const TriadParameters gyro = in_si(profile.gyro);
-  const TriadParameters accel = in_si(profile.accel);
+  const TriadParameters gyro = gyros_in_si(profile);
+  const TriadParameters accel = accels_in_si(profile);
   temperature_ = Temperature(profile.temperature);
   gyro_.retune(gyro, continuity, k);
   accel_.retune(accel, continuity, k);
   g_sensitivity_ = GSensitivity(profile.gyro.g_sensitivity_deg_per_h_per_g);
   gyro_limits_.retune(gyro, continuity);
   accel_limits_.retune(accel, continuity);
+  second_order_drift_ = second_order_drift(profile);
+  gyro_thermal_.retune(gyro, continuity);
+  accel_thermal_.retune(accel, continuity);
+  rectification_ = Rectification(profile.accel_rectification_mgal_per_g2);
   size_effect_ = SizeEffect(profile.accel_place_m);
   use_responses(gyro, accel, profile.accel_delay_s);
   drops_.retune(profile.drop_probability);
@@ -180,70 +193,6 @@ void ImuModel::relocated() {
 Increments ImuModel::perfect_increments(const TruthState& truth, const Installation::Instant& end) const {
   if (!vibration_.mount_moves()) return installation_.increments(truth, start_, end);
   return mounted_increments(installation_, *previous_, truth, start_, end, vibration_);
-}
-
-/// What the triads feel of the motion up to `truth`, for filters, delays and the size effect.
-void ImuModel::follow_motion(const TruthState& truth, const Installation::Instant& end, const Increments& perfect) {
-  if (vibration_.mount_moves()) {
-    follow_mounted(truth, end, perfect);
-    return;
-  }
-  const std::int64_t from_ns = previous_->header.sim_time_ns, to_ns = truth.header.sim_time_ns;
-  const double dt_s = time::to_seconds(truth.interval_ns);
-  MotionPiece piece = motion_piece(installation_, *previous_, truth, start_, end, perfect);
-  if (!size_effect_.is_off()) {
-    size_effect_dv_ += size_effect_.increment(piece.omega, piece.rate_jump, dt_s);
-    piece = with_size_effect(piece, size_effect_, dt_s);
-  }
-  gyro_motion_.add(bandwidths_.gyro, {from_ns, to_ns, piece.omega, Vector3::Zero()});
-  accel_motion_.add(bandwidths_.accel, {from_ns, to_ns, piece.f, piece.impulse});
-}
-
-/// The same on a moving mount, of which filters see the means over the truth's intervals; they are cut where the window
-/// of a late triad begins and ends.
-void ImuModel::follow_mounted(const TruthState& truth, const Installation::Instant& end, const Increments& perfect) {
-  const std::int64_t from_ns = previous_->header.sim_time_ns, to_ns = truth.header.sim_time_ns;
-  const MountedInterval mounted(installation_, *previous_, truth, start_, end, vibration_);
-  const auto add = [&](const Increments& felt, std::int64_t part_from_ns, std::int64_t part_to_ns) {
-    const double dt_s = time::to_seconds(part_to_ns - part_from_ns);
-    const auto mean = [dt_s](const Vector3& increment) {
-      return Course{increment / dt_s, Vector3::Zero(), Vector3::Zero()};
-    };
-    gyro_motion_.add(bandwidths_.gyro, {part_from_ns, part_to_ns, mean(felt.dtheta), Vector3::Zero()});
-    accel_motion_.add(bandwidths_.accel, {part_from_ns, part_to_ns, mean(felt.dv), Vector3::Zero()});
-  };
-  const bool is_wide = !size_effect_.is_off();
-  if (is_wide) size_effect_dv_ += mounted.size_effect(size_effect_);
-  const std::int64_t delay_ns = std::max(gyro_motion_.delay_ns(), accel_motion_.delay_ns());
-  if (delay_ns == 0) {
-    Increments felt = perfect;
-    if (is_wide) felt.dv += mounted.size_effect(size_effect_);
-    add(felt, from_ns, to_ns);
-    return;
-  }
-  std::uint64_t k = rate_.index(time::Nanoseconds(from_ns));
-  for (std::int64_t a_ns = from_ns, b_ns = from_ns; a_ns < to_ns; a_ns = b_ns) {
-    while ((b_ns = rate_.at(k).count() - delay_ns) <= a_ns) ++k;
-    b_ns = std::min(b_ns, to_ns);
-    const auto part = [&](std::int64_t t_ns) {
-      return static_cast<double>(t_ns - from_ns) / static_cast<double>(truth.interval_ns);
-    };
-    Increments felt = mounted.increments(part(a_ns), part(b_ns));
-    if (is_wide) felt.dv += mounted.size_effect(size_effect_, part(a_ns), part(b_ns));
-    add(felt, a_ns, b_ns);
-  }
-}
-
-/// What the triads felt of the motion over the interval that ends.
-Increments ImuModel::felt_motion() {
-  Increments felt = perfect_;
-  if (!is_followed_) return felt;
-  gyro_motion_.end(bandwidths_.gyro, from_ns_, to_ns_);
-  accel_motion_.end(bandwidths_.accel, from_ns_, to_ns_);
-  felt.dv += size_effect_dv_;
-  if (gyro_motion_.is_late()) felt.dtheta = gyro_motion_.late();
-  if (accel_motion_.is_late()) felt.dv = accel_motion_.late();
-  return felt;
 }
 
 /// What motion and vibration do within the interval that ends, with the triads' linear errors.
@@ -331,6 +280,27 @@ void ImuModel::set_errors(const Increments& felt, const Increments& vibration, d
   if (!g_sensitivity_.is_off()) {
     perfect.gyro_error.g_sensitivity = g_sensitivity_.error(perfect_.dv + vibration.dv);
   }
+  add_second_order(felt, vibration, perfect);
+  add_thermal(temperature_deg_c, perfect);
+}
+
+/// Biases by squares and products of what is felt, and of the vibration within the interval.
+void ImuModel::add_second_order(const Increments& felt, const Increments& vibration, ImuTruth& perfect) {
+  if (second_order_drift_.is_of_rate()) {
+    perfect.gyro_error.scale += second_order_drift_.of_rate(felt.dtheta + vibration.dtheta, interval_.dt_s);
+  }
+  if (!second_order_drift_.is_of_force() && rectification_.is_off()) return;
+  const Matrix3 moments = vibration_.moments(from_ns_, to_ns_);
+  perfect.gyro_error.g_sensitivity += second_order_drift_.of_force(perfect_.dv + vibration.dv, moments, interval_.dt_s);
+  perfect.accel_error.bias += rectification_.error(moments, interval_.dt_s);
+}
+
+/// Biases by how the temperature changes.
+void ImuModel::add_thermal(double temperature_deg_c, ImuTruth& perfect) {
+  if (gyro_thermal_.is_off() && accel_thermal_.is_off()) return;
+  const double from_deg_c = temperature_.at(from_ns_);
+  perfect.gyro_error.bias += gyro_thermal_.error(from_deg_c, temperature_deg_c, interval_.dt_s);
+  perfect.accel_error.bias += accel_thermal_.error(from_deg_c, temperature_deg_c, interval_.dt_s);
 }
 
 void ImuModel::set_output(Output& out, const Within* within) {

@@ -12,9 +12,12 @@
 #include "inslab/models/imu/felt_motion.hpp"
 #include "inslab/models/imu/g_sensitivity.hpp"
 #include "inslab/models/imu/installation.hpp"
+#include "inslab/models/imu/rectification.hpp"
 #include "inslab/models/imu/sample_interval.hpp"
+#include "inslab/models/imu/second_order_drift.hpp"
 #include "inslab/models/imu/size_effect.hpp"
 #include "inslab/models/imu/temperature.hpp"
+#include "inslab/models/imu/thermal_bias.hpp"
 #include "inslab/models/imu/triad_errors.hpp"
 #include "inslab/models/imu/triad_limits.hpp"
 #include "inslab/models/imu/vibration.hpp"
@@ -66,9 +69,9 @@ class ImuModel {
   static void state(Self& self, Visitor& visit) {
     visit(self.errors_, self.installation_profile_, self.fault_);
     if constexpr (!std::is_const_v<Self>) self.use_profiles();
-    visit(self.vibration_, self.gyro_, self.accel_, self.gyro_limits_, self.accel_limits_, self.previous_,
-          self.perfect_, self.size_effect_dv_, self.gyro_motion_, self.accel_motion_, self.discontinuity_,
-          self.revisions_, self.pending_);
+    visit(self.vibration_, self.gyro_, self.accel_, self.gyro_thermal_, self.accel_thermal_, self.gyro_limits_,
+          self.accel_limits_, self.previous_, self.perfect_, self.size_effect_dv_, self.gyro_motion_,
+          self.accel_motion_, self.discontinuity_, self.revisions_, self.pending_);
     if constexpr (!std::is_const_v<Self>) self.find_start();
   }
 
@@ -98,6 +101,8 @@ class ImuModel {
   std::optional<Output> end_interval(const TruthState& truth);
   void set_pose(const TruthState& truth, ImuTruth& perfect) const;
   void set_errors(const Increments& felt, const Increments& vibration, double temperature_deg_c, ImuTruth& perfect);
+  void add_second_order(const Increments& felt, const Increments& vibration, ImuTruth& perfect);
+  void add_thermal(double temperature_deg_c, ImuTruth& perfect);
   void set_output(Output& out, const Within* within);
 
   std::uint32_t sensor_number_;
@@ -113,6 +118,10 @@ class ImuModel {
   TriadErrors gyro_;
   TriadErrors accel_;
   GSensitivity g_sensitivity_;
+  SecondOrderDrift second_order_drift_;
+  ThermalBias gyro_thermal_;
+  ThermalBias accel_thermal_;
+  Rectification rectification_;
   SizeEffect size_effect_;
   TriadLimits gyro_limits_;
   TriadLimits accel_limits_;

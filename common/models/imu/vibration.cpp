@@ -53,6 +53,7 @@ Vibration::Layer Vibration::layer_of(const VibrationProfile& profile) const {
   };
   layer.linear_random = random(profile.linear_random, "accel");
   layer.angular_random = random(profile.angular_random, "gyro");
+  if (layer.linear_random) layer.random_within = variance_within(Spectrum(profile.linear_random));
   pass(layer);
   return layer;
 }

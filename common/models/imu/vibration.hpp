@@ -81,6 +81,11 @@ class Vibration {
 
   /// To be called before increments() of the same interval.
   Passed passed(std::int64_t from_ns, std::int64_t to_ns);
+  /// Within the same interval the mean of the vibration's specific force less its mean over the interval, squared, and
+  /// of products of two axes, (m/s^2)^2: of sinusoids of the domain `sensor` in closed form, of random vibration what
+  /// is expected. Fades as in the middle of the interval. A moving mount is part of the motion and not in it.
+  Matrix3 moments(std::int64_t from_ns, std::int64_t to_ns);
+
   /// Takes other filters and delays between two intervals.
   void use(const Bandwidths& bandwidths);
 
@@ -143,6 +148,7 @@ class Vibration {
     std::vector<Tone> mount_angular;
     std::optional<RandomVibration> linear_random;
     std::optional<RandomVibration> angular_random;
+    Vector3 random_within = Vector3::Zero();              ///< (m/s^2)^2, variance_within() of the linear one
     std::optional<RandomVibration> linear_random_passed;  ///< where the triad has a filter
     std::optional<RandomVibration> angular_random_passed;
 
@@ -207,6 +213,7 @@ class Vibration {
   Answers answers(const LowPasses& filters, std::vector<Tone> Layer::*tones, const Span& span);
   std::vector<Gate> gates_of(std::size_t layer) const;
   void pass(Layer& layer) const;
+  Vector3 variance_within(const Spectrum& spectrum) const;
   Increments random_increments(std::int64_t from_ns, std::int64_t to_ns);
   Weight weight(std::size_t layer, std::int64_t time_ns, double offset_s) const;
   void use(const std::vector<VibrationProfile>& profiles);
