@@ -69,8 +69,8 @@ TEST_F(BenchTools, ListTheTopicsWithTheirTypesAndEnds) {
   const Answer answer = inslab({"topics", "ls"});
   EXPECT_EQ(answer.code, 0) << answer.text;
   // Written by the injector, read by the logger.
-  EXPECT_THAT(answer.text, ContainsRegex("inslab/imu/0 +inslab::v3::ImuSample +1 +1"));
-  EXPECT_THAT(answer.text, ContainsRegex("inslab/profile/imu_error +inslab::v3::ImuErrorProfile +1 +[24]"));
+  EXPECT_THAT(answer.text, ContainsRegex("inslab/imu/0 +inslab::v4::ImuSample +1 +1"));
+  EXPECT_THAT(answer.text, ContainsRegex("inslab/profile/imu_error +inslab::v4::ImuErrorProfile +1 +[24]"));
 }
 
 TEST_F(BenchTools, EchoTheFieldsOfMessages) {

@@ -36,9 +36,10 @@ inline std::optional<Violation> fade_violation(const ProfileRequest& request) {
 
 inline std::string element(const std::string& path, int index) { return path + "[" + std::to_string(index) + "]"; }
 
-inline std::optional<Violation> correlation_violation(const std::string& path, const char* quantity,
-                                                      const Vector3& sigma, const Vector3& correlation_time_s) {
-  for (int axis = 0; axis < 3; ++axis) {
+template <class Sigmas>
+std::optional<Violation> correlation_violation(const std::string& path, const char* quantity, const Sigmas& sigma,
+                                               const Sigmas& correlation_time_s) {
+  for (int axis = 0; axis < static_cast<int>(sigma.size()); ++axis) {
     if (sigma[axis] != 0.0 && !(correlation_time_s[axis] > 0.0)) {
       return Violation{Rule::CorrelationTime, element(path, axis),
                        std::string("is not above 0 where ") + quantity + " is"};
@@ -95,6 +96,17 @@ inline std::optional<Violation> gyro_violation(const GyroErrors& gyro) {
   }
   return nonlinearity_violation("gyro.nonlinearity_ppm_of_full_scale", "full_scale_deg_per_s",
                                 gyro.nonlinearity_ppm_of_full_scale, gyro.full_scale_deg_per_s);
+}
+
+inline std::optional<Violation> cross_axis_violation(const ImuErrorProfile& profile) {
+  if (auto broken = correlation_violation("gyro_cross_axis_gm_correlation_time_s", "gyro_cross_axis_gm_sigma_arcsec",
+                                          profile.gyro_cross_axis_gm_sigma_arcsec,
+                                          profile.gyro_cross_axis_gm_correlation_time_s)) {
+    return broken;
+  }
+  return correlation_violation("accel_cross_axis_gm_correlation_time_s", "accel_cross_axis_gm_sigma_arcsec",
+                               profile.accel_cross_axis_gm_sigma_arcsec,
+                               profile.accel_cross_axis_gm_correlation_time_s);
 }
 
 inline std::optional<Violation> accel_violation(const AccelErrors& accel) {
@@ -192,6 +204,7 @@ inline std::optional<Violation> violation(const ImuErrorProfile& profile) {
   if (auto broken = detail::fade_violation(profile.request)) return broken;
   if (auto broken = detail::gyro_violation(profile.gyro)) return broken;
   if (auto broken = detail::accel_violation(profile.accel)) return broken;
+  if (auto broken = detail::cross_axis_violation(profile)) return broken;
   return detail::in_order_violation("temperature", profile.temperature);
 }
 

@@ -12,7 +12,7 @@ namespace inslab::catalog {
 /// The module of idl/ that all types are in. Its last part is the version of the wire types: it goes up with every
 /// change of a struct or an enumeration, so that a client built with other types does not match instead of reading
 /// them wrong.
-#define INSLAB_WIRE_MODULE "inslab::v3::"
+#define INSLAB_WIRE_MODULE "inslab::v4::"
 inline constexpr std::string_view kModule = INSLAB_WIRE_MODULE;
 
 /// The IDL name of every struct that travels as a topic, and the file of idl/ that declares it. This row is all that a

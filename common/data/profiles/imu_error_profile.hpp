@@ -202,6 +202,21 @@ struct ImuErrorProfile {
   std::vector<TemperaturePoint> temperature;
   double latency_s = 0.0;
   double drop_probability = 0.0;
+  double accel_delay_s = 0.0;
+  Vector9 accel_place_m = Vector9::Zero();
+  Vector6 gyro_cross_axis_gm_sigma_arcsec = Vector6::Zero();
+  Vector6 gyro_cross_axis_gm_correlation_time_s = Vector6::Zero();
+  Vector6 accel_cross_axis_gm_sigma_arcsec = Vector6::Zero();
+  Vector6 accel_cross_axis_gm_correlation_time_s = Vector6::Zero();
+  Vector3 gyro_bias_temperature_rate_deg_per_h_per_deg_c_per_min = Vector3::Zero();
+  Vector3 accel_bias_temperature_rate_mgal_per_deg_c_per_min = Vector3::Zero();
+  Vector3 gyro_bias_hysteresis_deg_per_h = Vector3::Zero();
+  Vector3 accel_bias_hysteresis_mgal = Vector3::Zero();
+  double bias_hysteresis_width_deg_c = 5.0;
+  Vector3 accel_rectification_mgal_per_g2 = Vector3::Zero();
+  Vector9 gyro_g2_sensitivity_deg_per_h_per_g2 = Vector9::Zero();
+  Vector9 gyro_anisoelasticity_deg_per_h_per_g2 = Vector9::Zero();
+  Vector9 gyro_anisoinertia_deg_per_h_per_deg2_per_s2 = Vector9::Zero();
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -213,6 +228,79 @@ struct ImuErrorProfile {
     visit(Field("latency_s", "from the end of the interval to delivery").in(0.0, 1.0), self.latency_s);
     visit(Field("drop_probability", "of each sample: it comes without increments, marked as not valid").in(0.0, 1.0),
           self.drop_probability);
+    visit(Field("accel_delay_s",
+                "how much later than the gyros the accelerometers felt what they put out; below 0: "
+                "earlier")
+              .in(-0.005, 0.005)
+              .appended(),
+          self.accel_delay_s);
+    visit(Field("accel_place_m",
+                "where each accelerometer sits from the IMU's point (size effect), 3x3 row by row: x, y, z of "
+                "accelerometer x, of accelerometer y, of accelerometer z")
+              .in(-1.0, 1.0)
+              .appended(),
+          self.accel_place_m);
+    visit(Field("gyro_cross_axis_gm_sigma_arcsec",
+                "first-order Gauss-Markov angles of the gyros, in the order of cross_axis_arcsec: steady-state "
+                "standard deviation")
+              .in(0.0, 36000.0)
+              .appended(),
+          self.gyro_cross_axis_gm_sigma_arcsec);
+    visit(Field("gyro_cross_axis_gm_correlation_time_s", "their correlation time; above 0 where sigma is")
+              .in(0.0, 1e7)
+              .appended(),
+          self.gyro_cross_axis_gm_correlation_time_s);
+    visit(Field("accel_cross_axis_gm_sigma_arcsec", "the same of the accelerometers").in(0.0, 36000.0).appended(),
+          self.accel_cross_axis_gm_sigma_arcsec);
+    visit(Field("accel_cross_axis_gm_correlation_time_s", "their correlation time; above 0 where sigma is")
+              .in(0.0, 1e7)
+              .appended(),
+          self.accel_cross_axis_gm_correlation_time_s);
+    visit(Field("gyro_bias_temperature_rate_deg_per_h_per_deg_c_per_min",
+                "bias while the temperature rises by 1 deg C a minute")
+              .in(-1e5, 1e5)
+              .appended(),
+          self.gyro_bias_temperature_rate_deg_per_h_per_deg_c_per_min);
+    visit(Field("accel_bias_temperature_rate_mgal_per_deg_c_per_min", "the same of the accelerometers")
+              .in(-1e6, 1e6)
+              .appended(),
+          self.accel_bias_temperature_rate_mgal_per_deg_c_per_min);
+    visit(Field("gyro_bias_hysteresis_deg_per_h",
+                "bias while it gets warmer less that while it gets colder, at one temperature")
+              .in(-1e5, 1e5)
+              .appended(),
+          self.gyro_bias_hysteresis_deg_per_h);
+    visit(Field("accel_bias_hysteresis_mgal", "the same of the accelerometers").in(-1e6, 1e6).appended(),
+          self.accel_bias_hysteresis_mgal);
+    visit(Field("bias_hysteresis_width_deg_c",
+                "over how much of a turning temperature the bias goes from one to the other")
+              .in(0.01, 300.0)
+              .appended(),
+          self.bias_hysteresis_width_deg_c);
+    visit(Field("accel_rectification_mgal_per_g2",
+                "bias by the mean square of the vibration along the axis, as far as it is within an interval")
+              .in(-1e6, 1e6)
+              .appended(),
+          self.accel_rectification_mgal_per_g2);
+    visit(Field("gyro_g2_sensitivity_deg_per_h_per_g2",
+                "bias by the squares of the specific force, 3x3 row by row: of gyro x by those along x, y, z, of gyro "
+                "y, of gyro z")
+              .in(-1e6, 1e6)
+              .appended(),
+          self.gyro_g2_sensitivity_deg_per_h_per_g2);
+    visit(
+        Field(
+            "gyro_anisoelasticity_deg_per_h_per_g2",
+            "bias by products of the specific force, 3x3 row by row: of gyro x by y z, z x, x y, of gyro y, of gyro z")
+            .in(-1e6, 1e6)
+            .appended(),
+        self.gyro_anisoelasticity_deg_per_h_per_g2);
+    visit(
+        Field("gyro_anisoinertia_deg_per_h_per_deg2_per_s2",
+              "bias by products of the angular rate, 3x3 row by row: of gyro x by y z, z x, x y, of gyro y, of gyro z")
+            .in(-1e3, 1e3)
+            .appended(),
+        self.gyro_anisoinertia_deg_per_h_per_deg2_per_s2);
   }
 };
 

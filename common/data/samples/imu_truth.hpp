@@ -14,8 +14,12 @@ struct TriadErrorBudget {
   Vector3 vibration = Vector3::Zero();
   Vector3 noise = Vector3::Zero();
   Vector3 limits = Vector3::Zero();
+  Vector3 size_effect = Vector3::Zero();  ///< of accelerometers at places of their own
+  Vector3 delay = Vector3::Zero();        ///< of a triad that is late
 
-  Vector3 sum() const { return bias + scale + cross_axis + g_sensitivity + vibration + noise + limits; }
+  Vector3 sum() const {
+    return bias + scale + cross_axis + g_sensitivity + vibration + noise + limits + size_effect + delay;
+  }
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -26,6 +30,8 @@ struct TriadErrorBudget {
     visit(Field("vibration"), self.vibration);
     visit(Field("noise"), self.noise);
     visit(Field("limits"), self.limits);
+    visit(Field("size_effect").inserted(), self.size_effect);
+    visit(Field("delay").inserted(), self.delay);
   }
 };
 

@@ -192,7 +192,7 @@ std::string profile_idl() {
       "entry in\n"
       "// the journal have the same type. What is not wanted stays zero; a list that is not wanted stays empty.\n"
       "// Derived from the parameter declarations in common/data/profiles by 'inslab reference idl/profile.idl'.\n"
-      "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab { module v3 "
+      "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab { module v4 "
       "{\n\n";
   return text + writer.text() + "}; };\n\n#endif\n";
 }
@@ -211,7 +211,7 @@ std::string block_idl() {
   return "// Inslab wire types, part 9 of 12: many samples of a stream in one message, for lockstep alone. Sequence "
          "numbers go on\n// from block to block as in the stream. Derived from the streams in common/data/catalog by "
          "'inslab reference\n// idl/block.idl'.\n#ifndef INSLAB_BLOCK_IDL\n#define INSLAB_BLOCK_IDL\n\n" +
-         includes + "\nmodule inslab { module v3 {\n" + structs + "\n}; };\n\n#endif\n";
+         includes + "\nmodule inslab { module v4 {\n" + structs + "\n}; };\n\n#endif\n";
 }
 
 }  // namespace inslab::wire

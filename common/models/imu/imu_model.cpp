@@ -1,5 +1,6 @@
 #include "inslab/models/imu/imu_model.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -11,6 +12,11 @@ namespace inslab::imu {
 namespace {
 
 std::string sensor_name(std::uint32_t number) { return "imu" + std::to_string(number); }
+
+SecondOrderDrift second_order_drift(const ImuErrorProfile& profile) {
+  return {profile.gyro_g2_sensitivity_deg_per_h_per_g2, profile.gyro_anisoelasticity_deg_per_h_per_g2,
+          profile.gyro_anisoinertia_deg_per_h_per_deg2_per_s2};
+}
 
 }  // namespace
 
@@ -24,18 +30,23 @@ ImuModel::ImuModel(const Setup& setup)
       vibration_(catalog::checked_for<catalog::Imu>(setup.vibration),
                  {rate_.period_s(), setup.seed, sensor_name(setup.sensor_number)}),
       temperature_(catalog::checked_for<catalog::Imu>(setup.errors).temperature),
-      gyro_(in_si(setup.errors.gyro), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/gyro", "arw"),
-      accel_(in_si(setup.errors.accel), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/accel",
+      gyro_(gyros_in_si(setup.errors), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/gyro", "arw"),
+      accel_(accels_in_si(setup.errors), rate_.period_s(), setup.seed, sensor_name(setup.sensor_number) + "/accel",
              "vrw"),
       g_sensitivity_(setup.errors.gyro.g_sensitivity_deg_per_h_per_g),
-      gyro_limits_(in_si(setup.errors.gyro), rate_.period_s()),
-      accel_limits_(in_si(setup.errors.accel), rate_.period_s()),
+      second_order_drift_(second_order_drift(setup.errors)),
+      gyro_thermal_(gyros_in_si(setup.errors)),
+      accel_thermal_(accels_in_si(setup.errors)),
+      rectification_(setup.errors.accel_rectification_mgal_per_g2),
+      size_effect_(setup.errors.accel_place_m),
+      gyro_limits_(gyros_in_si(setup.errors), rate_.period_s()),
+      accel_limits_(accels_in_si(setup.errors), rate_.period_s()),
       drops_(setup.errors.drop_probability,
              random::Stream(setup.seed, sensor_name(setup.sensor_number) + "/dropped_samples")),
       latency_ns_(time::from_seconds(setup.errors.latency_s).count()),
       revisions_{setup.errors.request.journal_number, setup.vibration.request.journal_number,
                  setup.installation.request.journal_number, 0} {
-  use_bandwidths(in_si(setup.errors.gyro), in_si(setup.errors.accel));
+  use_responses(gyros_in_si(setup.errors), accels_in_si(setup.errors), setup.errors.accel_delay_s);
 }
 
 void ImuModel::apply(const ImuErrorProfile& profile) {
@@ -70,7 +81,7 @@ std::optional<ImuModel::Output> ImuModel::measure(const TruthState& truth) {
   if (previous_ns == from_ns_) begin_interval();
   const Installation::Instant end = installation_.at(truth);
   const Increments perfect = perfect_increments(truth, end);
-  if (is_filtered_) follow_motion(truth, end, perfect);
+  if (is_followed_) follow_motion(truth, end, perfect);
   perfect_ += perfect;
   start_ = end;
   previous_ = truth;
@@ -89,6 +100,7 @@ void ImuModel::find_interval(std::int64_t from_ns) {
 
 void ImuModel::begin_interval() {
   perfect_ = Increments();
+  size_effect_dv_.setZero();
   gyro_motion_.begin();
   accel_motion_.begin();
   if (pending_.empty()) return;
@@ -115,22 +127,32 @@ void ImuModel::take(const ImuErrorProfile& profile, std::uint64_t k) {
 }
 
 void ImuModel::tune(const ImuErrorProfile& profile, Continuity continuity, std::uint64_t k) {
-  const TriadParameters gyro = in_si(profile.gyro);
-  const TriadParameters accel = in_si(profile.accel);
+  const TriadParameters gyro = gyros_in_si(profile);
+  const TriadParameters accel = accels_in_si(profile);
   temperature_ = Temperature(profile.temperature);
   gyro_.retune(gyro, continuity, k);
   accel_.retune(accel, continuity, k);
   g_sensitivity_ = GSensitivity(profile.gyro.g_sensitivity_deg_per_h_per_g);
   gyro_limits_.retune(gyro, continuity);
   accel_limits_.retune(accel, continuity);
-  use_bandwidths(gyro, accel);
+  second_order_drift_ = second_order_drift(profile);
+  gyro_thermal_.retune(gyro, continuity);
+  accel_thermal_.retune(accel, continuity);
+  rectification_ = Rectification(profile.accel_rectification_mgal_per_g2);
+  size_effect_ = SizeEffect(profile.accel_place_m);
+  use_responses(gyro, accel, profile.accel_delay_s);
   drops_.retune(profile.drop_probability);
   latency_ns_ = time::from_seconds(profile.latency_s).count();
 }
 
-void ImuModel::use_bandwidths(const TriadParameters& gyro, const TriadParameters& accel) {
+/// Accelerometers that are early are gyros that are late.
+void ImuModel::use_responses(const TriadParameters& gyro, const TriadParameters& accel, double accel_delay_s) {
+  const std::int64_t delay_ns = time::from_seconds(accel_delay_s).count();
+  gyro_motion_.retune(std::max<std::int64_t>(-delay_ns, 0));
+  accel_motion_.retune(std::max<std::int64_t>(delay_ns, 0));
   is_filtered_ = !gyro.bandwidth_hz.isZero(0.0) || !accel.bandwidth_hz.isZero(0.0);
-  bandwidths_ = {low_passes(gyro), low_passes(accel)};
+  is_followed_ = is_filtered_ || delay_ns != 0 || !size_effect_.is_off();
+  bandwidths_ = {low_passes(gyro), low_passes(accel), gyro_motion_.delay_ns(), accel_motion_.delay_ns()};
   vibration_.use(bandwidths_);
 }
 
@@ -164,6 +186,8 @@ void ImuModel::relocated() {
   discontinuity_ = true;
   gyro_limits_.relocate();
   accel_limits_.relocate();
+  gyro_motion_.relocate();
+  accel_motion_.relocate();
 }
 
 Increments ImuModel::perfect_increments(const TruthState& truth, const Installation::Instant& end) const {
@@ -171,22 +195,8 @@ Increments ImuModel::perfect_increments(const TruthState& truth, const Installat
   return mounted_increments(installation_, *previous_, truth, start_, end, vibration_);
 }
 
-/// What the filters make of the motion up to `truth`. Of a moving mount they see the means over the truth's intervals.
-void ImuModel::follow_motion(const TruthState& truth, const Installation::Instant& end, const Increments& perfect) {
-  const double dt_s = time::to_seconds(truth.interval_ns);
-  MotionPiece piece;
-  if (vibration_.mount_moves()) {
-    piece.omega = {perfect.dtheta / dt_s, Vector3::Zero(), Vector3::Zero()};
-    piece.f = {perfect.dv / dt_s, Vector3::Zero(), Vector3::Zero()};
-  } else {
-    piece = motion_piece(installation_, *previous_, truth, start_, end, perfect);
-  }
-  gyro_motion_.add(bandwidths_.gyro, piece.omega, Vector3::Zero(), dt_s);
-  accel_motion_.add(bandwidths_.accel, piece.f, piece.impulse, dt_s);
-}
-
 /// What motion and vibration do within the interval that ends, with the triads' linear errors.
-ImuModel::Within ImuModel::within_interval(double temperature_deg_c) {
+ImuModel::Within ImuModel::within_interval(const Increments& felt, double temperature_deg_c) {
   const double warmer_k = temperature_deg_c - Temperature::kCalibratedAt;
   const Vibration::Passed passed = vibration_.passed(from_ns_, to_ns_);
   const auto within = [&](const TriadErrors& triad, Unsteady unsteady, const Unsteady& vibration,
@@ -197,12 +207,12 @@ ImuModel::Within ImuModel::within_interval(double temperature_deg_c) {
     }
     return WithinInterval{unsteady, triad.sensed(random_felt, warmer_k), triad.sensed(random_passed, warmer_k)};
   };
-  const auto motion = [&](MotionResponse& response, const LowPasses& filters, const Vector3& increment) {
+  const auto motion = [&](FeltMotion& response, const LowPasses& filters, const Vector3& increment) {
     return response.about(filters, increment / interval_.dt_s, interval_.dt_s);
   };
-  return {within(gyro_, motion(gyro_motion_, bandwidths_.gyro, perfect_.dtheta), passed.gyro, passed.random_felt.dtheta,
+  return {within(gyro_, motion(gyro_motion_, bandwidths_.gyro, felt.dtheta), passed.gyro, passed.random_felt.dtheta,
                  passed.random_passed.dtheta),
-          within(accel_, motion(accel_motion_, bandwidths_.accel, perfect_.dv), passed.accel, passed.random_felt.dv,
+          within(accel_, motion(accel_motion_, bandwidths_.accel, felt.dv), passed.accel, passed.random_felt.dv,
                  passed.random_passed.dv)};
 }
 
@@ -221,9 +231,10 @@ std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) 
   perfect.dv_b = perfect_.dv;
   perfect.interval_ns = end_ns - from_ns_;
   set_pose(truth, perfect);
+  const Increments felt = felt_motion();
   std::optional<Within> within;
-  if (is_filtered_) within = within_interval(temperature_deg_c);
-  set_errors(vibration_.increments(from_ns_, end_ns), temperature_deg_c, perfect);
+  if (is_filtered_) within = within_interval(felt, temperature_deg_c);
+  set_errors(felt, vibration_.increments(from_ns_, end_ns), temperature_deg_c, perfect);
   perfect.discontinuity = discontinuity_;
   perfect.revisions = revisions_;
   discontinuity_ = false;
@@ -256,13 +267,40 @@ void ImuModel::set_pose(const TruthState& truth, ImuTruth& perfect) const {
   }
 }
 
-void ImuModel::set_errors(const Increments& vibration, double temperature_deg_c, ImuTruth& perfect) {
+void ImuModel::set_errors(const Increments& felt, const Increments& vibration, double temperature_deg_c,
+                          ImuTruth& perfect) {
   const double warmer_k = temperature_deg_c - Temperature::kCalibratedAt;
-  gyro_.add_errors(perfect_.dtheta, vibration.dtheta, warmer_k, interval_, perfect.gyro_error);
-  accel_.add_errors(perfect_.dv, vibration.dv, warmer_k, interval_, perfect.accel_error);
+  if (is_followed_) {
+    perfect.accel_error.size_effect = size_effect_dv_;
+    perfect.gyro_error.delay = felt.dtheta - perfect_.dtheta;
+    perfect.accel_error.delay = felt.dv - (perfect_.dv + size_effect_dv_);
+  }
+  gyro_.add_errors(felt.dtheta, vibration.dtheta, warmer_k, interval_, perfect.gyro_error);
+  accel_.add_errors(felt.dv, vibration.dv, warmer_k, interval_, perfect.accel_error);
   if (!g_sensitivity_.is_off()) {
     perfect.gyro_error.g_sensitivity = g_sensitivity_.error(perfect_.dv + vibration.dv);
   }
+  add_second_order(felt, vibration, perfect);
+  add_thermal(temperature_deg_c, perfect);
+}
+
+/// Biases by squares and products of what is felt, and of the vibration within the interval.
+void ImuModel::add_second_order(const Increments& felt, const Increments& vibration, ImuTruth& perfect) {
+  if (second_order_drift_.is_of_rate()) {
+    perfect.gyro_error.scale += second_order_drift_.of_rate(felt.dtheta + vibration.dtheta, interval_.dt_s);
+  }
+  if (!second_order_drift_.is_of_force() && rectification_.is_off()) return;
+  const Matrix3 moments = vibration_.moments(from_ns_, to_ns_);
+  perfect.gyro_error.g_sensitivity += second_order_drift_.of_force(perfect_.dv + vibration.dv, moments, interval_.dt_s);
+  perfect.accel_error.bias += rectification_.error(moments, interval_.dt_s);
+}
+
+/// Biases by how the temperature changes.
+void ImuModel::add_thermal(double temperature_deg_c, ImuTruth& perfect) {
+  if (gyro_thermal_.is_off() && accel_thermal_.is_off()) return;
+  const double from_deg_c = temperature_.at(from_ns_);
+  perfect.gyro_error.bias += gyro_thermal_.error(from_deg_c, temperature_deg_c, interval_.dt_s);
+  perfect.accel_error.bias += accel_thermal_.error(from_deg_c, temperature_deg_c, interval_.dt_s);
 }
 
 void ImuModel::set_output(Output& out, const Within* within) {

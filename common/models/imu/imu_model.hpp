@@ -9,11 +9,15 @@
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/foundation/time/rate.hpp"
 #include "inslab/models/imu/dropped_samples.hpp"
+#include "inslab/models/imu/felt_motion.hpp"
 #include "inslab/models/imu/g_sensitivity.hpp"
 #include "inslab/models/imu/installation.hpp"
-#include "inslab/models/imu/motion_response.hpp"
+#include "inslab/models/imu/rectification.hpp"
 #include "inslab/models/imu/sample_interval.hpp"
+#include "inslab/models/imu/second_order_drift.hpp"
+#include "inslab/models/imu/size_effect.hpp"
 #include "inslab/models/imu/temperature.hpp"
+#include "inslab/models/imu/thermal_bias.hpp"
 #include "inslab/models/imu/triad_errors.hpp"
 #include "inslab/models/imu/triad_limits.hpp"
 #include "inslab/models/imu/vibration.hpp"
@@ -65,8 +69,9 @@ class ImuModel {
   static void state(Self& self, Visitor& visit) {
     visit(self.errors_, self.installation_profile_, self.fault_);
     if constexpr (!std::is_const_v<Self>) self.use_profiles();
-    visit(self.vibration_, self.gyro_, self.accel_, self.gyro_limits_, self.accel_limits_, self.previous_,
-          self.perfect_, self.gyro_motion_, self.accel_motion_, self.discontinuity_, self.revisions_, self.pending_);
+    visit(self.vibration_, self.gyro_, self.accel_, self.gyro_thermal_, self.accel_thermal_, self.gyro_limits_,
+          self.accel_limits_, self.previous_, self.perfect_, self.size_effect_dv_, self.gyro_motion_,
+          self.accel_motion_, self.discontinuity_, self.revisions_, self.pending_);
     if constexpr (!std::is_const_v<Self>) self.find_start();
   }
 
@@ -76,7 +81,7 @@ class ImuModel {
   void use_profiles();
   void find_start();
   void tune(const ImuErrorProfile& profile, Continuity continuity, std::uint64_t k);
-  void use_bandwidths(const TriadParameters& gyro, const TriadParameters& accel);
+  void use_responses(const TriadParameters& gyro, const TriadParameters& accel, double accel_delay_s);
   void find_interval(std::int64_t from_ns);
   void begin_interval();
   void take(const ImuErrorProfile& profile, std::uint64_t k);
@@ -86,14 +91,18 @@ class ImuModel {
   void relocated();
   Increments perfect_increments(const TruthState& truth, const Installation::Instant& end) const;
   void follow_motion(const TruthState& truth, const Installation::Instant& end, const Increments& perfect);
+  void follow_mounted(const TruthState& truth, const Installation::Instant& end, const Increments& perfect);
+  Increments felt_motion();
   struct Within {
     WithinInterval gyro;
     WithinInterval accel;
   };
-  Within within_interval(double temperature_deg_c);
+  Within within_interval(const Increments& felt, double temperature_deg_c);
   std::optional<Output> end_interval(const TruthState& truth);
   void set_pose(const TruthState& truth, ImuTruth& perfect) const;
-  void set_errors(const Increments& vibration, double temperature_deg_c, ImuTruth& perfect);
+  void set_errors(const Increments& felt, const Increments& vibration, double temperature_deg_c, ImuTruth& perfect);
+  void add_second_order(const Increments& felt, const Increments& vibration, ImuTruth& perfect);
+  void add_thermal(double temperature_deg_c, ImuTruth& perfect);
   void set_output(Output& out, const Within* within);
 
   std::uint32_t sensor_number_;
@@ -109,6 +118,11 @@ class ImuModel {
   TriadErrors gyro_;
   TriadErrors accel_;
   GSensitivity g_sensitivity_;
+  SecondOrderDrift second_order_drift_;
+  ThermalBias gyro_thermal_;
+  ThermalBias accel_thermal_;
+  Rectification rectification_;
+  SizeEffect size_effect_;
   TriadLimits gyro_limits_;
   TriadLimits accel_limits_;
   DroppedSamples drops_;
@@ -118,12 +132,14 @@ class ImuModel {
   std::int64_t to_ns_ = 0;
   SampleInterval interval_;
   std::optional<TruthState> previous_;
-  Installation::Instant start_;  ///< at `previous_`, under the present installation
-  Increments perfect_;           ///< of the interval that is open
+  Installation::Instant start_;               ///< at `previous_`, under the present installation
+  Increments perfect_;                        ///< of the interval that is open
+  Vector3 size_effect_dv_ = Vector3::Zero();  ///< of the same
   Vibration::Bandwidths bandwidths_;
   bool is_filtered_ = false;
-  MotionResponse gyro_motion_;  ///< over the interval that is open
-  MotionResponse accel_motion_;
+  bool is_followed_ = false;  ///< filtered, late, or with a size effect
+  FeltMotion gyro_motion_;    ///< over the interval that is open
+  FeltMotion accel_motion_;
   bool discontinuity_ = false;
   ImuRevisions revisions_;
   std::vector<Profile> pending_;

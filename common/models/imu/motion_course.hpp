@@ -16,6 +16,12 @@ struct Course {
     return {mean, 0.5 * (end - start), 0.5 * (start + end) - mean};
   }
   Vector3 at(double x) const { return mean + x * slope + (1.5 * x * x - 0.5) * curve; }
+
+  /// The same vector between two of its x, as a series of its own: x = middle + half y, y from -1 to 1.
+  Course part(double x_from, double x_to) const {
+    const double middle = 0.5 * (x_from + x_to), half = 0.5 * (x_to - x_from);
+    return {at(middle) + 0.5 * half * half * curve, half * (slope + 3.0 * middle * curve), half * half * curve};
+  }
 };
 
 /// Truth marks jumps of the rate alone. A jump of the force at the end bends the quadratic by about half of it, where a

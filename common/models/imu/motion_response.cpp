@@ -16,7 +16,11 @@ MotionPiece motion_piece(const Installation& installation, const TruthState& bef
 
   MotionPiece piece;
   piece.omega = {C_bv * omega.mean, C_bv * omega.slope, C_bv * omega.curve};
-  if (truth.rate_jump) piece.impulse = C_bv * (end.omega_iv_v - omega.at(1.0)).cross(arm);
+  if (truth.rate_jump) {
+    const Vector3 jump = end.omega_iv_v - omega.at(1.0);
+    piece.rate_jump = C_bv * jump;
+    piece.impulse = C_bv * jump.cross(arm);
+  }
   const auto at_imu = [&](double x, const Vector3& gravitation_difference_v) {
     const Vector3 rate = omega.at(x), alpha = (2.0 / dt_s) * (omega.slope + 3.0 * x * omega.curve);
     return Vector3(C_bv * (f.at(x) + alpha.cross(arm) + rate.cross(rate.cross(arm)) + gravitation_difference_v));
@@ -24,6 +28,19 @@ MotionPiece motion_piece(const Installation& installation, const TruthState& bef
   piece.f = Course::through(at_imu(-1.0, start.gravitation_difference_v), at_imu(1.0, end.gravitation_difference_v),
                             (perfect.dv - piece.impulse) / dt_s, false);
   return piece;
+}
+
+MotionPiece with_size_effect(const MotionPiece& piece, const SizeEffect& size_effect, double dt_s) {
+  const Course& omega = piece.omega;
+  const auto felt_at = [&](double x) {
+    const Vector3 alpha = (2.0 / dt_s) * (omega.slope + 3.0 * x * omega.curve);
+    return Vector3(piece.f.at(x) + size_effect.of_alpha(alpha) + size_effect.of_rate(omega.at(x)));
+  };
+  const Vector3 mean = piece.f.mean + size_effect.increment(omega, Vector3::Zero(), dt_s) / dt_s;
+  MotionPiece felt = piece;
+  felt.f = Course::through(felt_at(-1.0), felt_at(1.0), mean, false);
+  felt.impulse += size_effect.of_alpha(piece.rate_jump);
+  return felt;
 }
 
 void MotionResponse::add(const LowPasses& filters, const Course& course, const Vector3& impulse, double dt_s) {

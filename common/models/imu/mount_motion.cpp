@@ -1,9 +1,9 @@
 #include "inslab/models/imu/mount_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "inslab/foundation/time/gps_time.hpp"
-#include "inslab/models/imu/motion_course.hpp"
 #include "inslab/nav/attitude.hpp"
 
 namespace inslab::imu {
@@ -48,39 +48,80 @@ constexpr double kWeights[] = {0.34785484513745385737, 0.65214515486254614263, 0
 
 }  // namespace
 
+MountedInterval::MountedInterval(const Installation& installation, const TruthState& before, const TruthState& truth,
+                                 const Installation::Instant& start, const Installation::Instant& end,
+                                 const Vibration& vibration)
+    : vibration_(vibration),
+      from_ns_(truth.header.sim_time_ns - truth.interval_ns),
+      to_ns_(truth.header.sim_time_ns),
+      dt_s_(time::to_seconds(truth.interval_ns)),
+      panels_(std::max(1.0, std::ceil(4.0 * vibration.fastest_motion_hz() * dt_s_))),
+      C_mv_(installation.C_bv()),
+      arm_m_(C_mv_ * installation.lever_arm_v_m()),
+      omega_start_v_(start.omega_iv_v),
+      omega_end_v_(end.omega_iv_v),
+      omega_v_(Course::through(start.omega_iv_v, end.omega_iv_v, truth.dtheta_v / dt_s_, truth.rate_jump)),
+      f_v_(Course::through(before.f_v, truth.f_v, truth.dv_v / dt_s_, false)),
+      g_v_(Course::through(start.gravitation_difference_v, end.gravitation_difference_v,
+                           0.5 * (start.gravitation_difference_v + end.gravitation_difference_v), false)) {
+  if (truth.rate_jump || jumps(f_v_)) f_v_ = Course::through(before.f_v, truth.f_v, truth.dv_v / dt_s_, true);
+}
+
+/// Calls `sum(part, weight_s)` at each of Gauss's points between two instants of the interval.
+template <class Sum>
+void MountedInterval::sum_over(double from, double to, const Sum& sum) const {
+  for (double panel = 0.0; panel < panels_; panel += 1.0) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double part = from + (to - from) * ((panel + 0.5 + 0.5 * kPoints[i]) / panels_);
+      sum(part, 0.5 * kWeights[i] * dt_s_ / panels_ * (to - from));
+    }
+  }
+}
+
+MountState MountedInterval::mount(double part) const {
+  return part == 1.0 ? vibration_.mount(to_ns_, 0.0) : vibration_.mount(from_ns_, part * dt_s_);
+}
+
+/// At the ends what the truth says: the rate after a jump.
+Vector3 MountedInterval::omega_im_m(double part) const {
+  if (part == 0.0) return C_mv_ * omega_start_v_;
+  if (part == 1.0) return C_mv_ * omega_end_v_;
+  return C_mv_ * omega_v_.at(2.0 * part - 1.0);
+}
+
+Increments MountedInterval::increments(double from, double to) const {
+  Increments sum;
+  sum_over(from, to, [&](double part, double weight_s) {
+    const double x = 2.0 * part - 1.0;
+    const Mount mount(this->mount(part));
+    const Vector3 omega_im_m = C_mv_ * omega_v_.at(x);
+    const Vector3 omega_im_b = mount.C_bm * omega_im_m;
+    sum.dtheta += weight_s * (omega_im_b + mount.omega_mb_b_less_turn_rate);
+    sum.dv += weight_s * (mount.C_bm * (C_mv_ * (f_v_.at(x) + g_v_.at(x))) +
+                          (omega_im_b + mount.omega_mb_b).cross(mount.velocity_b(omega_im_m, arm_m_)));
+  });
+  const Mount at_start(mount(from)), at_end(mount(to));
+  sum.dtheta += at_end.turn_rad - at_start.turn_rad;
+  sum.dv += at_end.velocity_b(omega_im_m(to), arm_m_) - at_start.velocity_b(omega_im_m(from), arm_m_);
+  return sum;
+}
+
+Vector3 MountedInterval::size_effect(const SizeEffect& size_effect, double from, double to) const {
+  const auto omega_ib_b = [&](const Vector3& omega_im_m, double part) {
+    const Mount mount(this->mount(part));
+    return Vector3(mount.C_bm * omega_im_m + mount.omega_mb_b);
+  };
+  Vector3 sum = size_effect.of_alpha(omega_ib_b(omega_im_m(to), to) - omega_ib_b(omega_im_m(from), from));
+  sum_over(from, to, [&](double part, double weight_s) {
+    sum += weight_s * size_effect.of_rate(omega_ib_b(C_mv_ * omega_v_.at(2.0 * part - 1.0), part));
+  });
+  return sum;
+}
+
 Increments mounted_increments(const Installation& installation, const TruthState& before, const TruthState& truth,
                               const Installation::Instant& start, const Installation::Instant& end,
                               const Vibration& vibration) {
-  const Matrix3& C_mv = installation.C_bv();
-  const Vector3 arm_m = C_mv * installation.lever_arm_v_m();
-  const double dt_s = time::to_seconds(truth.interval_ns);
-  const std::int64_t from_ns = truth.header.sim_time_ns - truth.interval_ns;
-  const Course omega_v = Course::through(start.omega_iv_v, end.omega_iv_v, truth.dtheta_v / dt_s, truth.rate_jump);
-  Course f_v = Course::through(before.f_v, truth.f_v, truth.dv_v / dt_s, false);
-  if (truth.rate_jump || jumps(f_v)) f_v = Course::through(before.f_v, truth.f_v, truth.dv_v / dt_s, true);
-  const Course g_v = Course::through(start.gravitation_difference_v, end.gravitation_difference_v,
-                                     0.5 * (start.gravitation_difference_v + end.gravitation_difference_v), false);
-
-  Increments sum;
-  const double panels = std::max(1.0, std::ceil(4.0 * vibration.fastest_motion_hz() * dt_s));
-  for (double panel = 0.0; panel < panels; panel += 1.0) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double part = (panel + 0.5 + 0.5 * kPoints[i]) / panels;
-      const double x = 2.0 * part - 1.0;
-      const Mount mount(vibration.mount(from_ns, part * dt_s));
-      const double weight_s = 0.5 * kWeights[i] * dt_s / panels;
-      const Vector3 omega_im_m = C_mv * omega_v.at(x);
-      const Vector3 omega_im_b = mount.C_bm * omega_im_m;
-      sum.dtheta += weight_s * (omega_im_b + mount.omega_mb_b_less_turn_rate);
-      sum.dv += weight_s * (mount.C_bm * (C_mv * (f_v.at(x) + g_v.at(x))) +
-                            (omega_im_b + mount.omega_mb_b).cross(mount.velocity_b(omega_im_m, arm_m)));
-    }
-  }
-  const Mount at_start(vibration.mount(from_ns, 0.0));
-  const Mount at_end(vibration.mount(truth.header.sim_time_ns, 0.0));
-  sum.dtheta += at_end.turn_rad - at_start.turn_rad;
-  sum.dv += at_end.velocity_b(C_mv * end.omega_iv_v, arm_m) - at_start.velocity_b(C_mv * start.omega_iv_v, arm_m);
-  return sum;
+  return MountedInterval(installation, before, truth, start, end, vibration).increments();
 }
 
 MountedPose mounted_pose(const Installation& installation, const TruthState& truth, const Vibration& vibration) {

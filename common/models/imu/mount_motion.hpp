@@ -2,6 +2,8 @@
 
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/models/imu/installation.hpp"
+#include "inslab/models/imu/motion_course.hpp"
+#include "inslab/models/imu/size_effect.hpp"
 #include "inslab/models/imu/vibration.hpp"
 
 /// Stage 2 in the domain `motion`: the perfect IMU on a mount that moves against the vehicle.
@@ -26,6 +28,34 @@ namespace inslab::imu {
 Increments mounted_increments(const Installation& installation, const TruthState& before, const TruthState& truth,
                               const Installation::Instant& start, const Installation::Instant& end,
                               const Vibration& vibration);
+
+/// The same interval part by part.
+class MountedInterval {
+ public:
+  /// What is given must outlive it.
+  MountedInterval(const Installation& installation, const TruthState& before, const TruthState& truth,
+                  const Installation::Instant& start, const Installation::Instant& end, const Vibration& vibration);
+
+  /// Over the part of the interval between two instants of it, 0 to 1.
+  Increments increments(double from = 0.0, double to = 1.0) const;
+  /// What the accelerometers feel there more at their own places, m/s.
+  Vector3 size_effect(const SizeEffect& size_effect, double from = 0.0, double to = 1.0) const;
+
+ private:
+  template <class Sum>
+  void sum_over(double from, double to, const Sum& sum) const;
+  Vector3 omega_im_m(double part) const;
+  MountState mount(double part) const;
+
+  const Vibration& vibration_;
+  std::int64_t from_ns_, to_ns_;
+  double dt_s_;
+  double panels_;
+  Matrix3 C_mv_;
+  Vector3 arm_m_;
+  Vector3 omega_start_v_, omega_end_v_;
+  Course omega_v_, f_v_, g_v_;
+};
 
 /// Place, velocity and attitude of the IMU on its moving mount at `truth`.
 struct MountedPose {

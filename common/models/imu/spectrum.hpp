@@ -25,6 +25,8 @@ class Spectrum {
   bool empty() const { return corners_.empty(); }
   double lowest_hz() const { return corners_.front().frequency_hz; }
   double highest_hz() const { return corners_.back().frequency_hz; }
+  std::size_t corners() const { return corners_.size(); }
+  double corner_hz(std::size_t i) const { return corners_[i].frequency_hz; }
 
   double density(int axis, double frequency_hz) const {
     if (empty() || frequency_hz < lowest_hz() || frequency_hz > highest_hz()) return 0.0;

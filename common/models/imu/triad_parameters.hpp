@@ -14,8 +14,11 @@ struct TriadParameters {
   Vector3 bias_random_walk = Vector3::Zero();  ///< rad/s/sqrt(s) | m/s^2/sqrt(s)
   Vector3 bias_instability = Vector3::Zero();  ///< rad/s | m/s^2
   Vector3 bias_per_deg_c = Vector3::Zero();    ///< rad/s/K | m/s^2/K
-  Vector3 random_walk = Vector3::Zero();       ///< rad/sqrt(s) | m/s/sqrt(s)
-  Vector3 scale_factor = Vector3::Zero();      ///< 1
+  Vector3 bias_per_warming = Vector3::Zero();  ///< rad/s | m/s^2 per K/s
+  Vector3 bias_hysteresis = Vector3::Zero();   ///< rad/s | m/s^2, of rising less that of falling temperatures
+  double bias_hysteresis_width_k = 1.0;
+  Vector3 random_walk = Vector3::Zero();   ///< rad/sqrt(s) | m/s/sqrt(s)
+  Vector3 scale_factor = Vector3::Zero();  ///< 1
   Vector3 scale_factor_turn_on_sigma = Vector3::Zero();
   Vector3 scale_factor_gm_sigma = Vector3::Zero();
   Vector3 scale_factor_gm_correlation_time_s = Vector3::Zero();
@@ -24,6 +27,8 @@ struct TriadParameters {
   Vector3 nonlinearity_of_full_scale = Vector3::Zero();  ///< 1
   Vector3 nonlinearity_by_input = Vector3::Zero();       ///< 1/(rad/s) | 1/(m/s^2)
   Vector6 cross_axis_rad = Vector6::Zero();
+  Vector6 cross_axis_gm_sigma_rad = Vector6::Zero();
+  Vector6 cross_axis_gm_correlation_time_s = Vector6::Zero();
   Vector3 bandwidth_hz = Vector3::Zero();
   FilterOrder bandwidth_order = FilterOrder::First;
   Vector3 full_scale = Vector3::Zero();    ///< rad/s | m/s^2; 0: no limit
@@ -74,6 +79,26 @@ inline TriadParameters in_si(const AccelErrors& accel) {
   si.nonlinearity_by_input = accel.nonlinearity_ppm_per_g * (units::kPpm / units::kG);
   si.full_scale = accel.full_scale_g * units::kG;
   si.quantization = accel.quantization_m_per_s;
+  return si;
+}
+
+/// With what stands beside its triads in a profile.
+inline TriadParameters gyros_in_si(const ImuErrorProfile& profile) {
+  TriadParameters si = in_si(profile.gyro);
+  si.cross_axis_gm_sigma_rad = profile.gyro_cross_axis_gm_sigma_arcsec * units::kArcsec;
+  si.cross_axis_gm_correlation_time_s = profile.gyro_cross_axis_gm_correlation_time_s;
+  si.bias_per_warming = profile.gyro_bias_temperature_rate_deg_per_h_per_deg_c_per_min * (60.0 * units::kDegPerH);
+  si.bias_hysteresis = profile.gyro_bias_hysteresis_deg_per_h * units::kDegPerH;
+  si.bias_hysteresis_width_k = profile.bias_hysteresis_width_deg_c;
+  return si;
+}
+inline TriadParameters accels_in_si(const ImuErrorProfile& profile) {
+  TriadParameters si = in_si(profile.accel);
+  si.cross_axis_gm_sigma_rad = profile.accel_cross_axis_gm_sigma_arcsec * units::kArcsec;
+  si.cross_axis_gm_correlation_time_s = profile.accel_cross_axis_gm_correlation_time_s;
+  si.bias_per_warming = profile.accel_bias_temperature_rate_mgal_per_deg_c_per_min * (60.0 * units::kMGal);
+  si.bias_hysteresis = profile.accel_bias_hysteresis_mgal * units::kMGal;
+  si.bias_hysteresis_width_k = profile.bias_hysteresis_width_deg_c;
   return si;
 }
 

@@ -33,8 +33,9 @@ Vibration::Layer Vibration::layer_of(const VibrationProfile& profile) const {
     const Vector3 phase_rad = phase_deg * units::kDeg;
     Tone tone;
     tone.frequency_hz = frequency_hz;
-    tone.amplitude = {amplitude.cwiseProduct(phase_rad.array().cos().matrix()),
+    tone.undelayed = {amplitude.cwiseProduct(phase_rad.array().cos().matrix()),
                       amplitude.cwiseProduct(phase_rad.array().sin().matrix())};
+    tone.amplitude = tone.undelayed;
     return tone;
   };
   const bool moves = profile.domain == VibrationDomain::Motion;
@@ -52,6 +53,7 @@ Vibration::Layer Vibration::layer_of(const VibrationProfile& profile) const {
   };
   layer.linear_random = random(profile.linear_random, "accel");
   layer.angular_random = random(profile.angular_random, "gyro");
+  if (layer.linear_random) layer.random_within = variance_within(Spectrum(profile.linear_random));
   pass(layer);
   return layer;
 }

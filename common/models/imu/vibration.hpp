@@ -43,11 +43,17 @@ struct MountState {
 /// random vibration has its spectrum shaped before it is drawn, from the same numbers.
 class Vibration {
  public:
-  /// The filters of both triads, all off at first.
+  /// The filters of both triads, all off at first, and how late each is: its sinusoids come with that phase. Fades and
+  /// random vibration, which has no phase, are not put off.
   struct Bandwidths {
     LowPasses gyro;
     LowPasses accel;
-    bool operator==(const Bandwidths& other) const { return gyro == other.gyro && accel == other.accel; }
+    std::int64_t gyro_delay_ns = 0;
+    std::int64_t accel_delay_ns = 0;
+    bool operator==(const Bandwidths& other) const {
+      return gyro == other.gyro && accel == other.accel && gyro_delay_ns == other.gyro_delay_ns &&
+             accel_delay_ns == other.accel_delay_ns;
+    }
   };
   /// What the filters make of an interval's vibration, domain `sensor`.
   struct Passed {
@@ -75,7 +81,12 @@ class Vibration {
 
   /// To be called before increments() of the same interval.
   Passed passed(std::int64_t from_ns, std::int64_t to_ns);
-  /// Takes other filters between two intervals.
+  /// Within the same interval the mean of the vibration's specific force less its mean over the interval, squared, and
+  /// of products of two axes, (m/s^2)^2: of sinusoids of the domain `sensor` in closed form, of random vibration what
+  /// is expected. Fades as in the middle of the interval. A moving mount is part of the motion and not in it.
+  Matrix3 moments(std::int64_t from_ns, std::int64_t to_ns);
+
+  /// Takes other filters and delays between two intervals.
   void use(const Bandwidths& bandwidths);
 
   /// Whether the mount moves, and its highest frequency.
@@ -121,7 +132,8 @@ class Vibration {
     const std::complex<double>& middle(const Span& span);
 
     double frequency_hz = 0.0;
-    Phasors amplitude;  ///< times exp(i phase), SI
+    Phasors undelayed;  ///< amplitude times exp(i phase), SI
+    Phasors amplitude;  ///< the same as late as the triad
     Phasors passed;     ///< the same times H(f)
     std::int64_t cached_length_ns = 0;
     Stretch cached;
@@ -136,6 +148,7 @@ class Vibration {
     std::vector<Tone> mount_angular;
     std::optional<RandomVibration> linear_random;
     std::optional<RandomVibration> angular_random;
+    Vector3 random_within = Vector3::Zero();              ///< (m/s^2)^2, variance_within() of the linear one
     std::optional<RandomVibration> linear_random_passed;  ///< where the triad has a filter
     std::optional<RandomVibration> angular_random_passed;
 
@@ -200,6 +213,7 @@ class Vibration {
   Answers answers(const LowPasses& filters, std::vector<Tone> Layer::*tones, const Span& span);
   std::vector<Gate> gates_of(std::size_t layer) const;
   void pass(Layer& layer) const;
+  Vector3 variance_within(const Spectrum& spectrum) const;
   Increments random_increments(std::int64_t from_ns, std::int64_t to_ns);
   Weight weight(std::size_t layer, std::int64_t time_ns, double offset_s) const;
   void use(const std::vector<VibrationProfile>& profiles);

@@ -30,13 +30,20 @@ void Vibration::use(const Bandwidths& bandwidths) {
   for (Layer& layer : layers_) pass(layer);
 }
 
-/// What the filters make of a layer's tones, and its random vibration behind them.
+/// What delays and filters make of a layer's tones, and its random vibration behind the filters.
 void Vibration::pass(Layer& layer) const {
-  const auto respond = [](std::vector<Tone>& tones, const LowPasses& filters) {
-    for (Tone& tone : tones) tone.passed = responded(tone.amplitude, filters, tone.frequency_hz);
+  const auto respond = [](std::vector<Tone>& tones, const LowPasses& filters, std::int64_t delay_ns) {
+    for (Tone& tone : tones) {
+      tone.amplitude = tone.undelayed;
+      if (delay_ns != 0) {
+        const std::complex<double> late = phasor(turns(tone.frequency_hz, -2 * delay_ns));
+        tone.amplitude = {tone.undelayed.real_times(late), tone.undelayed.imag_times(late)};
+      }
+      tone.passed = responded(tone.amplitude, filters, tone.frequency_hz);
+    }
   };
-  respond(layer.linear, bandwidths_.accel);
-  respond(layer.angular, bandwidths_.gyro);
+  respond(layer.linear, bandwidths_.accel, bandwidths_.accel_delay_ns);
+  respond(layer.angular, bandwidths_.gyro, bandwidths_.gyro_delay_ns);
   const auto drawn = [this](const auto& table, const char* triad, const LowPasses& filters) {
     std::optional<RandomVibration> random;
     if (table.empty() || !is_on(filters)) return random;

@@ -6,6 +6,7 @@
 
 #include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
+#include "inslab/models/imu/second_order_drift.hpp"
 #include "inslab/models/imu/triad_parameters.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/error_model.hpp"
@@ -27,17 +28,19 @@ void gather(SensedMeans& sums, const Vector3& increment, double dt_s) {
   sums.abs += increment.cwiseAbs();
   sums.square += x.cwiseProduct(increment);
   sums.cube += x.cwiseAbs2().cwiseProduct(increment);
+  sums.product += dt_s * imu::cross_products(x);
 }
 
 SensedMeans over(const SensedMeans& sums, double time_s) {
-  return {sums.x / time_s, sums.abs / time_s, sums.square / time_s, sums.cube / time_s};
+  return {sums.x / time_s, sums.abs / time_s, sums.square / time_s, sums.cube / time_s, sums.product / time_s};
 }
 
 bool is_walk(const SensorTerm& term) { return term.kind == TermKind::BiasRandomWalk; }
 
 bool is_fixed_value(TermKind kind) {
   return kind != TermKind::BiasTurnOn && kind != TermKind::BiasGaussMarkov && kind != TermKind::BiasRandomWalk &&
-         kind != TermKind::BiasFlicker && kind != TermKind::ScaleTurnOn && kind != TermKind::ScaleGaussMarkov;
+         kind != TermKind::BiasFlicker && kind != TermKind::ScaleTurnOn && kind != TermKind::ScaleGaussMarkov &&
+         kind != TermKind::CrossAxisGaussMarkov;
 }
 
 bool is_turn_on(TermKind kind) { return kind == TermKind::BiasTurnOn || kind == TermKind::ScaleTurnOn; }
@@ -112,7 +115,7 @@ void ErrorGrowth::swap(const ImuErrorProfile& profile) {
   }
 }
 
-bool ErrorGrowth::advance(const ImuTruth& truth, double warmer_k) {
+bool ErrorGrowth::advance(const ImuTruth& truth, double warmer_k, double warming_k_per_s) {
   const double dt_s = time::to_seconds(truth.interval_ns);
   if (!(dt_s > 0.0)) return false;
   // In the middle of the interval: half a sample of turning is 0.3 % of a term at 15 deg/s and 50 Hz.
@@ -120,6 +123,7 @@ bool ErrorGrowth::advance(const ImuTruth& truth, double warmer_k) {
       nav::matrix_from_quaternion(truth.q_nb) * (nav::Matrix3::Identity() - 0.5 * nav::skew(truth.dtheta_b));
   gathered_.time_s += dt_s;
   gathered_.warmer_k += warmer_k * dt_s;
+  gathered_.warmed_k += warming_k_per_s * dt_s;
   gathered_.C_nb += C_nb * dt_s;
   gathered_.dv_n += C_nb * truth.dv_b;
   gather(gathered_.gyro, truth.dtheta_b + truth.gyro_error.vibration, dt_s);
@@ -183,7 +187,8 @@ Eigen::MatrixXd ErrorGrowth::effects(const SensedMotion& motion, const nav::Matr
 void ErrorGrowth::step() {
   const double dt_s = gathered_.time_s;
   const nav::Matrix3 C_nb = gathered_.C_nb / dt_s;
-  const SensedMotion motion{over(gathered_.gyro, dt_s), over(gathered_.accel, dt_s), gathered_.warmer_k / dt_s};
+  const SensedMotion motion{over(gathered_.gyro, dt_s), over(gathered_.accel, dt_s), gathered_.warmer_k / dt_s,
+                            gathered_.warmed_k / dt_s};
   const nav::Matrix9 F = nav::error_dynamics(geodetic_of(last_), last_.v_n, gathered_.dv_n / dt_s, gravity_);
   const nav::Matrix9 to_middle = nav::Matrix9::Identity() + 0.5 * dt_s * F;
   const nav::Matrix9 Phi = nav::Matrix9::Identity() + dt_s * F.lazyProduct(to_middle);

@@ -38,9 +38,9 @@ class ErrorGrowth {
   /// theirs (imu::Bias::retune); a fixed value that changes is unknown anew.
   void swap(const ImuErrorProfile& profile);
 
-  /// The IMU goes on by the interval that ends at `truth`, at a temperature above that of calibration; true when a step
-  /// was made and current() is new.
-  bool advance(const ImuTruth& truth, double warmer_k);
+  /// The IMU goes on by the interval that ends at `truth`, at a temperature above that of calibration that rises by
+  /// `warming_k_per_s`; true when a step was made and current() is new.
+  bool advance(const ImuTruth& truth, double warmer_k, double warming_k_per_s);
 
   /// A fix at the end of the last interval: `lever_arm_b_m` leads from the IMU to the antenna and is known. A velocity
   /// without errors is none.
@@ -54,6 +54,7 @@ class ErrorGrowth {
   struct Gathered {
     double time_s = 0.0;
     double warmer_k = 0.0;
+    double warmed_k = 0.0;
     nav::Matrix3 C_nb = nav::Matrix3::Zero();
     Vector3 dv_n = Vector3::Zero();
     SensedMeans gyro;

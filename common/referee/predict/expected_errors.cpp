@@ -76,8 +76,11 @@ void ExpectedErrors::add(const ImuTruth& truth) {
     growth_.emplace(errors_, setup_.start, setup_.gravity, setup_.vertical, setup_.step_s);
     curve_.push_back(growth_->current());
   }
-  const double warmer_k = imu::Temperature(errors_.temperature).at(time_ns) - imu::Temperature::kCalibratedAt;
-  if (growth_->advance(truth, warmer_k)) curve_.push_back(growth_->current());
+  const imu::Temperature temperature(errors_.temperature);
+  const double warmer_k = temperature.at(time_ns) - imu::Temperature::kCalibratedAt;
+  const double warmed_k = temperature.at(time_ns) - temperature.at(time_ns - truth.interval_ns);
+  const double warming_k_per_s = warmed_k / time::to_seconds(truth.interval_ns);
+  if (growth_->advance(truth, warmer_k, warming_k_per_s)) curve_.push_back(growth_->current());
 }
 
 void ExpectedErrors::add(const GnssFix& fix) {

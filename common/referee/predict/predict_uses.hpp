@@ -53,6 +53,22 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
     profiles::handled("temperature[].temperature_deg_c"),
     profiles::left_out("latency_s", "latency", "the prediction is of the time of validity"),
     profiles::left_out("drop_probability", "dropped samples", "no linear form along the motion"),
+    profiles::left_out("accel_delay_s", "delay of a triad", "no linear form along the motion"),
+    profiles::left_out("accel_place_m", "size effect", "needs the angular acceleration, which is not in the truth"),
+    profiles::handled("gyro_cross_axis_gm_sigma_arcsec"),
+    profiles::handled("gyro_cross_axis_gm_correlation_time_s"),
+    profiles::handled("accel_cross_axis_gm_sigma_arcsec"),
+    profiles::handled("accel_cross_axis_gm_correlation_time_s"),
+    profiles::handled("gyro_bias_temperature_rate_deg_per_h_per_deg_c_per_min"),
+    profiles::handled("accel_bias_temperature_rate_mgal_per_deg_c_per_min"),
+    profiles::left_out("gyro_bias_hysteresis_deg_per_h", "hysteresis", "depends on where the temperature came from"),
+    profiles::left_out("accel_bias_hysteresis_mgal", "hysteresis", "depends on where the temperature came from"),
+    profiles::no_error("bias_hysteresis_width_deg_c", "shapes the hysteresis"),
+    profiles::left_out("accel_rectification_mgal_per_g2", "rectified vibration",
+                       "the vibration within an interval is not in the truth"),
+    profiles::handled("gyro_g2_sensitivity_deg_per_h_per_g2"),
+    profiles::handled("gyro_anisoelasticity_deg_per_h_per_g2"),
+    profiles::handled("gyro_anisoinertia_deg_per_h_per_deg2_per_s2"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {

@@ -17,8 +17,9 @@ class Collector {
   void add(TermKind kind, const Amplitudes& amplitudes) {
     for (Eigen::Index i = 0; i < amplitudes.size(); ++i) add(kind, static_cast<int>(i), amplitudes[i]);
   }
-  void add_gauss_markov(TermKind kind, const Vector3& sigma, const Vector3& correlation_time_s) {
-    for (int axis = 0; axis < 3; ++axis) add(kind, axis, sigma[axis], correlation_time_s[axis]);
+  template <class Sigmas>
+  void add_gauss_markov(TermKind kind, const Sigmas& sigma, const Sigmas& correlation_time_s) {
+    for (Eigen::Index i = 0; i < sigma.size(); ++i) add(kind, static_cast<int>(i), sigma[i], correlation_time_s[i]);
   }
   void add_flicker(const Vector3& instability) {
     constexpr double kInterval_s = 1.0;
@@ -55,6 +56,7 @@ void collect(const TriadParameters& triad, Collector collector) {
   collector.add(TermKind::BiasRandomWalk, triad.bias_random_walk);
   collector.add_flicker(triad.bias_instability);
   collector.add(TermKind::BiasTemperature, triad.bias_per_deg_c);
+  collector.add(TermKind::BiasTemperatureRate, triad.bias_per_warming);
   collector.add(TermKind::ScaleConstant, triad.scale_factor);
   collector.add(TermKind::ScaleTurnOn, triad.scale_factor_turn_on_sigma);
   collector.add_gauss_markov(TermKind::ScaleGaussMarkov, triad.scale_factor_gm_sigma,
@@ -64,6 +66,8 @@ void collect(const TriadParameters& triad, Collector collector) {
   collector.add(TermKind::Cube, cubes(triad));
   collector.add(TermKind::Square, triad.nonlinearity_by_input);
   collector.add(TermKind::CrossAxis, triad.cross_axis_rad);
+  collector.add_gauss_markov(TermKind::CrossAxisGaussMarkov, triad.cross_axis_gm_sigma_rad,
+                             triad.cross_axis_gm_correlation_time_s);
 }
 
 /// Cross-axis angles in their order x to y, x to z, y to x, y to z, z to x, z to y.
@@ -74,9 +78,14 @@ constexpr int kLeansTo[] = {0, 0, 1, 1, 2, 2}, kLeaning[] = {1, 2, 0, 2, 0, 1};
 std::vector<SensorTerm> terms_of(const ImuErrorProfile& profile) {
   std::vector<SensorTerm> terms;
   Collector gyro(Triad::Gyro, terms);
-  collect(imu::in_si(profile.gyro), gyro);
+  collect(imu::gyros_in_si(profile), gyro);
   gyro.add(TermKind::GSensitivity, Vector9(profile.gyro.g_sensitivity_deg_per_h_per_g * (units::kDegPerH / units::kG)));
-  collect(imu::in_si(profile.accel), Collector(Triad::Accel, terms));
+  constexpr double kPerG2 = units::kDegPerH / (units::kG * units::kG);
+  constexpr double kPerRate2 = units::kDegPerH / (units::kDegPerS * units::kDegPerS);
+  gyro.add(TermKind::GSquare, Vector9(profile.gyro_g2_sensitivity_deg_per_h_per_g2 * kPerG2));
+  gyro.add(TermKind::GProduct, Vector9(profile.gyro_anisoelasticity_deg_per_h_per_g2 * kPerG2));
+  gyro.add(TermKind::RateProduct, Vector9(profile.gyro_anisoinertia_deg_per_h_per_deg2_per_s2 * kPerRate2));
+  collect(imu::accels_in_si(profile), Collector(Triad::Accel, terms));
   return terms;
 }
 
@@ -94,6 +103,8 @@ Vector3 effect(const SensorTerm& term, const SensedMotion& motion) {
       return along(i % 3, 1.0);
     case TermKind::BiasTemperature:
       return along(i, motion.warmer_k);
+    case TermKind::BiasTemperatureRate:
+      return along(i, motion.warming_k_per_s);
     case TermKind::ScaleConstant:
     case TermKind::ScaleTurnOn:
     case TermKind::ScaleGaussMarkov:
@@ -107,9 +118,16 @@ Vector3 effect(const SensorTerm& term, const SensedMotion& motion) {
     case TermKind::Square:
       return along(i, sensed.square[i]);
     case TermKind::CrossAxis:
+    case TermKind::CrossAxisGaussMarkov:
       return along(kLeaning[i], sensed.x[kLeansTo[i]]);
     case TermKind::GSensitivity:
       return along(i / 3, motion.accel.x[i % 3]);
+    case TermKind::GSquare:
+      return along(i / 3, motion.accel.square[i % 3]);
+    case TermKind::GProduct:
+      return along(i / 3, motion.accel.product[i % 3]);
+    case TermKind::RateProduct:
+      return along(i / 3, motion.gyro.product[i % 3]);
   }
   return Vector3::Zero();
 }

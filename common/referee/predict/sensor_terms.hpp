@@ -19,6 +19,7 @@ enum class TermKind {
   BiasRandomWalk,
   BiasFlicker,
   BiasTemperature,
+  BiasTemperatureRate,
   ScaleConstant,
   ScaleTurnOn,
   ScaleGaussMarkov,
@@ -27,7 +28,11 @@ enum class TermKind {
   Cube,
   Square,
   CrossAxis,
+  CrossAxisGaussMarkov,
   GSensitivity,
+  GSquare,
+  GProduct,
+  RateProduct,
 };
 
 /// One error source of a triad as a state of unit variance: error in b (rad/s | m/s^2) = state * effect of the motion.
@@ -57,13 +62,15 @@ struct SensedMeans {
   Vector3 abs = Vector3::Zero();
   Vector3 square = Vector3::Zero();
   Vector3 cube = Vector3::Zero();
+  Vector3 product = Vector3::Zero();  ///< y z, z x, x y
 };
 
-/// What both triads sense; `warmer_k`: above the temperature of calibration.
+/// What both triads sense; `warmer_k`: above the temperature of calibration, `warming_k_per_s`: how fast it rises.
 struct SensedMotion {
   SensedMeans gyro;
   SensedMeans accel;
   double warmer_k = 0.0;
+  double warming_k_per_s = 0.0;
 };
 
 /// The error in b, rad/s | m/s^2, of a state of 1.

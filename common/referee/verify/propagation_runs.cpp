@@ -115,7 +115,7 @@ predict::PredictedError predict_at_rest(const RestingRun& run) {
   imu::ImuModel imu(setup_of(run));
   imu.measure(truth.current());
   for (int k = 0; k < static_cast<int>(std::lround(run.duration_s * kRestingRateHz)); ++k) {
-    growth.advance(imu.measure(truth.advance())->truth, 0.0);
+    growth.advance(imu.measure(truth.advance())->truth, 0.0, 0.0);
   }
   return growth.current();
 }

@@ -116,6 +116,36 @@ TEST(CdrOfAnEarlierVersion, LeavesWhatCameLaterAtItsDefault) {
   EXPECT_FALSE(back.magnetometer_silent);
 }
 
+/// Of a version before what was inserted since.
+struct WriterOfEarlierFields {
+  BigEndianWriter written;
+  template <class Value>
+  void operator()(const Field& field, const Value& part) {
+    if (field.is_inserted) return;
+    if constexpr (has_fields<Value>) {
+      Value::fields(part, *this);
+    } else {
+      written(field, part);
+    }
+  }
+};
+
+TEST(CdrOfAnEarlierVersion, LeavesWhatWasInsertedAtItsDefault) {
+  test::RandomFields random(7);
+  auto truth = random.make<ImuTruth>();
+  truth.discontinuity = true;
+  WriterOfEarlierFields writer;
+  ImuTruth::fields(truth, writer);
+  ImuTruth back;
+  ASSERT_TRUE(decode(writer.written.bytes.data(), writer.written.bytes.size(), back));
+  EXPECT_EQ(back.gyro_error.limits, truth.gyro_error.limits);
+  EXPECT_EQ(back.gyro_error.delay, Vector3::Zero());
+  EXPECT_EQ(back.accel_error.bias, truth.accel_error.bias);
+  EXPECT_EQ(back.accel_error.size_effect, Vector3::Zero());
+  EXPECT_TRUE(back.discontinuity);
+  EXPECT_EQ(back.revisions.fault, truth.revisions.fault);
+}
+
 TYPED_TEST(Cdr, SurvivesRandomBytes) {
   // Whatever is accepted can be sent on: encoding it again must work and be accepted.
   std::mt19937_64 engine(3);

@@ -49,8 +49,10 @@ std::string declarations_of(const std::string& idl_file) {
 
 TEST(WireVersion, GoesUpWhenAStructOrAnEnumerationChanges) {
   // Of each version, in order: the declarations as they are on the wire.
-  const std::map<std::string, std::uint64_t> versions{
-      {"inslab::v1::", 0xfbec7fd78ba1b314}, {"inslab::v2::", 0x94c6006dc09440dd}, {"inslab::v3::", 0xb6689a7b9d45a77d}};
+  const std::map<std::string, std::uint64_t> versions{{"inslab::v1::", 0xfbec7fd78ba1b314},
+                                                      {"inslab::v2::", 0x94c6006dc09440dd},
+                                                      {"inslab::v3::", 0xb6689a7b9d45a77d},
+                                                      {"inslab::v4::", 0x1e2cd4b624850c88}};
   std::string all;
   for (const char* file : {"block.idl", "control.idl", "vehicle.idl"}) all += declarations_of(file);
   ASSERT_EQ(versions.count(std::string(catalog::kModule)), 1u);
@@ -69,11 +71,11 @@ TEST(WireVersion, StandsInEveryFile) {
     for (std::string line; std::getline(lines, line);) {
       if (line.rfind("module ", 0) != 0) continue;
       ++modules;
-      EXPECT_EQ(line, "module inslab { module v3 {") << file;
+      EXPECT_EQ(line, "module inslab { module v4 {") << file;
     }
     EXPECT_GT(modules, 0) << file;
   }
-  EXPECT_EQ(catalog::kModule, "inslab::v3::");
+  EXPECT_EQ(catalog::kModule, "inslab::v4::");
 }
 
 TEST(PresentName, IsThatOfTheSameTypeInAnEarlierLog) {
@@ -81,6 +83,7 @@ TEST(PresentName, IsThatOfTheSameTypeInAnEarlierLog) {
   EXPECT_EQ(present_name("inslab::v1::TruthState"), catalog::WireType<TruthState>::name);
   EXPECT_EQ(present_name("inslab::v2::TruthState"), catalog::WireType<TruthState>::name);
   EXPECT_EQ(present_name("inslab::v3::TruthState"), catalog::WireType<TruthState>::name);
+  EXPECT_EQ(present_name("inslab::v4::TruthState"), catalog::WireType<TruthState>::name);
   EXPECT_EQ(present_name("inslab::v7::TruthState"),
             "inslab::v7::TruthState");  // read as one it would be read wrong
   EXPECT_EQ(present_name("sensor_msgs::msg::Imu"), "sensor_msgs::msg::Imu");

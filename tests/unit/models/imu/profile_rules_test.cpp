@@ -29,6 +29,16 @@ TEST(ProfileRules, ACorrelationTimeIsNeededWhereASigmaIs) {
   EXPECT_EQ(broken(profile), "accel.bias_gm_correlation_time_s[2]");
 }
 
+TEST(ProfileRules, ADriftingAngleHasItsCorrelationTime) {
+  ImuErrorProfile profile;
+  profile.gyro_cross_axis_gm_sigma_arcsec[4] = 1.0;
+  EXPECT_EQ(broken(profile), "gyro_cross_axis_gm_correlation_time_s[4]");
+  profile.gyro_cross_axis_gm_correlation_time_s[4] = 100.0;
+  EXPECT_EQ(broken(profile), "");
+  profile.accel_cross_axis_gm_sigma_arcsec[5] = 1.0;
+  EXPECT_EQ(broken(profile), "accel_cross_axis_gm_correlation_time_s[5]");
+}
+
 TEST(ProfileRules, AnAccelerometerThatSaturatesReadsOneG) {
   ImuErrorProfile profile;
   profile.accel.full_scale_g = {1.0, 10.0, 0.0};

@@ -121,6 +121,14 @@ INSTANTIATE_TEST_SUITE_P(
         FixedTerm{"AccelCross", [](ImuErrorProfile& p) { p.accel.cross_axis_arcsec[4] = 60.0; }},
         FixedTerm{"GyroCross", [](ImuErrorProfile& p) { p.gyro.cross_axis_arcsec[5] = 60.0; }},
         FixedTerm{"GSensitivity", [](ImuErrorProfile& p) { p.gyro.g_sensitivity_deg_per_h_per_g[2] = 5.0; }},
+        FixedTerm{"GSquare", [](ImuErrorProfile& p) { p.gyro_g2_sensitivity_deg_per_h_per_g2[2] = 5.0; }},
+        FixedTerm{"GProduct", [](ImuErrorProfile& p) { p.gyro_anisoelasticity_deg_per_h_per_g2[3] = 50.0; }},
+        FixedTerm{"RateProduct", [](ImuErrorProfile& p) { p.gyro_anisoinertia_deg_per_h_per_deg2_per_s2[1] = 1.0; }},
+        FixedTerm{"AccelTemperatureRate",
+                  [](ImuErrorProfile& p) {
+                    p.accel_bias_temperature_rate_mgal_per_deg_c_per_min.x() = 20.0;
+                    p.temperature = {{5.0, 20.0}, {30.0, 25.0}, {45.0, 23.0}};
+                  }},
         FixedTerm{"GyroTemperature",
                   [](ImuErrorProfile& p) {
                     p.gyro.bias_temperature_deg_per_h_per_deg_c.x() = 1.0;
@@ -200,6 +208,15 @@ TEST(ExpectedErrors, OfFlickerAreTheSpreadOfRuns) {
   ImuErrorProfile errors;
   errors.gyro.bias_instability_deg_per_h.setConstant(5.0);
   errors.accel.bias_instability_mgal.setConstant(50.0);
+  expect_spread(errors, 150);
+}
+
+TEST(ExpectedErrors, OfDriftingCrossAxisAnglesAreTheSpreadOfRuns) {
+  ImuErrorProfile errors;
+  errors.gyro_cross_axis_gm_sigma_arcsec.setConstant(60.0);
+  errors.gyro_cross_axis_gm_correlation_time_s.setConstant(15.0);
+  errors.accel_cross_axis_gm_sigma_arcsec.setConstant(60.0);
+  errors.accel_cross_axis_gm_correlation_time_s.setConstant(40.0);
   expect_spread(errors, 150);
 }
 
