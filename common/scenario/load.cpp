@@ -1,7 +1,9 @@
 #include "inslab/scenario/load.hpp"
 
 #include "inslab/data/catalog/profile_rules.hpp"
+#include "inslab/data/profiles/recording_place.hpp"
 #include "inslab/formats/recordings/gravity_text.hpp"
+#include "inslab/formats/recordings/recording_shelf.hpp"
 #include "inslab/formats/trajectory/trajectory_judge.hpp"
 #include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/text/shown.hpp"
@@ -221,7 +223,40 @@ void load_gravity_grid(LoadedScenario& loaded) {
   }
 }
 
+RecordingFinder finder_of(const std::filesystem::path& folder) {
+  auto shelf = std::make_shared<recordings::RecordingShelf>(folder);
+  return [shelf](const std::string& file, const std::string& sha256) { return shelf->find(file, sha256); };
+}
+
+void check_recordings(const LoadedScenario& loaded) {
+  const auto check = [&loaded](const std::string& path, const catalog::AnyProfile& profile) {
+    if (const auto problem = recording_problem(profile, loaded.recordings, loaded.end())) {
+      throw json::Error(loaded.file.string(),
+                        {Rule::RecordingFits, path, "names a profile whose recorded_error cannot be had: " + *problem});
+    }
+  };
+  for (std::size_t i = 0; i < loaded.imus.size(); ++i) {
+    check("imu[" + std::to_string(i) + "].error_profile", loaded.imus[i].errors);
+  }
+  for (std::size_t i = 0; i < loaded.swaps.size(); ++i) {
+    check("swaps[" + std::to_string(i) + "].profile", loaded.swaps[i]);
+  }
+}
+
 }  // namespace
+
+std::optional<std::string> recording_problem(const catalog::AnyProfile& profile, const RecordingFinder& recordings,
+                                             time::Nanoseconds end) {
+  const auto* errors = std::get_if<ImuErrorProfile>(&profile);
+  if (errors == nullptr || errors->recorded_error.file.empty()) return std::nullopt;
+  const RecordedError& recorded = errors->recorded_error;
+  try {
+    profiles::place_of(*recordings(recorded.file, recorded.sha256), recorded, end, 0.0);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
 
 catalog::AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target) {
   catalog::AnyProfile profile;
@@ -253,6 +288,8 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit, 
   load_gravity_grid(loaded);
   check_swaps_are_seen(loaded);
   loaded.swaps = load_swaps(scenario.swaps, folder, 1);
+  loaded.recordings = finder_of(folder / scenario.recordings_folder);
+  check_recordings(loaded);
   return loaded;
 }
 

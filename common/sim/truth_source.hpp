@@ -51,6 +51,8 @@ class TruthSource {
   std::unique_ptr<trajectory::TruthModel> model_;
   trajectory::LiveVehicleModel* live_vehicle_;  ///< model_, when it is one
   Journal journal_;
+  RecordingFinder recordings_;
+  time::Nanoseconds end_;
   TruthState next_;
   bool prepared_ = true;
   std::uint64_t taken_ = 0;

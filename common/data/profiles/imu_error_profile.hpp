@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/profiles/recorded_error.hpp"
 #include "inslab/data/requests/profile_request.hpp"
 
 namespace inslab {
@@ -202,6 +203,7 @@ struct ImuErrorProfile {
   std::vector<TemperaturePoint> temperature;
   double latency_s = 0.0;
   double drop_probability = 0.0;
+  RecordedError recorded_error;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -213,6 +215,8 @@ struct ImuErrorProfile {
     visit(Field("latency_s", "from the end of the interval to delivery").in(0.0, 1.0), self.latency_s);
     visit(Field("drop_probability", "of each sample: it comes without increments, marked as not valid").in(0.0, 1.0),
           self.drop_probability);
+    visit(Field("recorded_error", "errors of a real IMU, recorded, on top of the others").appended(),
+          self.recorded_error);
   }
 };
 

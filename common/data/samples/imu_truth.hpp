@@ -14,8 +14,9 @@ struct TriadErrorBudget {
   Vector3 vibration = Vector3::Zero();
   Vector3 noise = Vector3::Zero();
   Vector3 limits = Vector3::Zero();
+  Vector3 recorded = Vector3::Zero();  ///< of a recording that the profile names
 
-  Vector3 sum() const { return bias + scale + cross_axis + g_sensitivity + vibration + noise + limits; }
+  Vector3 sum() const { return bias + scale + cross_axis + g_sensitivity + vibration + noise + limits + recorded; }
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -26,6 +27,7 @@ struct TriadErrorBudget {
     visit(Field("vibration"), self.vibration);
     visit(Field("noise"), self.noise);
     visit(Field("limits"), self.limits);
+    visit(Field("recorded").inserted(), self.recorded);
   }
 };
 

@@ -121,22 +121,27 @@ class Encoder {
 /// Reads the fields out of bytes that anybody may have sent: every length and range is checked.
 class Decoder {
  public:
-  Decoder(const std::uint8_t* body, std::size_t size, bool swap)
-      : begin_(body), at_(body), end_(body + size), swap_(swap) {}
+  /// `without_inserted`: the bytes are of a version before the fields that were inserted since.
+  Decoder(const std::uint8_t* body, std::size_t size, bool swap, bool without_inserted)
+      : begin_(body), at_(body), end_(body + size), swap_(swap), without_inserted_(without_inserted) {}
 
   bool ok() const { return ok_; }
+  bool is_at_the_end() const { return left() <= kMostPadding; }
+  bool met_inserted() const { return met_inserted_; }
 
   template <class T>
   void operator()(const Field& field, T& value) {
-    if (!ok_ || (field.is_appended && is_of_an_earlier_version())) return;
+    met_inserted_ = met_inserted_ || field.is_inserted;
+    if (!ok_ || (field.is_appended && is_of_an_earlier_version()) || (field.is_inserted && without_inserted_)) return;
     get(field, value);
   }
 
  private:
+  static constexpr std::size_t kMostPadding = 3;  ///< that some vendors put behind the last field
+
   /// Whether the bytes end where the first of the fields begins that came later.
   bool is_of_an_earlier_version() {
-    constexpr std::size_t kMostPadding = 3;  // that some vendors put behind the last field
-    if (!lacks_what_came_later_) lacks_what_came_later_ = left() <= kMostPadding;
+    if (!lacks_what_came_later_) lacks_what_came_later_ = is_at_the_end();
     return *lacks_what_came_later_;
   }
 
@@ -208,6 +213,8 @@ class Decoder {
   const std::uint8_t* at_;
   const std::uint8_t* end_;
   bool swap_;
+  bool without_inserted_;
+  bool met_inserted_ = false;
   bool ok_ = true;
   std::optional<bool> lacks_what_came_later_;
 };
@@ -245,9 +252,17 @@ template <class T>
 bool decode(const std::uint8_t* data, std::size_t size, T& value) {
   if (size < kEncapsulationSize || data[0] != 0x00 || data[1] > 0x01) return false;
   const bool little_endian = data[1] == 0x01;
-  detail::Decoder decoder(data + kEncapsulationSize, size - kEncapsulationSize, !little_endian);
-  T::fields(value, decoder);
-  return decoder.ok();
+  const auto decoder = [&](bool without_inserted) {
+    return detail::Decoder(data + kEncapsulationSize, size - kEncapsulationSize, !little_endian, without_inserted);
+  };
+  detail::Decoder as_it_is = decoder(false);
+  T::fields(value, as_it_is);
+  if (as_it_is.ok() || !as_it_is.met_inserted()) return as_it_is.ok();
+  // Of an earlier version the bytes end too soon; without what was inserted since they end where they should.
+  value = T();
+  detail::Decoder earlier = decoder(true);
+  T::fields(value, earlier);
+  return earlier.ok() && earlier.is_at_the_end();
 }
 
 }  // namespace inslab::wire

@@ -41,6 +41,10 @@ struct NestedName<TemperaturePoint> {
   static constexpr std::string_view value = "TemperaturePoint";
 };
 template <>
+struct NestedName<RecordedError> {
+  static constexpr std::string_view value = "RecordedError";
+};
+template <>
 struct NestedName<LinearRandomPoint> {
   static constexpr std::string_view value = "LinearRandomPoint";
 };

@@ -81,6 +81,13 @@ struct Field {
     field.is_appended = true;
     return field;
   }
+  /// Came with a later version of the wire types, in a struct behind which others follow: samples in earlier logs lack
+  /// it, and it keeps its default then.
+  constexpr Field inserted() const {
+    Field field = *this;
+    field.is_inserted = true;
+    return field;
+  }
   /// On the wire but not in JSON files: set by the software.
   constexpr Field wire_only() const {
     Field field = *this;
@@ -98,6 +105,7 @@ struct Field {
   bool is_key = false;
   bool is_wire_only = false;
   bool is_appended = false;
+  bool is_inserted = false;
 };
 
 /// Specialised for every enum on the wire or in JSON: `type` is the IDL name, `prefix` the enumerators' prefix there,

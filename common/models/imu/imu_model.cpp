@@ -32,6 +32,8 @@ ImuModel::ImuModel(const Setup& setup)
       accel_limits_(in_si(setup.errors.accel), rate_.period_s()),
       drops_(setup.errors.drop_probability,
              random::Stream(setup.seed, sensor_name(setup.sensor_number) + "/dropped_samples")),
+      recording_run_{setup.seed, sensor_name(setup.sensor_number), setup.end, setup.recordings},
+      recorded_(setup.errors.recorded_error, recording_run_),
       latency_ns_(time::from_seconds(setup.errors.latency_s).count()),
       revisions_{setup.errors.request.journal_number, setup.vibration.request.journal_number,
                  setup.installation.request.journal_number, 0} {
@@ -39,6 +41,7 @@ ImuModel::ImuModel(const Setup& setup)
 }
 
 void ImuModel::apply(const ImuErrorProfile& profile) {
+  RecordedSignal(profile.recorded_error, recording_run_);  // what cannot be found is refused here
   pending_.emplace_back(catalog::checked_for<catalog::Imu>(profile));
 }
 void ImuModel::apply(const VibrationProfile& profile) {
@@ -125,6 +128,7 @@ void ImuModel::tune(const ImuErrorProfile& profile, Continuity continuity, std::
   accel_limits_.retune(accel, continuity);
   use_bandwidths(gyro, accel);
   drops_.retune(profile.drop_probability);
+  recorded_ = RecordedSignal(profile.recorded_error, recording_run_);
   latency_ns_ = time::from_seconds(profile.latency_s).count();
 }
 
@@ -262,6 +266,11 @@ void ImuModel::set_errors(const Increments& vibration, double temperature_deg_c,
   accel_.add_errors(perfect_.dv, vibration.dv, warmer_k, interval_, perfect.accel_error);
   if (!g_sensitivity_.is_off()) {
     perfect.gyro_error.g_sensitivity = g_sensitivity_.error(perfect_.dv + vibration.dv);
+  }
+  if (!recorded_.is_off()) {
+    const Increments recorded = recorded_.between(from_ns_, to_ns_);
+    perfect.gyro_error.recorded = recorded.dtheta;
+    perfect.accel_error.recorded = recorded.dv;
   }
 }
 

@@ -10,7 +10,7 @@ struct CounterOfEarlierFields {
   wire::detail::SizeCounter counted;
   template <class Value>
   void operator()(const Field& field, Value& part) {
-    if (!field.is_appended) counted(field, part);
+    if (!field.is_appended && !field.is_inserted) counted(field, part);
   }
 };
 
