@@ -10,7 +10,7 @@ namespace inslab::recordings {
 std::shared_ptr<const RecordedErrors> RecordingShelf::find(const std::string& file, const std::string& sha256) {
   if (const auto known = read_.find(sha256); known != read_.end()) return known->second;
   const std::filesystem::path name(file);
-  if (name.filename() != name || file == "." || file == "..") {
+  if (file.empty() || name.filename() != name || file == "." || file == "..") {
     throw files::ReadError(text::quoted(file) + ": is a path; expected the name of a file in the folder of recordings");
   }
   std::error_code error;

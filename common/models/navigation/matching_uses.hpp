@@ -59,15 +59,7 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
     profiles::handled("temperature[].temperature_deg_c"),
     profiles::no_error("latency_s", "samples come with their own time"),
     profiles::no_error("drop_probability", "dropped samples come marked as such and the filter bridges them"),
-    profiles::left_out("recorded_error.axes", "recorded errors",
-                       "a signal, not its statistics; give the filter those of its twin (inslab allan --profile)"),
-    profiles::left_out("recorded_error.from", "recorded errors",
-                       "a signal, not its statistics; give the filter those of its twin (inslab allan --profile)"),
-    profiles::left_out("recorded_error.from_s", "recorded errors",
-                       "a signal, not its statistics; give the filter those of its twin (inslab allan --profile)"),
-    profiles::left_out("recorded_error.loop", "recorded errors",
-                       "a signal, not its statistics; give the filter those of its twin (inslab allan --profile)"),
-    profiles::left_out("recorded_error.crossfade_s", "recorded errors",
+    profiles::left_out("recorded_error.*", "recorded errors",
                        "a signal, not its statistics; give the filter those of its twin (inslab allan --profile)"),
 };
 

@@ -16,6 +16,8 @@ namespace inslab::evidence {
 namespace {
 
 constexpr std::uint64_t kFewest = 30;
+/// Of a density, in the unit of a profile: what sums of doubles leave of rates up to 10 rad/s and forces up to 100 m/s^2.
+constexpr double kRounding = 1e-13;
 constexpr const char* kThroughTheBandwidth = ", as the bandwidth lets it pass";
 double duration_s(const SwapWindow& window) { return time::to_seconds(window.until_ns - window.after_ns); }
 
@@ -35,7 +37,8 @@ EvidenceLine density_line(const std::string& quantity, const char* unit, double 
     const double scale = std::sqrt(dt_s) / per_unit;
     return judged(series.pooled_white_sigma(kAllAxes) * scale, promised.sigma * scale,
                   sigma_tolerance(promised.sigma * scale, 3.0 * static_cast<double>(series.differences()),
-                                  promised.values_per_independent));
+                                  promised.values_per_independent) +
+                      kRounding);
   };
   return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
 }

@@ -53,15 +53,7 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
     profiles::handled("temperature[].temperature_deg_c"),
     profiles::left_out("latency_s", "latency", "the prediction is of the time of validity"),
     profiles::left_out("drop_probability", "dropped samples", "no linear form along the motion"),
-    profiles::left_out("recorded_error.axes", "recorded errors",
-                       "a signal, not its statistics; inslab simulate and Monte Carlo have it"),
-    profiles::left_out("recorded_error.from", "recorded errors",
-                       "a signal, not its statistics; inslab simulate and Monte Carlo have it"),
-    profiles::left_out("recorded_error.from_s", "recorded errors",
-                       "a signal, not its statistics; inslab simulate and Monte Carlo have it"),
-    profiles::left_out("recorded_error.loop", "recorded errors",
-                       "a signal, not its statistics; inslab simulate and Monte Carlo have it"),
-    profiles::left_out("recorded_error.crossfade_s", "recorded errors",
+    profiles::left_out("recorded_error.*", "recorded errors",
                        "a signal, not its statistics; inslab simulate and Monte Carlo have it"),
 };
 

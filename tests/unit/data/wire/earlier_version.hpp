@@ -10,7 +10,12 @@ struct CounterOfEarlierFields {
   wire::detail::SizeCounter counted;
   template <class Value>
   void operator()(const Field& field, Value& part) {
-    if (!field.is_appended && !field.is_inserted) counted(field, part);
+    if (field.is_appended || field.is_inserted) return;
+    if constexpr (wire::detail::has_fields<Value>) {
+      Value::fields(part, *this);
+    } else {
+      counted(field, part);
+    }
   }
 };
 
