@@ -13,10 +13,11 @@ std::shared_ptr<const RecordedErrors> RecordingShelf::find(const std::string& fi
   if (file.empty() || name.filename() != name || file == "." || file == "..") {
     throw files::ReadError(text::quoted(file) + ": is a path; expected the name of a file in the folder of recordings");
   }
+  const std::filesystem::path path = (folder_ / name).lexically_normal();
   std::error_code error;
-  const std::filesystem::path path = std::filesystem::absolute(folder_ / name, error).lexically_normal();
   if (!std::filesystem::is_regular_file(path, error)) {
-    throw files::ReadError(path.string() + ": is not there; recordings are looked for in that folder on each host");
+    throw files::ReadError(std::filesystem::absolute(path, error).string() +
+                           ": is not there; recordings are looked for in that folder on each host");
   }
   if (const std::string is = files::sha256_of_file(path.string()); is != sha256) {
     throw files::ReadError(path.string() + ": has the SHA-256 " + is + "; the profile names " + sha256);

@@ -166,7 +166,7 @@ ImuErrorProfile profile_of(const std::string& recording_file, const std::optiona
   profile.recorded_error.file = name_of(recording_file);
   profile.recorded_error.sha256 = files::sha256_of_file(recording_file);
   if (!full) return profile;
-  const auto cross = [](const nav::Matrix3& terms) {  // the order of imu/cross_axis.hpp
+  const auto cross = [](const nav::Matrix3& terms) {  // the order of models/imu/cross_axis.hpp
     Vector6 angles;
     angles << terms(1, 0), terms(2, 0), terms(0, 1), terms(2, 1), terms(0, 2), terms(1, 2);
     return Vector6(angles / units::kArcsec);

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <stdexcept>
 
 #include "inslab/formats/recordings/recorded_errors_file.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
@@ -45,11 +44,8 @@ int run_extract(GraftOptions& options) {
     site.feels_the_earth_turn = !options.no_north;
     options.extract.site = site;
   }
-  for (int i = 0; i < 3; ++i) {
-    const auto place = static_cast<std::size_t>(i);
-    options.extract.start.mounting_rpy_rad[i] = options.mounting_deg[place] * units::kDeg;
-    options.extract.start.lever_arm_v_m[i] = options.lever_arm_m[place];
-  }
+  options.extract.start.mounting_rpy_rad = nav::Vector3::Map(options.mounting_deg.data()) * units::kDeg;
+  options.extract.start.lever_arm_v_m = nav::Vector3::Map(options.lever_arm_m.data());
   const graft::Extracted extracted = graft::extract(options.extract);
   terminal::tell("{}", extracted.text);
   recordings::write_recorded_errors(options.output, extracted.errors, extracted.notes);

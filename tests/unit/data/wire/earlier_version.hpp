@@ -11,7 +11,7 @@ struct CounterOfEarlierFields {
   template <class Value>
   void operator()(const Field& field, Value& part) {
     if (field.is_appended || field.is_inserted) return;
-    if constexpr (wire::detail::has_fields<Value>) {
+    if constexpr (has_fields<Value>) {
       Value::fields(part, *this);
     } else {
       counted(field, part);
