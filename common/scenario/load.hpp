@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "inslab/data/samples/recorded_errors.hpp"
+#include "inslab/data/samples/recorded_fix_errors.hpp"
 #include "inslab/data/samples/trajectory_file.hpp"
 #include "inslab/foundation/time/grid.hpp"
 #include "inslab/scenario/scenario.hpp"
@@ -76,6 +77,7 @@ struct LoadedScenario {
   std::vector<LoadedOdometer> odometers;
   std::vector<catalog::AnyProfile> swaps;  ///< requests in order: target and request are filled in
   RecordingFinder recordings;              ///< of the scenario's folder of recordings; what it read it keeps
+  FixRecordingFinder fix_recordings;       ///< the same, of receivers
   std::string unit;                        ///< the vehicle's name on the network; empty: it has none
 
   /// When the truth has samples: at its own rate, and at every instant of a sensor.
@@ -208,10 +210,8 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit =
 /// Reads a profile file of that kind, checks its limits and rules for the given target. Throws json::Error.
 catalog::AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target);
 
-/// Why the recording that a profile names cannot serve a run up to sim time `end`; nothing when it can, or none is
-/// named.
-std::optional<std::string> recording_problem(const catalog::AnyProfile& profile, const RecordingFinder& recordings,
-                                             time::Nanoseconds end);
+/// Why the recording that a profile names cannot serve the run of a scenario; nothing when it can, or none is named.
+std::optional<std::string> recording_problem(const catalog::AnyProfile& profile, const LoadedScenario& loaded);
 
 /// The requests of a list of swaps, in order, numbered from `first_request_id`; profile files relative to `folder`.
 /// Throws json::Error as load_profile() does.

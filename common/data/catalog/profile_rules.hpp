@@ -181,7 +181,9 @@ inline std::optional<Violation> mount_violation(const VibrationProfile& profile)
   return std::nullopt;
 }
 
-inline std::optional<Violation> recording_violation(const RecordedError& recorded) {
+/// Of what names a recording by file and SHA-256.
+template <class Recorded>
+std::optional<Violation> recording_violation(const Recorded& recorded) {
   if (recorded.file.empty() && recorded.sha256.empty()) return std::nullopt;
   if (recorded.file.empty()) return Violation{Rule::RecordingNamed, "recorded_error.file", "is missing"};
   if (recorded.file.find('/') != std::string::npos) {
@@ -238,6 +240,7 @@ inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
     return Violation{Rule::FixTypeGiven, "fix_type", "is none; a receiver without a fix is the fault 'outage'"};
   }
   if (auto broken = detail::solution_violation("", profile)) return broken;
+  if (auto broken = detail::recording_violation(profile.recorded_error)) return broken;
   return detail::ladder_violation(profile);
 }
 

@@ -45,6 +45,10 @@ struct NestedName<RecordedError> {
   static constexpr std::string_view value = "RecordedError";
 };
 template <>
+struct NestedName<RecordedFixError> {
+  static constexpr std::string_view value = "RecordedFixError";
+};
+template <>
 struct NestedName<LinearRandomPoint> {
   static constexpr std::string_view value = "LinearRandomPoint";
 };

@@ -1,5 +1,6 @@
 #include "inslab/formats/recordings/recording_shelf.hpp"
 
+#include "inslab/formats/recordings/fix_errors_text.hpp"
 #include "inslab/formats/recordings/recorded_errors_file.hpp"
 #include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/sha256.hpp"
@@ -7,8 +8,28 @@
 
 namespace inslab::recordings {
 
-std::shared_ptr<const RecordedErrors> RecordingShelf::find(const std::string& file, const std::string& sha256) {
-  if (const auto known = read_.find(sha256); known != read_.end()) return known->second;
+namespace {
+
+/// What is read under a hash, now or before; nothing is kept of what cannot be read.
+template <class Recording, class Read>
+std::shared_ptr<const Recording> kept(std::map<std::string, std::shared_ptr<const Recording>>& known,
+                                      const std::string& sha256, const Read& read) {
+  if (const auto found = known.find(sha256); found != known.end()) return found->second;
+  return known[sha256] = std::make_shared<const Recording>(read());
+}
+
+}  // namespace
+
+std::shared_ptr<const RecordedErrors> RecordingShelf::find_imu(const std::string& file, const std::string& sha256) {
+  return kept(imus_, sha256, [&] { return read_recorded_errors(checked_path(file, sha256)).errors; });
+}
+
+std::shared_ptr<const RecordedFixErrors> RecordingShelf::find_fixes(const std::string& file,
+                                                                    const std::string& sha256) {
+  return kept(fixes_, sha256, [&] { return read_fix_errors(checked_path(file, sha256)); });
+}
+
+std::string RecordingShelf::checked_path(const std::string& file, const std::string& sha256) const {
   const std::filesystem::path name(file);
   if (file.empty() || name.filename() != name || file == "." || file == "..") {
     throw files::ReadError(text::quoted(file) + ": is a path; expected the name of a file in the folder of recordings");
@@ -22,9 +43,7 @@ std::shared_ptr<const RecordedErrors> RecordingShelf::find(const std::string& fi
   if (const std::string is = files::sha256_of_file(path.string()); is != sha256) {
     throw files::ReadError(path.string() + ": has the SHA-256 " + is + "; the profile names " + sha256);
   }
-  auto recording = std::make_shared<const RecordedErrors>(read_recorded_errors(path.string()).errors);
-  read_[sha256] = recording;
-  return recording;
+  return path.string();
 }
 
 }  // namespace inslab::recordings

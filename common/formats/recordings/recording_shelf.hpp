@@ -6,6 +6,7 @@
 #include <string>
 
 #include "inslab/data/samples/recorded_errors.hpp"
+#include "inslab/data/samples/recorded_fix_errors.hpp"
 
 namespace inslab::recordings {
 
@@ -15,13 +16,17 @@ class RecordingShelf {
  public:
   explicit RecordingShelf(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Throws files::ReadError naming the file: a name that leads elsewhere, no such file, another SHA-256 than the one
-  /// given, and what read_recorded_errors() refuses.
-  std::shared_ptr<const RecordedErrors> find(const std::string& file, const std::string& sha256);
+  /// Errors of an IMU, and of a receiver. Both throw files::ReadError naming the file: a name that leads elsewhere, no
+  /// such file, another SHA-256 than the one given, and what read_recorded_errors() and read_fix_errors() refuse.
+  std::shared_ptr<const RecordedErrors> find_imu(const std::string& file, const std::string& sha256);
+  std::shared_ptr<const RecordedFixErrors> find_fixes(const std::string& file, const std::string& sha256);
 
  private:
+  std::string checked_path(const std::string& file, const std::string& sha256) const;
+
   std::filesystem::path folder_;
-  std::map<std::string, std::shared_ptr<const RecordedErrors>> read_;  ///< by SHA-256
+  std::map<std::string, std::shared_ptr<const RecordedErrors>> imus_;  ///< by SHA-256
+  std::map<std::string, std::shared_ptr<const RecordedFixErrors>> fixes_;
 };
 
 }  // namespace inslab::recordings

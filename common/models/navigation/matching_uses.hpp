@@ -97,6 +97,7 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("satellites", "a fix says itself how unsure it is and when it was valid"),
     profiles::no_error("hdop", "a fix says itself how unsure it is and when it was valid"),
     profiles::no_error("vdop", "a fix says itself how unsure it is and when it was valid"),
+    profiles::no_error("recorded_error.*", "fixes come with what the real receiver claimed"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {

@@ -119,6 +119,8 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("satellites", "reported with a fix; no error follows from it"),
     profiles::no_error("hdop", "reported with a fix; no error follows from it"),
     profiles::no_error("vdop", "reported with a fix; no error follows from it"),
+    profiles::left_out("recorded_error.*", "recorded errors",
+                       "a real sensor promises nothing; such a swap is not weighed"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {

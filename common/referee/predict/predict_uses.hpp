@@ -80,6 +80,8 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("satellites", "reported with a fix; no error follows from it"),
     profiles::no_error("hdop", "reported with a fix; no error follows from it"),
     profiles::no_error("vdop", "reported with a fix; no error follows from it"),
+    profiles::left_out("recorded_error.*", "recorded errors",
+                       "a signal, not its statistics; inslab simulate and Monte Carlo have it"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {

@@ -33,6 +33,7 @@ void add_montecarlo(CLI::App& app, std::function<int()>& action);
 void add_align(CLI::App& app, std::function<int()>& action);
 void add_allan(CLI::App& app, std::function<int()>& action);
 void add_graft(CLI::App& app, std::function<int()>& action);
+void add_graft_of_gnss(CLI::App& graft, std::function<int()>& action);
 void add_profile(CLI::App& app, std::function<int()>& action);
 void add_verify(CLI::App& app, std::function<int()>& action);
 void add_simulate(CLI::App& app, std::function<int()>& action);

@@ -87,6 +87,7 @@ void add_graft(CLI::App& app, std::function<int()>& action) {
   CLI::App* graft = app.add_subcommand(kGraft.name, kGraft.purpose);
   graft->require_subcommand(1);
   add_extract(*graft, options, action);
+  add_graft_of_gnss(*graft, action);
   CLI::App* check = graft->add_subcommand("check", "Say what a file of recorded errors holds");
   check->add_option("file", options->output, "what extract wrote")->required();
   check->callback([options, &action] {

@@ -57,17 +57,17 @@ TEST_F(RecordedErrorsFiles, AreFoundByNameAndHashAlone) {
   write_recorded_errors(path("errors.mcap"), some(200.0), {});
   const std::string hash = files::sha256_of_file(path("errors.mcap"));
   RecordingShelf shelf(path(""));
-  EXPECT_EQ(shelf.find("errors.mcap", hash)->intervals.size(), 50u);
-  EXPECT_EQ(shelf.find("errors.mcap", hash), shelf.find("errors.mcap", hash));
+  EXPECT_EQ(shelf.find_imu("errors.mcap", hash)->intervals.size(), 50u);
+  EXPECT_EQ(shelf.find_imu("errors.mcap", hash), shelf.find_imu("errors.mcap", hash));
 
   RecordingShelf fresh(path(""));
   const std::string other(64, '0');
-  EXPECT_EQ(refusal([&] { fresh.find("errors.mcap", other); }),
+  EXPECT_EQ(refusal([&] { fresh.find_imu("errors.mcap", other); }),
             path("errors.mcap") + ": has the SHA-256 " + hash + "; the profile names " + other);
-  EXPECT_EQ(refusal([&] { fresh.find("none.mcap", hash); }),
+  EXPECT_EQ(refusal([&] { fresh.find_imu("none.mcap", hash); }),
             path("none.mcap") + ": is not there; recordings are looked for in that folder on each host");
   for (const char* name : {"../errors.mcap", "/etc/passwd", "..", "a/errors.mcap", ""}) {
-    EXPECT_NE(refusal([&] { fresh.find(name, hash); }).find("is a path"), std::string::npos) << name;
+    EXPECT_NE(refusal([&] { fresh.find_imu(name, hash); }).find("is a path"), std::string::npos) << name;
   }
 }
 
