@@ -1,7 +1,10 @@
 #include "inslab/scenario/load.hpp"
 
 #include "inslab/data/catalog/profile_rules.hpp"
+#include "inslab/data/profiles/fix_recording_place.hpp"
+#include "inslab/data/profiles/recording_place.hpp"
 #include "inslab/formats/recordings/gravity_text.hpp"
+#include "inslab/formats/recordings/recording_shelf.hpp"
 #include "inslab/formats/trajectory/trajectory_judge.hpp"
 #include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/text/shown.hpp"
@@ -221,7 +224,48 @@ void load_gravity_grid(LoadedScenario& loaded) {
   }
 }
 
+void use_recordings_of(const std::filesystem::path& folder, LoadedScenario& loaded) {
+  auto shelf = std::make_shared<recordings::RecordingShelf>(folder);
+  loaded.recordings = [shelf](const auto& file, const auto& sha256) { return shelf->find_imu(file, sha256); };
+  loaded.fix_recordings = [shelf](const auto& file, const auto& sha256) { return shelf->find_fixes(file, sha256); };
+}
+
+void check_recordings(const LoadedScenario& loaded) {
+  const auto check = [&loaded](const std::string& path, const catalog::AnyProfile& profile) {
+    if (const auto problem = recording_problem(profile, loaded)) {
+      throw json::Error(loaded.file.string(),
+                        {Rule::RecordingFits, path, "names a profile whose recorded_error cannot be had: " + *problem});
+    }
+  };
+  for (std::size_t i = 0; i < loaded.imus.size(); ++i) {
+    check("imu[" + std::to_string(i) + "].error_profile", loaded.imus[i].errors);
+  }
+  for (std::size_t i = 0; i < loaded.gnss.size(); ++i) {
+    check("gnss[" + std::to_string(i) + "].error_profile", loaded.gnss[i].errors);
+  }
+  for (std::size_t i = 0; i < loaded.swaps.size(); ++i) {
+    check("swaps[" + std::to_string(i) + "].profile", loaded.swaps[i]);
+  }
+}
+
 }  // namespace
+
+std::optional<std::string> recording_problem(const catalog::AnyProfile& profile, const LoadedScenario& loaded) {
+  const auto* imu = std::get_if<ImuErrorProfile>(&profile);
+  const auto* gnss = std::get_if<GnssErrorProfile>(&profile);
+  try {
+    if (imu != nullptr && !imu->recorded_error.file.empty()) {
+      const RecordedError& recorded = imu->recorded_error;
+      profiles::place_of(*loaded.recordings(recorded.file, recorded.sha256), recorded, loaded.end(), 0.0);
+    } else if (gnss != nullptr && !gnss->recorded_error.file.empty()) {
+      const RecordedFixError& recorded = gnss->recorded_error;
+      profiles::begin_of(*loaded.fix_recordings(recorded.file, recorded.sha256), recorded, loaded.end(), 0.0);
+    }
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
 
 catalog::AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target) {
   catalog::AnyProfile profile;
@@ -253,6 +297,8 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit, 
   load_gravity_grid(loaded);
   check_swaps_are_seen(loaded);
   loaded.swaps = load_swaps(scenario.swaps, folder, 1);
+  use_recordings_of(folder / scenario.recordings_folder, loaded);
+  check_recordings(loaded);
   return loaded;
 }
 

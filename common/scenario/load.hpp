@@ -4,6 +4,8 @@
 #include <memory>
 #include <tuple>
 
+#include "inslab/data/samples/recorded_errors.hpp"
+#include "inslab/data/samples/recorded_fix_errors.hpp"
 #include "inslab/data/samples/trajectory_file.hpp"
 #include "inslab/foundation/time/grid.hpp"
 #include "inslab/scenario/scenario.hpp"
@@ -74,10 +76,14 @@ struct LoadedScenario {
   std::vector<LoadedBarometer> barometers;
   std::vector<LoadedOdometer> odometers;
   std::vector<catalog::AnyProfile> swaps;  ///< requests in order: target and request are filled in
+  RecordingFinder recordings;              ///< of the scenario's folder of recordings; what it read it keeps
+  FixRecordingFinder fix_recordings;       ///< the same, of receivers
   std::string unit;                        ///< the vehicle's name on the network; empty: it has none
 
   /// When the truth has samples: at its own rate, and at every instant of a sensor.
   time::Grid truth_grid() const;
+  /// Sim time at which the scenario's duration is over.
+  time::Nanoseconds end() const { return time::from_seconds(scenario.duration_s); }
   /// GPS time of sim time 0; with `start: now` that of `realtime_now` (CLOCK_REALTIME).
   time::GpsTime start(time::Nanoseconds realtime_now) const;
   /// The seed of the random streams: the scenario's, or, for a unit with a name, one drawn from that and the name, so
@@ -203,6 +209,9 @@ LoadedScenario load(const std::filesystem::path& file, const std::string& unit =
 
 /// Reads a profile file of that kind, checks its limits and rules for the given target. Throws json::Error.
 catalog::AnyProfile load_profile(const std::filesystem::path& file, ProfileKind kind, const SensorAddress& target);
+
+/// Why the recording that a profile names cannot serve the run of a scenario; nothing when it can, or none is named.
+std::optional<std::string> recording_problem(const catalog::AnyProfile& profile, const LoadedScenario& loaded);
 
 /// The requests of a list of swaps, in order, numbered from `first_request_id`; profile files relative to `folder`.
 /// Throws json::Error as load_profile() does.

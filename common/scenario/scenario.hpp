@@ -223,6 +223,7 @@ struct Scenario {
   std::vector<BarometerSensor> barometer;
   std::vector<OdometerSensor> odometer;
   std::vector<ScheduledSwap> swaps;
+  std::string recordings_folder = "../recordings";
   Clock clock;
   std::vector<RequiredSubscriber> require_subscribers;
   bool require_nav_app = false;
@@ -246,6 +247,9 @@ struct Scenario {
     visit(Field(catalog::Barometer::name, "the barometers of this unit").at_most(8), self.barometer);
     visit(Field(catalog::Odometer::name, "the odometers of this unit, one a wheel").at_most(8), self.odometer);
     visit(Field("swaps", "profiles swapped while the run goes on").at_most(10000), self.swaps);
+    visit(Field("recordings_folder", "where recorded errors are that profiles name, relative to the scenario")
+              .at_most(4096),
+          self.recordings_folder);
     visit(Field("clock", "what sets the pace of a live run"), self.clock);
     visit(Field("require_subscribers", "readers that are not ours; the barrier waits for them").at_most(32),
           self.require_subscribers);

@@ -14,8 +14,9 @@ struct SensorModel<catalog::Gnss> {
   using Output = GnssFix;
 
   static Model::Setup setup(const scenario::LoadedScenario& scenario, const scenario::LoadedGnss& gnss) {
-    return {scenario.stream_seed(), gnss.number,  gnss.rate,        gnss.errors,
-            gnss.installation,      gnss.outages, gnss.outage_areas};
+    return {scenario.stream_seed(), gnss.number,  gnss.rate,         gnss.errors,
+            gnss.installation,      gnss.outages, gnss.outage_areas, scenario.end(),
+            scenario.fix_recordings};
   }
   static bool takes_profiles_at(const time::Rate&, const TruthState&) { return true; }
   static std::optional<Output> process(Model& model, const TruthState& truth) { return model.observe(truth); }

@@ -14,8 +14,8 @@ struct SensorModel<catalog::Imu> {
   using Output = Model::Output;
 
   static Model::Setup setup(const scenario::LoadedScenario& scenario, const scenario::LoadedImu& imu) {
-    return {scenario.stream_seed(), imu.number,      imu.rate, scenario.gravity(), imu.errors,
-            imu.vibration,          imu.installation};
+    return {scenario.stream_seed(), imu.number,       imu.rate,       scenario.gravity(), imu.errors,
+            imu.vibration,          imu.installation, scenario.end(), scenario.recordings};
   }
   /// An IMU slower than the truth swaps between two of its own intervals: only where one begins is anything due.
   static bool takes_profiles_at(const time::Rate& rate, const TruthState& truth) {

@@ -24,9 +24,13 @@ TruthSource::TruthSource(const scenario::LoadedScenario& scenario, const time::G
       model_(trajectory::make_truth_model(scenario, start)),
       live_vehicle_(dynamic_cast<trajectory::LiveVehicleModel*>(model_.get())),
       journal_(sensors_of(scenario), grid_, grid_.at(samples_ == 0 ? 0 : samples_ - 1)),
+      scenario_(scenario),
       next_(model_->current()) {}
 
 std::variant<catalog::AnyProfile, ProfileAck> TruthSource::submit(const catalog::AnyProfile& request) {
+  if (const auto problem = scenario::recording_problem(request, scenario_)) {
+    return rejected(request, "recorded_error", *problem);
+  }
   return journal_.submit(request, last_time_);
 }
 

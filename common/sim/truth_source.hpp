@@ -13,6 +13,7 @@ namespace inslab::sim {
 /// server and the one-process runner drive the same class.
 class TruthSource {
  public:
+  /// The scenario must live as long.
   TruthSource(const scenario::LoadedScenario& scenario, const time::GpsTime& start, const RunId& run_id);
 
   /// Judges a request; see sim::Journal::submit.
@@ -51,6 +52,7 @@ class TruthSource {
   std::unique_ptr<trajectory::TruthModel> model_;
   trajectory::LiveVehicleModel* live_vehicle_;  ///< model_, when it is one
   Journal journal_;
+  const scenario::LoadedScenario& scenario_;
   TruthState next_;
   bool prepared_ = true;
   std::uint64_t taken_ = 0;

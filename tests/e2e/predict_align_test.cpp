@@ -1,4 +1,4 @@
-// The commands `inslab predict`, `inslab align` and `inslab allan`, as a user calls them.
+// The commands `inslab predict`, `inslab align`, `inslab allan` and `inslab graft`, as a user calls them.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -265,6 +265,51 @@ TEST_F(Commands, AllanWritesNoTwinOfAPoorFitUnasked) {
   EXPECT_THAT(inslab({"allan", hum, "--profile", twin, "--accept-poor-fit", "--overwrite"}),
               HasSubstr("twin.json written"));
   EXPECT_TRUE(std::filesystem::exists(twin));
+}
+
+/// `inslab graft` as a user calls it: out of a recording, into a profile, onto another motion.
+class Graft : public Commands {
+ protected:
+  std::string simulated(const std::string& file, const std::string& name) {
+    inslab({"simulate", file, "-o", folder_ / "logs", "--overwrite"});
+    return folder_ / ("logs/" + name + ".mcap");
+  }
+};
+
+TEST_F(Graft, ARecordingAtRestIsPutOntoAnotherMotion) {
+  const std::string imu = put("noisy.json", R"({"name": "noisy", "gyro": {"arw_deg_per_sqrt_h": 0.1}, "accel":
+    {"vrw_m_per_s_per_sqrt_h": 0.05, "bias_constant_mgal": [0, 0, 70]}})");
+  const std::string still = simulated(scenario("still", imu, 120.0, ""), "still");
+  std::filesystem::create_directory(folder_ / "recordings");
+  const std::string recording = folder_ / "recordings/mine.mcap";
+  EXPECT_THAT(
+      inslab({"graft", "extract", still, "--latitude", "30.53", "-o", recording, "--basic", folder_ / "mine.json"}),
+      testing::AllOf(HasSubstr("Not observable at rest"), HasSubstr("24000 samples at 200 Hz, 120.000 s"),
+                     HasSubstr("sha256")));
+  EXPECT_THAT(inslab({"graft", "check", recording}), HasSubstr("at rest, less the Earth's rate and gravity"));
+  const std::string moving = scenario("moving", folder_ / "mine.json", 60.0, R"(, "motions": [{"type": "constant_rate",
+    "axis": "z", "rate_deg_per_s": 3}])",
+                                      R"(, "recordings_folder": "recordings")");
+  const std::string log = simulated(moving, "moving");
+  // Its own noise is what the profile's was.
+  EXPECT_THAT(inslab({"graft", "extract", log, "--minus-truth", "-o", folder_ / "again.mcap"}), HasSubstr("60.000 s"));
+  EXPECT_THAT(inslab({"allan", folder_ / "again.mcap", "--term", "white", "-o", folder_ / "."}),
+              testing::ContainsRegex("0\\.(09[5-9]|10[0-5])"));
+}
+
+TEST_F(Graft, SaysWhatIsMissing) {
+  const std::string still = simulated(scenario("still", put("ideal.json", R"({"name": "ideal"})"), 20.0, ""), "still");
+  EXPECT_THAT(inslab({"graft", "extract", still, "-o", folder_ / "x.mcap"}, kBadInput),
+              HasSubstr("one of --latitude (it stood still), --reference (it moved) and --minus-truth is needed"));
+  EXPECT_THAT(inslab({"graft", "check", still}, kBadInput),
+              HasSubstr("does not say that it holds the errors of an IMU"));
+  const std::string profile =
+      put("gone.json",
+          R"({"name": "gone", "recorded_error": {"file": "gone.mcap", "sha256": ")" + std::string(64, 'a') + R"("}})");
+  EXPECT_THAT(
+      inslab({"simulate", scenario("lacks", profile, 20.0, ""), "-o", folder_ / "logs"}, kBadInput),
+      testing::AllOf(HasSubstr("lacks.json: imu[0].error_profile: names a profile whose recorded_error cannot be had"),
+                     HasSubstr("gone.mcap: is not there")));
 }
 
 }  // namespace predict_align_test

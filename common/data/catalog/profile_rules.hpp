@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -192,6 +193,23 @@ inline std::optional<Violation> mount_violation(const VibrationProfile& profile)
   return std::nullopt;
 }
 
+/// Of what names a recording by file and SHA-256.
+template <class Recorded>
+std::optional<Violation> recording_violation(const Recorded& recorded) {
+  if (recorded.file.empty() && recorded.sha256.empty()) return std::nullopt;
+  if (recorded.file.empty()) return Violation{Rule::RecordingNamed, "recorded_error.file", "is missing"};
+  if (recorded.file.find('/') != std::string::npos) {
+    return Violation{Rule::RecordingNamed, "recorded_error.file",
+                     "is a path; expected the name of a file in the folder of recordings"};
+  }
+  const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+  if (recorded.sha256.size() == 64 && std::all_of(recorded.sha256.begin(), recorded.sha256.end(), is_digit)) {
+    return std::nullopt;
+  }
+  return Violation{Rule::RecordingNamed, "recorded_error.sha256",
+                   "is no SHA-256; expected the 64 digits that sha256sum prints"};
+}
+
 inline std::optional<Violation> zero_violation(Rule rule, const char* path, const Vector3& value, const char* reason) {
   if (value.isZero(0.0)) return std::nullopt;
   return Violation{rule, path, reason};
@@ -205,6 +223,7 @@ inline std::optional<Violation> violation(const ImuErrorProfile& profile) {
   if (auto broken = detail::gyro_violation(profile.gyro)) return broken;
   if (auto broken = detail::accel_violation(profile.accel)) return broken;
   if (auto broken = detail::cross_axis_violation(profile)) return broken;
+  if (auto broken = detail::recording_violation(profile.recorded_error)) return broken;
   return detail::in_order_violation("temperature", profile.temperature);
 }
 
@@ -234,6 +253,7 @@ inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
     return Violation{Rule::FixTypeGiven, "fix_type", "is none; a receiver without a fix is the fault 'outage'"};
   }
   if (auto broken = detail::solution_violation("", profile)) return broken;
+  if (auto broken = detail::recording_violation(profile.recorded_error)) return broken;
   return detail::ladder_violation(profile);
 }
 

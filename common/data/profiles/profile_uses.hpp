@@ -12,7 +12,8 @@
 /// walks the fields and demands an entry for each, so that a new term cannot be forgotten without a word.
 namespace inslab::profiles {
 
-/// One field, by its path ("gyro.arw_deg_per_sqrt_h", "linear[].frequency_hz"); an empty path is a whole profile.
+/// One field, by its path ("gyro.arw_deg_per_sqrt_h", "linear[].frequency_hz"); "recorded_error.*" is every field of
+/// that part, an empty path a whole profile.
 struct FieldUse {
   enum class What { Handled, NoError, LeftOut };
   std::string_view path;
@@ -31,8 +32,8 @@ constexpr FieldUse left_out(std::string_view path, std::string_view name, std::s
 
 namespace detail {
 
-/// Every field with its numbers in one row; those of a list's elements behind each other. Texts and what the software
-/// sets itself are left away.
+/// Every field with its numbers in one row; those of a list's elements behind each other. The profile's own texts and
+/// what the software sets itself are left away.
 class FieldNumbers {
  public:
   struct Entry {
@@ -50,7 +51,8 @@ class FieldNumbers {
   template <class T>
   void add(const std::string& path, const T& value) {
     if constexpr (std::is_same_v<T, std::string>) {
-      return;
+      // Those of the profile itself are for people; one of a part, such as a file's name, says what is on.
+      if (!prefix_.empty()) numbers_of(path).push_back(static_cast<double>(value.size()));
     } else if constexpr (is_list<T>) {
       add_elements(path + "[]", value);
     } else if constexpr (has_fields<T>) {
@@ -88,10 +90,18 @@ std::vector<FieldNumbers::Entry> numbers_of(const Profile& profile) {
   return std::move(numbers.entries);
 }
 
+inline bool is_of(const FieldUse& use, std::string_view path) {
+  constexpr std::string_view kAll = ".*";
+  if (use.path.empty() || use.path == path) return true;
+  if (use.path.size() < kAll.size() || use.path.substr(use.path.size() - kAll.size()) != kAll) return false;
+  const std::string_view part = use.path.substr(0, use.path.size() - 1);
+  return path.substr(0, part.size()) == part;
+}
+
 template <class Uses>
 const FieldUse* use_of(const Uses& uses, std::string_view path) {
-  const auto found = std::find_if(std::begin(uses), std::end(uses),
-                                  [&](const FieldUse& use) { return use.path.empty() || use.path == path; });
+  const auto found =
+      std::find_if(std::begin(uses), std::end(uses), [&](const FieldUse& use) { return is_of(use, path); });
   return found == std::end(uses) ? nullptr : &*found;
 }
 
@@ -125,8 +135,8 @@ std::string faults_of(const Uses& uses, const std::string& file) {
             ": handle it there and say handled(), or say left_out() with a name and the reason, or no_error().\n";
   }
   for (const FieldUse& use : uses) {
-    const bool is_field = use.path.empty() || std::any_of(entries.begin(), entries.end(),
-                                                          [&](const auto& entry) { return entry.path == use.path; });
+    const bool is_field =
+        std::any_of(entries.begin(), entries.end(), [&](const auto& entry) { return detail::is_of(use, entry.path); });
     if (!is_field) {
       text += "'" + std::string(use.path) + "' in " + file + " is no field of the profile " + kind +
               ": take it out, or rename it with the field.\n";

@@ -16,9 +16,10 @@ struct TriadErrorBudget {
   Vector3 limits = Vector3::Zero();
   Vector3 size_effect = Vector3::Zero();  ///< of accelerometers at places of their own
   Vector3 delay = Vector3::Zero();        ///< of a triad that is late
+  Vector3 recorded = Vector3::Zero();     ///< of a recording that the profile names
 
   Vector3 sum() const {
-    return bias + scale + cross_axis + g_sensitivity + vibration + noise + limits + size_effect + delay;
+    return bias + scale + cross_axis + g_sensitivity + vibration + noise + limits + size_effect + delay + recorded;
   }
 
   template <class Self, class Visitor>
@@ -32,6 +33,7 @@ struct TriadErrorBudget {
     visit(Field("limits"), self.limits);
     visit(Field("size_effect").inserted(), self.size_effect);
     visit(Field("delay").inserted(), self.delay);
+    visit(Field("recorded").inserted(), self.recorded);
   }
 };
 

@@ -41,6 +41,14 @@ struct NestedName<TemperaturePoint> {
   static constexpr std::string_view value = "TemperaturePoint";
 };
 template <>
+struct NestedName<RecordedError> {
+  static constexpr std::string_view value = "RecordedError";
+};
+template <>
+struct NestedName<RecordedFixError> {
+  static constexpr std::string_view value = "RecordedFixError";
+};
+template <>
 struct NestedName<LinearRandomPoint> {
   static constexpr std::string_view value = "LinearRandomPoint";
 };

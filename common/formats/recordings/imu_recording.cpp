@@ -20,6 +20,7 @@ void read_samples(const mcap::McapReader& log, const ImuRecordingOptions& option
                   RegularSamples& regular) {
   const std::string topic = catalog::stream_topic<ImuSample>(options.sensor_number);
   log::for_each_sample<ImuSample>(log, topic, [&](const ImuSample& sample, std::uint64_t number) {
+    if (number == 1) info.first_ns = sample.header.gps_time_of_week_ns;
     if (sample.gyro_valid && sample.accel_valid) {
       regular.take({time::to_seconds(sample.header.sim_time_ns), increments_of(sample), number});
     } else {
@@ -122,6 +123,8 @@ class TextRecording {
   }
 
   const TextLayout& layout() const { return layout_; }
+  /// Time of the first sample; of one that was read.
+  std::int64_t first_ns() const { return *first_ns_; }
 
   bool next(RawSample& raw) {
     if (!first_is_data_ && !next_line()) return false;
@@ -242,7 +245,10 @@ ImuRecordingInfo read_imu_recording(const std::string& path, const ImuRecordingO
   info.kind = "text of " + std::to_string(text.layout().fields) + " columns";
   RegularSamples regular(path, "line", options, info, is_rate, begin, sample);
   RawSample raw;
-  while (text.next(raw)) regular.take(raw);
+  while (text.next(raw)) {
+    info.first_ns = text.first_ns();
+    regular.take(raw);
+  }
   regular.finish();
   return info;
 }

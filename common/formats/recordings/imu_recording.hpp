@@ -22,8 +22,9 @@ struct ImuRecordingOptions {
 };
 
 struct ImuRecordingInfo {
-  std::string kind;   ///< for people: "log, inslab/imu/0", ...
-  double dt_s = 0.0;  ///< the usual interval: the median of the first thousand
+  std::string kind;           ///< for people: "log, inslab/imu/0", ...
+  std::int64_t first_ns = 0;  ///< time of the first sample as the file has it; of a log in the GPS week
+  double dt_s = 0.0;          ///< the usual interval: the median of the first thousand
   std::array<bool, kImuAxes> has_axis{};
   std::uint64_t samples = 0;
   std::uint64_t gaps = 0;     ///< intervals that are more than half of dt off

@@ -31,6 +31,7 @@ enum class Rule : std::uint32_t {
   OutagePeriod,          ///< an outage ends before it comes again
   OutagePath,            ///< an outage area has points, and legs of at most 10 km
   NamedFile,             ///< files that a scenario names are there
+  RecordingFits,         ///< recordings that profiles name are there, and last as long as the run
   GravityGrid,           ///< a grid of gravity reaches to the places of which the scenario speaks
   SensorExists,          ///< swaps and services name sensors of the scenario
   SwapBeforeEnd,         ///< a swap lies inside the run
@@ -87,6 +88,7 @@ enum class Rule : std::uint32_t {
   MotionHarmonic,      ///< random vibration is for the sensor domain
   PressureRange,       ///< the largest pressure of a barometer is above its smallest
   WholeCounts,         ///< an encoder has a whole number of counts a revolution
+  RecordingNamed,      ///< a recording is named by its file and its SHA-256
   // Several fields of a navigation filter's parameters.
   InitialPitch,    ///< a given pitch lies within 90 deg
   RestThresholds,  ///< zero-velocity updates have thresholds that an IMU at rest can keep
@@ -98,7 +100,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 77> values{"readable",
+  static constexpr std::array<std::string_view, 79> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -118,6 +120,7 @@ struct EnumNames<Rule> {
                                                            "outage_period",
                                                            "outage_path",
                                                            "named_file",
+                                                           "recording_fits",
                                                            "gravity_grid",
                                                            "sensor_exists",
                                                            "swap_before_end",
@@ -172,6 +175,7 @@ struct EnumNames<Rule> {
                                                            "motion_harmonic",
                                                            "pressure_range",
                                                            "whole_counts",
+                                                           "recording_named",
                                                            "initial_pitch",
                                                            "rest_thresholds",
                                                            "apply_time"};

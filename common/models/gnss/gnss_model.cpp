@@ -20,6 +20,21 @@ random::Stream stream(const GnssModel::Setup& setup, const char* quantity) {
   return {setup.seed, receiver(setup.sensor_number) + "/" + quantity};
 }
 
+Vector3 together(const Vector3& a, const Vector3& b) { return (a.cwiseAbs2() + b.cwiseAbs2()).cwiseSqrt(); }
+
+/// Adds what a recording says of the epoch to the fix, whose other position errors are given.
+void add(const RecordedFixErrors::Epoch& recorded, const nav::Geodetic& antenna, const Vector3& other_ned_m,
+         GnssFix& fix) {
+  const nav::Geodetic measured = nav::displaced(antenna, other_ned_m + recorded.position_ned_m);
+  fix.latitude_rad = measured.latitude_rad;
+  fix.longitude_rad = measured.longitude_rad;
+  fix.height_m = measured.height_m;
+  fix.v_n += recorded.velocity_ned_m_per_s;
+  fix.position_sigma_ned_m = together(fix.position_sigma_ned_m, recorded.position_sigma_ned_m);
+  fix.velocity_sigma_ned_m_per_s = together(fix.velocity_sigma_ned_m_per_s, recorded.velocity_sigma_ned_m_per_s);
+  fix.fix_type = recorded.fix_type;
+}
+
 }  // namespace
 
 GnssModel::GnssModel(const Setup& setup)
@@ -30,12 +45,16 @@ GnssModel::GnssModel(const Setup& setup)
       outages_(setup.outages, setup.outage_areas),
       ladder_(setup.errors, setup.gnss_rate.period_s(), setup.seed, receiver(setup.sensor_number)),
       position_noise_(stream(setup, "position"), random::VectorNoise::kNed, setup.gnss_rate.period_s()),
-      velocity_noise_(stream(setup, "velocity"), random::VectorNoise::kNed, setup.gnss_rate.period_s()) {
+      velocity_noise_(stream(setup, "velocity"), random::VectorNoise::kNed, setup.gnss_rate.period_s()),
+      recording_run_{setup.seed, receiver(setup.sensor_number), setup.end, setup.recordings},
+      recorded_(setup.errors.recorded_error, recording_run_) {
   take_errors_of(errors_.lesser_solutions.size());
 }
 
 void GnssModel::apply(const GnssErrorProfile& profile) {
+  RecordedFixes recorded(profile.recorded_error, recording_run_);
   errors_ = catalog::checked_for<catalog::Gnss>(profile);
+  recorded_ = std::move(recorded);
   ladder_.retune(profile, profile.request.continuity);
   for (random::VectorNoise* noise : {&position_noise_, &velocity_noise_}) {
     if (profile.request.continuity == Continuity::Reset) noise->reset();
@@ -96,6 +115,11 @@ std::optional<GnssFix> GnssModel::observe(const TruthState& truth) {
   const Vector3 position_noise_ned_m = position_noise_.advance(epoch_);
   const Vector3 velocity_noise_n_m_per_s = velocity_noise_.advance(epoch_);
   if (!rung || fix_type_on(*rung) == FixType::None) return std::nullopt;
+  std::optional<RecordedFixErrors::Epoch> recorded;
+  if (!recorded_.is_off()) {
+    recorded = recorded_.at(time::Nanoseconds(time_ns));
+    if (!recorded || recorded->fix_type == FixType::None) return std::nullopt;
+  }
 
   const Vector3 position_fault_ned_m = fault_.position_jump_ned_m + drift_ned_m(time_ns);
   const Vector3 velocity_fault_n_m_per_s =
@@ -122,6 +146,7 @@ std::optional<GnssFix> GnssModel::observe(const TruthState& truth) {
   fix.vdop = sky.vdop;
   fix.pdop = std::hypot(sky.hdop, sky.vdop);
   fix.revisions = {errors_.request.journal_number, installation_.request.journal_number, fault_.request.journal_number};
+  if (recorded) add(*recorded, antenna.position, position_noise_ned_m + position_fault_ned_m, fix);
   return fix;
 }
 

@@ -10,6 +10,7 @@
 #include "inslab/foundation/time/rate.hpp"
 #include "inslab/models/gnss/constellation.hpp"
 #include "inslab/models/gnss/outage_schedule.hpp"
+#include "inslab/models/gnss/recorded_fixes.hpp"
 #include "inslab/models/gnss/solution_ladder.hpp"
 #include "inslab/noise/random/vector_noise.hpp"
 
@@ -21,7 +22,9 @@ namespace inslab::gnss {
 /// position errors in NED metres at the antenna are applied exactly through ECEF, velocity errors added in the
 /// antenna's NED. Their draws depend on (seed, sensor number, k) alone: an outage, a swap or another kind of solution
 /// changes no other epoch's. There is no fix in an outage, with fewer than four satellites of the profile's model above
-/// its mask, and on a rung of the ladder without one. Source: thesis 3.4; (3-47)..(3-51) to first order.
+/// its mask, on a rung of the ladder without one, and where a recording that the profile names has none. A recording's
+/// errors are added to the others, its claims to theirs, and its fix type is the fix's. Source: thesis 3.4;
+/// (3-47)..(3-51) to first order.
 class GnssModel {
  public:
   struct Setup {
@@ -32,10 +35,12 @@ class GnssModel {
     InstallationProfile installation;
     std::vector<Outage> outages;
     std::vector<OutageArea> outage_areas;
+    time::Nanoseconds end{0};         ///< sim time of the last sample: recordings must reach to there
+    FixRecordingFinder recordings{};  ///< of errors that a profile may name; empty: there are none
   };
 
-  /// Throws std::invalid_argument when a profile breaks a rule of data/catalog/profile_rules.hpp, and as OutageSchedule
-  /// does.
+  /// Throws std::invalid_argument when a profile breaks a rule of data/catalog/profile_rules.hpp or names a recording
+  /// that is not there or too short, and as OutageSchedule does.
   explicit GnssModel(const Setup& setup);
 
   /// Swaps a profile from the next epoch on. Throws std::invalid_argument when it breaks a rule, and then changes
@@ -52,7 +57,10 @@ class GnssModel {
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     visit(self.errors_, self.installation_, self.fault_);
-    if constexpr (!std::is_const_v<Self>) self.ladder_.retune(self.errors_, Continuity::Reset);
+    if constexpr (!std::is_const_v<Self>) {
+      self.ladder_.retune(self.errors_, Continuity::Reset);
+      self.recorded_ = RecordedFixes(self.errors_.recorded_error, self.recording_run_);
+    }
     visit(self.ladder_, self.position_noise_, self.velocity_noise_, self.rung_, self.epoch_, self.fixes_);
     if constexpr (!std::is_const_v<Self>) self.take_errors_of(self.rung_);
   }
@@ -74,6 +82,8 @@ class GnssModel {
   SolutionLadder ladder_;
   random::VectorNoise position_noise_;
   random::VectorNoise velocity_noise_;
+  RecordedFixes::Run recording_run_;
+  RecordedFixes recorded_;
   std::size_t rung_ = 0;     ///< whose errors the noise has
   std::uint64_t epoch_ = 0;  ///< the last one
   std::uint64_t fixes_ = 0;

@@ -43,6 +43,8 @@ ImuModel::ImuModel(const Setup& setup)
       accel_limits_(accels_in_si(setup.errors), rate_.period_s()),
       drops_(setup.errors.drop_probability,
              random::Stream(setup.seed, sensor_name(setup.sensor_number) + "/dropped_samples")),
+      recording_run_{setup.seed, sensor_name(setup.sensor_number), setup.end, setup.recordings},
+      recorded_(setup.errors.recorded_error, recording_run_),
       latency_ns_(time::from_seconds(setup.errors.latency_s).count()),
       revisions_{setup.errors.request.journal_number, setup.vibration.request.journal_number,
                  setup.installation.request.journal_number, 0} {
@@ -50,6 +52,7 @@ ImuModel::ImuModel(const Setup& setup)
 }
 
 void ImuModel::apply(const ImuErrorProfile& profile) {
+  RecordedSignal(profile.recorded_error, recording_run_);  // what cannot be found is refused here
   pending_.emplace_back(catalog::checked_for<catalog::Imu>(profile));
 }
 void ImuModel::apply(const VibrationProfile& profile) {
@@ -142,6 +145,7 @@ void ImuModel::tune(const ImuErrorProfile& profile, Continuity continuity, std::
   size_effect_ = SizeEffect(profile.accel_place_m);
   use_responses(gyro, accel, profile.accel_delay_s);
   drops_.retune(profile.drop_probability);
+  recorded_ = RecordedSignal(profile.recorded_error, recording_run_);
   latency_ns_ = time::from_seconds(profile.latency_s).count();
 }
 
@@ -282,6 +286,11 @@ void ImuModel::set_errors(const Increments& felt, const Increments& vibration, d
   }
   add_second_order(felt, vibration, perfect);
   add_thermal(temperature_deg_c, perfect);
+  if (!recorded_.is_off()) {
+    const Increments recorded = recorded_.between(from_ns_, to_ns_);
+    perfect.gyro_error.recorded = recorded.dtheta;
+    perfect.accel_error.recorded = recorded.dv;
+  }
 }
 
 /// Biases by squares and products of what is felt, and of the vibration within the interval.

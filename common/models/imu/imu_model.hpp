@@ -12,6 +12,8 @@
 #include "inslab/models/imu/felt_motion.hpp"
 #include "inslab/models/imu/g_sensitivity.hpp"
 #include "inslab/models/imu/installation.hpp"
+#include "inslab/models/imu/motion_response.hpp"
+#include "inslab/models/imu/recorded_signal.hpp"
 #include "inslab/models/imu/rectification.hpp"
 #include "inslab/models/imu/sample_interval.hpp"
 #include "inslab/models/imu/second_order_drift.hpp"
@@ -38,6 +40,8 @@ class ImuModel {
     ImuErrorProfile errors;
     VibrationProfile vibration;
     InstallationProfile installation;
+    time::Nanoseconds end{0};      ///< sim time of the last sample: recordings must reach to there
+    RecordingFinder recordings{};  ///< of errors that a profile may name; empty: there are none
   };
   struct Output {
     Output() {}  // spelt out, or std::optional would clear the kilobyte before the members set themselves
@@ -45,7 +49,8 @@ class ImuModel {
     ImuTruth truth;
   };
 
-  /// Throws std::invalid_argument when a profile breaks a rule of data/catalog/profile_rules.hpp.
+  /// Throws std::invalid_argument when a profile breaks a rule of data/catalog/profile_rules.hpp, or names a recording
+  /// that is not there or too short.
   explicit ImuModel(const Setup& setup);
 
   /// Swaps a profile from the next interval of the IMU on, in the order of the calls; samples from there carry its
@@ -126,6 +131,8 @@ class ImuModel {
   TriadLimits gyro_limits_;
   TriadLimits accel_limits_;
   DroppedSamples drops_;
+  RecordedSignal::Run recording_run_;
+  RecordedSignal recorded_;
   std::int64_t latency_ns_;
 
   std::int64_t from_ns_ = 0;  ///< the interval that is open, or that begins at `previous_`

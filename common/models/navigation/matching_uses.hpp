@@ -86,6 +86,8 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
                        "the filter has no state that grows with the square of a force or a rate"),
     profiles::left_out("gyro_anisoinertia_deg_per_h_per_deg2_per_s2", "second-order drift",
                        "the filter has no state that grows with the square of a force or a rate"),
+    profiles::left_out("recorded_error.*", "recorded errors",
+                       "a signal, not its statistics; give the filter those of its twin (inslab allan --profile)"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {
@@ -122,6 +124,7 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("satellites", "a fix says itself how unsure it is and when it was valid"),
     profiles::no_error("hdop", "a fix says itself how unsure it is and when it was valid"),
     profiles::no_error("vdop", "a fix says itself how unsure it is and when it was valid"),
+    profiles::no_error("recorded_error.*", "fixes come with what the real receiver claimed"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {

@@ -17,20 +17,26 @@ json::Json shortened(const json::Json& value, const json::Json& usual) {
   json::Json object = json::Json::object();
   for (const auto& item : value.items()) {
     const json::Json& other = usual.at(item.key());
-    if (item.value() == other && item.key() != "name") continue;
+    if (item.value() == other && item.key() != "name" && item.key() != "fix_type") continue;
     object[item.key()] = shortened(item.value(), other);
   }
   return object;
 }
 
-}  // namespace
-
-std::string profile_text(const ImuErrorProfile& profile) {
-  return shortened(json::json_from_struct(profile), json::json_from_struct(ImuErrorProfile())).dump(2) + "\n";
+template <class Profile>
+std::string text_of(const Profile& profile) {
+  return shortened(json::json_from_struct(profile), json::json_from_struct(Profile())).dump(2) + "\n";
 }
 
+}  // namespace
+
+std::string profile_text(const ImuErrorProfile& profile) { return text_of(profile); }
+
 void write_profile(const std::string& path, const ImuErrorProfile& profile) {
-  files::write_file(path, profile_text(profile));
+  files::write_file(path, text_of(profile));
+}
+void write_profile(const std::string& path, const GnssErrorProfile& profile) {
+  files::write_file(path, text_of(profile));
 }
 
 }  // namespace inslab::calibrate

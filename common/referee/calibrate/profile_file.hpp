@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "inslab/data/profiles/gnss_error_profile.hpp"
 #include "inslab/data/profiles/imu_error_profile.hpp"
 
 namespace inslab::calibrate {
@@ -12,5 +13,6 @@ std::string profile_text(const ImuErrorProfile& profile);
 
 /// Writes it. Throws files::WriteError.
 void write_profile(const std::string& path, const ImuErrorProfile& profile);
+void write_profile(const std::string& path, const GnssErrorProfile& profile);
 
 }  // namespace inslab::calibrate

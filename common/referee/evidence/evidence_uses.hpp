@@ -110,6 +110,8 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
                        "comes with the motion, whose effect is not weighed"),
     profiles::left_out("gyro_anisoinertia_deg_per_h_per_deg2_per_s2", "second-order drift",
                        "comes with the motion, whose effect is not weighed"),
+    profiles::left_out("recorded_error.*", "recorded errors",
+                       "a real sensor promises nothing; they are taken off before the rest is weighed"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {
@@ -144,6 +146,8 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("satellites", "reported with a fix; no error follows from it"),
     profiles::no_error("hdop", "reported with a fix; no error follows from it"),
     profiles::no_error("vdop", "reported with a fix; no error follows from it"),
+    profiles::left_out("recorded_error.*", "recorded errors",
+                       "a real sensor promises nothing; such a swap is not weighed"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {

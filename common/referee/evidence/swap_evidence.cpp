@@ -16,6 +16,9 @@ namespace inslab::evidence {
 namespace {
 
 constexpr std::uint64_t kFewest = 30;
+/// Of a density, in the unit of a profile: what sums of doubles leave of rates up to 10 rad/s and forces up to 100
+/// m/s^2.
+constexpr double kRounding = 1e-13;
 constexpr const char* kThroughTheBandwidth = ", as the bandwidth lets it pass";
 double duration_s(const SwapWindow& window) { return time::to_seconds(window.until_ns - window.after_ns); }
 
@@ -35,7 +38,8 @@ EvidenceLine density_line(const std::string& quantity, const char* unit, double 
     const double scale = std::sqrt(dt_s) / per_unit;
     return judged(series.pooled_white_sigma(kAllAxes) * scale, promised.sigma * scale,
                   sigma_tolerance(promised.sigma * scale, 3.0 * static_cast<double>(series.differences()),
-                                  promised.values_per_independent));
+                                  promised.values_per_independent) +
+                      kRounding);
   };
   return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
 }
@@ -81,6 +85,9 @@ class Weigher {
     }
     if (swap_.ack.target.kind == SensorKind::Odometer && std::min(way_m(swap_.before), way_m(swap_.after)) < 1.0) {
       return "the wheel rolled less than 1 m on a side of it";
+    }
+    if (swap_.ack.kind == ProfileKind::GnssError && (has_recording(swap_.before) || has_recording(swap_.after))) {
+      return "the errors of a real receiver are on top, which promises nothing";
     }
     if (!is_imu() || swap_.ack.kind == ProfileKind::Installation) return "";
     const std::string before = promise(swap_.before).why_not(), after = promise(swap_.after).why_not();
@@ -156,6 +163,10 @@ class Weigher {
   Profile in_use(const SwapWindow& window) const {
     const catalog::AnyProfile* profile = summary_.in_use(Profile::kind, swap_.ack.target, window.after_ns + 1);
     return profile ? std::get<Profile>(*profile) : Profile{};
+  }
+
+  bool has_recording(const SwapWindow& window) const {
+    return !in_use<GnssErrorProfile>(window).recorded_error.file.empty();
   }
 
   std::vector<EvidenceLine> imu_error() const {

@@ -247,7 +247,9 @@ void SwapWindowsOfLog::add(const ImuSample& sample, const ImuTruth& imu_truth, c
   if (!is_measured(sample)) return;
   const double dt_s = time::to_seconds(sample.interval_ns);
   for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) {
-    const Vector3 gyro_error = (sample.dtheta_b - dtheta) / dt_s, accel_error = (sample.dv_b - dv) / dt_s;
+    // Without what a recording of a real IMU has put on top: the profile promises the rest.
+    const Vector3 gyro_error = (sample.dtheta_b - dtheta - imu_truth.gyro_error.recorded) / dt_s;
+    const Vector3 accel_error = (sample.dv_b - dv - imu_truth.accel_error.recorded) / dt_s;
     window.gyro_rad_per_s.add(k, gyro_error);
     window.accel_m_per_s2.add(k, accel_error);
     const double time_s = time::to_seconds(sample.header.sim_time_ns);

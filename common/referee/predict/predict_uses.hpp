@@ -69,6 +69,8 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
     profiles::handled("gyro_g2_sensitivity_deg_per_h_per_g2"),
     profiles::handled("gyro_anisoelasticity_deg_per_h_per_g2"),
     profiles::handled("gyro_anisoinertia_deg_per_h_per_deg2_per_s2"),
+    profiles::left_out("recorded_error.*", "recorded errors",
+                       "a signal, not its statistics; inslab simulate and Monte Carlo have it"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {
@@ -94,6 +96,8 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("satellites", "reported with a fix; no error follows from it"),
     profiles::no_error("hdop", "reported with a fix; no error follows from it"),
     profiles::no_error("vdop", "reported with a fix; no error follows from it"),
+    profiles::left_out("recorded_error.*", "recorded errors",
+                       "a signal, not its statistics; inslab simulate and Monte Carlo have it"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {

@@ -32,6 +32,8 @@ void add_navigate(CLI::App& app, std::function<int()>& action);
 void add_montecarlo(CLI::App& app, std::function<int()>& action);
 void add_align(CLI::App& app, std::function<int()>& action);
 void add_allan(CLI::App& app, std::function<int()>& action);
+void add_graft(CLI::App& app, std::function<int()>& action);
+void add_graft_of_gnss(CLI::App& graft, std::function<int()>& action);
 void add_profile(CLI::App& app, std::function<int()>& action);
 void add_verify(CLI::App& app, std::function<int()>& action);
 void add_simulate(CLI::App& app, std::function<int()>& action);
@@ -55,6 +57,7 @@ inline constexpr StudyCommand kMontecarlo{
     "montecarlo", "Many seeded runs of a scenario with the reference navigation filter, and what they say together"};
 inline constexpr StudyCommand kAlign{"align", "Attitude of an IMU at rest from gravity and the Earth's rate"};
 inline constexpr StudyCommand kAllan{"allan", "Allan deviation of a recorded IMU at rest, and the noise model in it"};
+inline constexpr StudyCommand kGraft{"graft", "Errors of a real IMU, taken out of a recording, for simulated ones"};
 inline constexpr StudyCommand kProfile{"profile", "Make error profiles"};
 inline constexpr StudyCommand kVerify{"verify", "Show the product's figures beside the published ones"};
 inline constexpr StudyCommand kSimulate{"simulate",
@@ -67,8 +70,8 @@ inline constexpr StudyCommand kReference{
 inline constexpr StudyCommand kSoak{
     "soak",
     "Run a scenario in lockstep for hours of sim time with random swaps, kills and pauses; 7 MB of log a minute"};
-inline constexpr std::array kStudyCommands{kSimulate, kPlot,    kNavigate, kMontecarlo, kAlign,    kAllan,
-                                           kPredict,  kProfile, kVerify,   kSoak,       kReference};
+inline constexpr std::array kStudyCommands{kSimulate, kPlot,    kNavigate, kMontecarlo, kAlign, kAllan,
+                                           kGraft,    kPredict, kProfile,  kVerify,     kSoak,  kReference};
 
 /// The option --overwrite of a command that writes files: without it no file that is there already is replaced.
 void add_overwrite(CLI::App& command);

@@ -9,6 +9,7 @@ void add_commands(CLI::App& app, std::function<int()>& action) {
   add_montecarlo(app, action);
   add_align(app, action);
   add_allan(app, action);
+  add_graft(app, action);
   add_profile(app, action);
   add_predict(app, action);
   add_verify(app, action);

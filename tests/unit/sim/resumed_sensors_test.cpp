@@ -67,6 +67,10 @@ struct Run {
     static const Run run("config/scenarios/aiding");
     return run;
   }
+  static const Run& grafting() {
+    static const Run run("config/scenarios/grafting");
+    return run;
+  }
 };
 
 /// Before and after each swap, in fades, in the outage, between the intervals of the slow IMU.
@@ -117,6 +121,11 @@ TEST(ResumedSensors, AnImuGoesOnWithTheSameBits) {
 TEST(ResumedSensors, AnImuSlowerThanTheTruthGoesOnWithTheSameBits) {
   expect_resumes<Sensor<catalog::Imu>>(
       Run::recovery(), [](const auto& scenario) { return Sensor<catalog::Imu>(scenario, scenario.imus[1]); });
+}
+
+TEST(ResumedSensors, AnImuWithTheErrorsOfARecordingGoesOnWithTheSameBits) {
+  expect_resumes<Sensor<catalog::Imu>>(
+      Run::grafting(), [](const auto& scenario) { return Sensor<catalog::Imu>(scenario, scenario.imus[0]); });
 }
 
 TEST(ResumedSensors, AReceiverGoesOnWithTheSameBits) {
