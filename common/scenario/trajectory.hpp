@@ -128,7 +128,7 @@ struct GravityVariation {
 
 /// The Earth's gravity. Of the model a navigation filter knows; what departs from it, none does.
 struct GravityOptions {
-  nav::GravityModel model = nav::GravityModel::Somigliana;
+  nav::GravityModel model = nav::GravityModel::Normal;
   double disturbance_mgal = 0.0;
   double deflection_north_arcsec = 0.0;
   double deflection_east_arcsec = 0.0;
@@ -140,8 +140,10 @@ struct GravityOptions {
     visit(
         Field(
             "model",
-            "somigliana: WGS-84 closed form, second order in height; normal: the exact field of the ellipsoid; series: "
-            "GRS80 series, as many filters have it"),
+            "normal: the exact field of the ellipsoid; somigliana: WGS-84 closed form, second order in height, without "
+            "the part to the north (8.1 mGal at 10 km, 80 at 99 km, 45 deg); series: GRS80 series, as many filters "
+            "have "
+            "it"),
         self.model);
     visit(Field("disturbance_mgal", "added to the magnitude").in(-1000.0, 1000.0), self.disturbance_mgal);
     visit(Field("deflection_north_arcsec", "xi: the plumb line's zenith lies north of the normal").in(-200.0, 200.0),

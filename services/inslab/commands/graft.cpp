@@ -39,10 +39,8 @@ int run_extract(GraftOptions& options) {
   }
   if (!options.full.empty() && !moved) throw host::UsageError("--full is of a recording in motion: --reference");
   if (options.latitude_deg) {
-    graft::StillSite site;
-    site.position = {*options.latitude_deg * units::kDeg, 0.0, options.height_m};
-    site.feels_the_earth_turn = !options.no_north;
-    options.extract.site = site;
+    options.extract.site =
+        graft::StillSite{{*options.latitude_deg * units::kDeg, 0.0, options.height_m}, {}, !options.no_north};
   }
   options.extract.start.mounting_rpy_rad = nav::Vector3::Map(options.mounting_deg.data()) * units::kDeg;
   options.extract.start.lever_arm_v_m = nav::Vector3::Map(options.lever_arm_m.data());
