@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/profiles/time_tag_errors.hpp"
 #include "inslab/data/requests/profile_request.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
 
@@ -92,6 +93,7 @@ struct GnssErrorProfile : SolutionErrors {
   std::uint32_t satellites = 12;
   double hdop = 0.8;
   double vdop = 1.2;
+  TimeTagErrors time_tag;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -109,6 +111,7 @@ struct GnssErrorProfile : SolutionErrors {
     visit(Field("satellites", "stated: reported as used").in(0.0, 200.0), self.satellites);
     visit(Field("hdop", "stated").in(0.0, 99.0), self.hdop);
     visit(Field("vdop", "stated").in(0.0, 99.0), self.vdop);
+    visit(Field("time_tag", "of the clock that tags the samples").appended(), self.time_tag);
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/profiles/time_tag_errors.hpp"
 #include "inslab/data/requests/profile_request.hpp"
 
 namespace inslab {
@@ -217,6 +218,7 @@ struct ImuErrorProfile {
   Vector9 gyro_g2_sensitivity_deg_per_h_per_g2 = Vector9::Zero();
   Vector9 gyro_anisoelasticity_deg_per_h_per_g2 = Vector9::Zero();
   Vector9 gyro_anisoinertia_deg_per_h_per_deg2_per_s2 = Vector9::Zero();
+  TimeTagErrors time_tag;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -301,6 +303,7 @@ struct ImuErrorProfile {
             .in(-1e3, 1e3)
             .appended(),
         self.gyro_anisoinertia_deg_per_h_per_deg2_per_s2);
+    visit(Field("time_tag", "of the clock that tags the samples").appended(), self.time_tag);
   }
 };
 

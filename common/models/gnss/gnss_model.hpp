@@ -11,6 +11,7 @@
 #include "inslab/models/gnss/constellation.hpp"
 #include "inslab/models/gnss/outage_schedule.hpp"
 #include "inslab/models/gnss/solution_ladder.hpp"
+#include "inslab/models/timing/sensor_clock.hpp"
 #include "inslab/noise/random/vector_noise.hpp"
 
 namespace inslab::gnss {
@@ -52,8 +53,11 @@ class GnssModel {
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
     visit(self.errors_, self.installation_, self.fault_);
-    if constexpr (!std::is_const_v<Self>) self.ladder_.retune(self.errors_, Continuity::Reset);
-    visit(self.ladder_, self.position_noise_, self.velocity_noise_, self.rung_, self.epoch_, self.fixes_);
+    if constexpr (!std::is_const_v<Self>) {
+      self.ladder_.retune(self.errors_, Continuity::Reset);
+      self.clock_.use(self.errors_.time_tag);
+    }
+    visit(self.ladder_, self.position_noise_, self.velocity_noise_, self.clock_, self.rung_, self.epoch_, self.fixes_);
     if constexpr (!std::is_const_v<Self>) self.take_errors_of(self.rung_);
   }
 
@@ -74,6 +78,7 @@ class GnssModel {
   SolutionLadder ladder_;
   random::VectorNoise position_noise_;
   random::VectorNoise velocity_noise_;
+  timing::SensorClock clock_;
   std::size_t rung_ = 0;     ///< whose errors the noise has
   std::uint64_t epoch_ = 0;  ///< the last one
   std::uint64_t fixes_ = 0;

@@ -43,6 +43,7 @@ ImuModel::ImuModel(const Setup& setup)
       accel_limits_(accels_in_si(setup.errors), rate_.period_s()),
       drops_(setup.errors.drop_probability,
              random::Stream(setup.seed, sensor_name(setup.sensor_number) + "/dropped_samples")),
+      clock_(setup.errors.time_tag, rate_.period_s(), setup.seed, sensor_name(setup.sensor_number)),
       latency_ns_(time::from_seconds(setup.errors.latency_s).count()),
       revisions_{setup.errors.request.journal_number, setup.vibration.request.journal_number,
                  setup.installation.request.journal_number, 0} {
@@ -142,6 +143,7 @@ void ImuModel::tune(const ImuErrorProfile& profile, Continuity continuity, std::
   size_effect_ = SizeEffect(profile.accel_place_m);
   use_responses(gyro, accel, profile.accel_delay_s);
   drops_.retune(profile.drop_probability);
+  clock_.retune(profile.time_tag, continuity, k, rate_.at(k).count());
   latency_ns_ = time::from_seconds(profile.latency_s).count();
 }
 
@@ -240,7 +242,7 @@ std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) 
   discontinuity_ = false;
 
   ImuSample& sample = out->sample;
-  sample.header = perfect.header;
+  sample.header = clock_.is_off() ? perfect.header : clock_.tagged(perfect.header, interval_.k + 1);
   sample.sensor_number = sensor_number_;
   sample.available_sim_time_ns = end_ns + latency_ns_;
   sample.interval_ns = perfect.interval_ns;

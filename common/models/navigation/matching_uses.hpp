@@ -86,6 +86,15 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
                        "the filter has no state that grows with the square of a force or a rate"),
     profiles::left_out("gyro_anisoinertia_deg_per_h_per_deg2_per_s2", "second-order drift",
                        "the filter has no state that grows with the square of a force or a rate"),
+    profiles::left_out("time_tag.offset_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.drift_ppm", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.white_sigma_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.gm_sigma_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.gm_correlation_time_s", "time tags",
+                       "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.quantization_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.steps[].at_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.steps[].step_s", "time tags", "the filter takes every tag for the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {
@@ -122,6 +131,15 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("satellites", "a fix says itself how unsure it is and when it was valid"),
     profiles::no_error("hdop", "a fix says itself how unsure it is and when it was valid"),
     profiles::no_error("vdop", "a fix says itself how unsure it is and when it was valid"),
+    profiles::left_out("time_tag.offset_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.drift_ppm", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.white_sigma_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.gm_sigma_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.gm_correlation_time_s", "time tags",
+                       "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.quantization_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.steps[].at_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.steps[].step_s", "time tags", "the filter takes every tag for the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {
@@ -168,6 +186,15 @@ inline constexpr profiles::FieldUse kMagnetometerErrorUses[] = {
     profiles::handled("gm_correlation_time_s"),
     profiles::no_error("full_scale_nt", "saturated samples come marked as such and are not used"),
     profiles::handled("quantization_nt"),
+    profiles::left_out("time_tag.offset_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.drift_ppm", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.white_sigma_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.gm_sigma_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.gm_correlation_time_s", "time tags",
+                       "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.quantization_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.steps[].at_s", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::left_out("time_tag.steps[].step_s", "time tags", "the filter takes every tag for the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kBarometerErrorUses[] = {

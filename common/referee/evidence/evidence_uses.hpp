@@ -110,6 +110,14 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
                        "comes with the motion, whose effect is not weighed"),
     profiles::left_out("gyro_anisoinertia_deg_per_h_per_deg2_per_s2", "second-order drift",
                        "comes with the motion, whose effect is not weighed"),
+    profiles::left_out("time_tag.offset_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.drift_ppm", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.white_sigma_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.gm_sigma_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.gm_correlation_time_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.quantization_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.steps[].at_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.steps[].step_s", "time tags", "samples are compared by their time of validity"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {
@@ -144,6 +152,14 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("satellites", "reported with a fix; no error follows from it"),
     profiles::no_error("hdop", "reported with a fix; no error follows from it"),
     profiles::no_error("vdop", "reported with a fix; no error follows from it"),
+    profiles::left_out("time_tag.offset_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.drift_ppm", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.white_sigma_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.gm_sigma_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.gm_correlation_time_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.quantization_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.steps[].at_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.steps[].step_s", "time tags", "samples are compared by their time of validity"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {
@@ -180,6 +196,14 @@ inline constexpr profiles::FieldUse kMagnetometerErrorUses[] = {
     profiles::handled("gm_correlation_time_s"),
     profiles::left_out("full_scale_nt", "full scale", "saturated samples are passed over"),
     profiles::handled("quantization_nt"),
+    profiles::left_out("time_tag.offset_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.drift_ppm", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.white_sigma_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.gm_sigma_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.gm_correlation_time_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.quantization_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.steps[].at_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.steps[].step_s", "time tags", "samples are compared by their time of validity"),
 };
 
 inline constexpr profiles::FieldUse kBarometerErrorUses[] = {
@@ -203,6 +227,14 @@ inline constexpr profiles::FieldUse kBarometerErrorUses[] = {
     profiles::left_out("temperature_offset_deg_c", "the sensor's temperature", "the pressure alone is weighed"),
     profiles::left_out("temperature_white_sigma_deg_c", "the sensor's temperature", "the pressure alone is weighed"),
     profiles::left_out("temperature_quantization_deg_c", "the sensor's temperature", "the pressure alone is weighed"),
+    profiles::left_out("time_tag.offset_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.drift_ppm", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.white_sigma_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.gm_sigma_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.gm_correlation_time_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.quantization_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.steps[].at_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.steps[].step_s", "time tags", "samples are compared by their time of validity"),
 };
 
 inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
@@ -221,6 +253,14 @@ inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
     profiles::handled("wheel_circumference_m"),
     profiles::handled("dead_below_m_per_s"),
     profiles::handled("direction_known"),
+    profiles::left_out("time_tag.offset_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.drift_ppm", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.white_sigma_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.gm_sigma_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.gm_correlation_time_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.quantization_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.steps[].at_s", "time tags", "samples are compared by their time of validity"),
+    profiles::left_out("time_tag.steps[].step_s", "time tags", "samples are compared by their time of validity"),
 };
 
 inline constexpr profiles::FieldUse kFaultUses[] = {

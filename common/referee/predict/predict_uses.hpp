@@ -69,6 +69,14 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
     profiles::handled("gyro_g2_sensitivity_deg_per_h_per_g2"),
     profiles::handled("gyro_anisoelasticity_deg_per_h_per_g2"),
     profiles::handled("gyro_anisoinertia_deg_per_h_per_deg2_per_s2"),
+    profiles::left_out("time_tag.offset_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.drift_ppm", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.white_sigma_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.gm_sigma_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.gm_correlation_time_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.quantization_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.steps[].at_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.steps[].step_s", "time tags", "the prediction is of the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {
@@ -94,6 +102,14 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("satellites", "reported with a fix; no error follows from it"),
     profiles::no_error("hdop", "reported with a fix; no error follows from it"),
     profiles::no_error("vdop", "reported with a fix; no error follows from it"),
+    profiles::left_out("time_tag.offset_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.drift_ppm", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.white_sigma_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.gm_sigma_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.gm_correlation_time_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.quantization_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.steps[].at_s", "time tags", "the prediction is of the time of validity"),
+    profiles::left_out("time_tag.steps[].step_s", "time tags", "the prediction is of the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {
