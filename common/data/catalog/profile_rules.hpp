@@ -143,6 +143,21 @@ std::optional<Violation> in_order_violation(const std::string& path, const std::
   return std::nullopt;
 }
 
+inline std::optional<Violation> correlation_violation(const char* path, const char* quantity, double sigma,
+                                                      double correlation_time_s) {
+  if (sigma == 0.0 || correlation_time_s > 0.0) return std::nullopt;
+  return Violation{Rule::CorrelationTime, path, std::string("is not above 0 where ") + quantity + " is"};
+}
+
+/// Of the clock that every kind of sensor has.
+inline std::optional<Violation> time_tag_violation(const TimeTagErrors& clock) {
+  if (auto broken = correlation_violation("time_tag.gm_correlation_time_s", "gm_sigma_s", clock.gm_sigma_s,
+                                          clock.gm_correlation_time_s)) {
+    return broken;
+  }
+  return in_order_violation("time_tag.steps", clock.steps);
+}
+
 template <class Point>
 std::optional<Violation> random_table_violation(const std::string& path, const std::vector<Point>& points) {
   if (points.size() == 1) {
@@ -220,6 +235,7 @@ inline std::optional<Violation> zero_violation(Rule rule, const char* path, cons
 inline std::optional<Violation> violation(const ImuErrorProfile& profile) {
   if (auto broken = detail::target_violation(profile)) return broken;
   if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::time_tag_violation(profile.time_tag)) return broken;
   if (auto broken = detail::gyro_violation(profile.gyro)) return broken;
   if (auto broken = detail::accel_violation(profile.accel)) return broken;
   if (auto broken = detail::cross_axis_violation(profile)) return broken;
@@ -249,6 +265,7 @@ inline std::optional<Violation> violation(const InstallationProfile& profile) {
 inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
   if (auto broken = detail::target_violation(profile)) return broken;
   if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::time_tag_violation(profile.time_tag)) return broken;
   if (profile.fix_type == FixType::None) {
     return Violation{Rule::FixTypeGiven, "fix_type", "is none; a receiver without a fix is the fault 'outage'"};
   }
@@ -297,6 +314,7 @@ inline std::optional<Violation> violation(const FaultProfile& profile) {
 inline std::optional<Violation> violation(const MagnetometerErrorProfile& profile) {
   if (auto broken = detail::target_violation(profile)) return broken;
   if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::time_tag_violation(profile.time_tag)) return broken;
   if (auto broken = detail::correlation_violation("gm_correlation_time_s", "gm_sigma_nt", profile.gm_sigma_nt,
                                                   profile.gm_correlation_time_s)) {
     return broken;
@@ -304,17 +322,10 @@ inline std::optional<Violation> violation(const MagnetometerErrorProfile& profil
   return detail::in_order_violation("currents", profile.currents);
 }
 
-namespace detail {
-inline std::optional<Violation> correlation_violation(const char* path, const char* quantity, double sigma,
-                                                      double correlation_time_s) {
-  if (sigma == 0.0 || correlation_time_s > 0.0) return std::nullopt;
-  return Violation{Rule::CorrelationTime, path, std::string("is not above 0 where ") + quantity + " is"};
-}
-}  // namespace detail
-
 inline std::optional<Violation> violation(const BarometerErrorProfile& profile) {
   if (auto broken = detail::target_violation(profile)) return broken;
   if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::time_tag_violation(profile.time_tag)) return broken;
   if (auto broken = detail::correlation_violation(
           "sea_level_pressure_gm_correlation_time_s", "sea_level_pressure_gm_sigma_pa",
           profile.sea_level_pressure_gm_sigma_pa, profile.sea_level_pressure_gm_correlation_time_s)) {
@@ -338,6 +349,7 @@ inline std::optional<Violation> violation(const BarometerErrorProfile& profile) 
 inline std::optional<Violation> violation(const OdometerErrorProfile& profile) {
   if (auto broken = detail::target_violation(profile)) return broken;
   if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::time_tag_violation(profile.time_tag)) return broken;
   if (auto broken = detail::correlation_violation("scale_factor_gm_correlation_time_s", "scale_factor_gm_sigma_ppm",
                                                   profile.scale_factor_gm_sigma_ppm,
                                                   profile.scale_factor_gm_correlation_time_s)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/profiles/time_tag_errors.hpp"
 #include "inslab/data/requests/profile_request.hpp"
 
 namespace inslab {
@@ -34,6 +35,7 @@ struct BarometerErrorProfile {
   double temperature_offset_deg_c = 0.0;
   double temperature_white_sigma_deg_c = 0.0;
   double temperature_quantization_deg_c = 0.0;
+  TimeTagErrors time_tag;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -81,6 +83,7 @@ struct BarometerErrorProfile {
           self.temperature_white_sigma_deg_c);
     visit(Field("temperature_quantization_deg_c", "temperature of one count; 0: none").in(0.0, 10.0),
           self.temperature_quantization_deg_c);
+    visit(Field("time_tag", "of the clock that tags the samples").appended(), self.time_tag);
   }
 };
 

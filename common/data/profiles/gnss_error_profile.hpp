@@ -1,6 +1,7 @@
 #pragma once
 
 #include "inslab/data/profiles/recorded_fix_error.hpp"
+#include "inslab/data/profiles/time_tag_errors.hpp"
 #include "inslab/data/requests/profile_request.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
 
@@ -94,6 +95,7 @@ struct GnssErrorProfile : SolutionErrors {
   double hdop = 0.8;
   double vdop = 1.2;
   RecordedFixError recorded_error;
+  TimeTagErrors time_tag;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -114,6 +116,7 @@ struct GnssErrorProfile : SolutionErrors {
     visit(Field("recorded_error", "errors of a real receiver, recorded, on top of the others; its outages too")
               .appended(),
           self.recorded_error);
+    visit(Field("time_tag", "of the clock that tags the samples").appended(), self.time_tag);
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "inslab/data/profiles/recorded_error.hpp"
+#include "inslab/data/profiles/time_tag_errors.hpp"
 #include "inslab/data/requests/profile_request.hpp"
 
 namespace inslab {
@@ -219,6 +220,7 @@ struct ImuErrorProfile {
   Vector9 gyro_anisoelasticity_deg_per_h_per_g2 = Vector9::Zero();
   Vector9 gyro_anisoinertia_deg_per_h_per_deg2_per_s2 = Vector9::Zero();
   RecordedError recorded_error;
+  TimeTagErrors time_tag;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -305,6 +307,7 @@ struct ImuErrorProfile {
         self.gyro_anisoinertia_deg_per_h_per_deg2_per_s2);
     visit(Field("recorded_error", "errors of a real IMU, recorded, on top of the others").appended(),
           self.recorded_error);
+    visit(Field("time_tag", "of the clock that tags the samples").appended(), self.time_tag);
   }
 };
 

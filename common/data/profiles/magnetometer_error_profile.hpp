@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/profiles/time_tag_errors.hpp"
 #include "inslab/data/requests/profile_request.hpp"
 
 namespace inslab {
@@ -52,6 +53,7 @@ struct MagnetometerErrorProfile {
   Vector3 gm_correlation_time_s = Vector3::Zero();
   Vector3 full_scale_nt = Vector3::Zero();
   Vector3 quantization_nt = Vector3::Zero();
+  TimeTagErrors time_tag;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -75,6 +77,7 @@ struct MagnetometerErrorProfile {
           self.gm_correlation_time_s);
     visit(Field("full_scale_nt", "largest field an axis puts out; 0: no limit").in(0.0, 1e7), self.full_scale_nt);
     visit(Field("quantization_nt", "field of one count; 0: none").in(0.0, 1e5), self.quantization_nt);
+    visit(Field("time_tag", "of the clock that tags the samples").appended(), self.time_tag);
   }
 };
 

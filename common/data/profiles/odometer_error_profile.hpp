@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/profiles/time_tag_errors.hpp"
 #include "inslab/data/requests/profile_request.hpp"
 
 namespace inslab {
@@ -29,6 +30,7 @@ struct OdometerErrorProfile {
   double wheel_circumference_m = 2.0;
   double dead_below_m_per_s = 0.0;
   bool direction_known = true;
+  TimeTagErrors time_tag;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -71,6 +73,7 @@ struct OdometerErrorProfile {
     visit(Field("dead_below_m_per_s", "slower than this nothing is counted, and the way is lost").in(0.0, 10.0),
           self.dead_below_m_per_s);
     visit(Field("direction_known", "false: backwards counts as forwards"), self.direction_known);
+    visit(Field("time_tag", "of the clock that tags the samples").appended(), self.time_tag);
   }
 };
 

@@ -10,7 +10,7 @@ struct StreamHeader {
   RunId run_id;
   std::uint64_t sequence_number = 0;  ///< one count per stream, from 0, without gaps
   std::int64_t sim_time_ns = 0;       ///< since the scenario's start; time of validity
-  std::uint32_t gps_week = 0;         ///< full, no rollover
+  std::uint32_t gps_week = 0;         ///< full, no rollover: the sensor's tag, by its own clock
   std::int64_t gps_time_of_week_ns = 0;
   std::int64_t publish_realtime_ns = 0;   ///< CLOCK_REALTIME of the sending host; 0 when not sent
   std::int64_t publish_monotonic_ns = 0;  ///< CLOCK_MONOTONIC of the sending host; 0 when not sent

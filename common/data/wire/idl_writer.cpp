@@ -57,6 +57,14 @@ struct NestedName<AngularRandomPoint> {
   static constexpr std::string_view value = "AngularRandomPoint";
 };
 template <>
+struct NestedName<TimeTagErrors> {
+  static constexpr std::string_view value = "TimeTagErrors";
+};
+template <>
+struct NestedName<TimeTagStep> {
+  static constexpr std::string_view value = "TimeTagStep";
+};
+template <>
 struct NestedName<CurrentField> {
   static constexpr std::string_view value = "CurrentField";
 };

@@ -32,7 +32,9 @@ BarometerModel::BarometerModel(const Setup& setup)
       drift_({}, setup.rate.period_s(), stream(setup, "pressure/gm")),
       white_(stream(setup, "pressure/white")),
       temperature_white_(stream(setup, "temperature/white")),
-      burst_(stream(setup, "burst")) {
+      burst_(stream(setup, "burst")),
+      clock_(setup.errors.time_tag, setup.rate.period_s(), setup.seed,
+             "barometer" + std::to_string(setup.sensor_number)) {
   take_profiles();
 }
 
@@ -40,6 +42,7 @@ void BarometerModel::apply(const BarometerErrorProfile& profile) {
   errors_ = catalog::checked_for<catalog::Barometer>(profile);
   if (profile.request.continuity == Continuity::Reset) drift_.reset();
   if (profile.request.continuity == Continuity::Redraw) drift_.redraw(instant_);
+  clock_.retune(profile.time_tag, profile.request.continuity, instant_, rate_.at(instant_).count());
   take_profiles();
 }
 
@@ -60,6 +63,7 @@ void BarometerModel::take_profiles() {
   temperature_drift_.retune(
       {errors_.temperature_deviation_gm_sigma_deg_c, errors_.temperature_deviation_gm_correlation_time_s});
   drift_.retune({errors_.gm_sigma_pa, errors_.gm_correlation_time_s});
+  clock_.use(errors_.time_tag);
   stuck_.set({fault_.barometer_fault, AxisFault::None, AxisFault::None});
 }
 
@@ -80,13 +84,14 @@ std::optional<AirPressure> BarometerModel::observe(const TruthState& truth) {
   const std::int64_t time_ns = truth.header.sim_time_ns;
   if (time_ns <= 0 || !rate_.contains(time::Nanoseconds(time_ns))) return std::nullopt;
   instant_ = rate_.index(time::Nanoseconds(time_ns));
+  const StreamHeader header = clock_.tagged(truth.header, instant_);
   const Weather drift{sea_level_drift_.advance(instant_ - 1), temperature_drift_.advance(instant_ - 1)};
   const nav::standard_atmosphere::Air air = port_.air(truth, drift);
   const Noise noise = drawn();
   if (fault_.barometer_silent) return std::nullopt;
 
   AirPressure sample;
-  sample.header = truth.header;
+  sample.header = header;
   sample.header.sequence_number = samples_++;
   sample.header.publish_realtime_ns = 0;
   sample.header.publish_monotonic_ns = 0;

@@ -11,6 +11,7 @@
 #include "inslab/foundation/time/rate.hpp"
 #include "inslab/models/barometer/static_port.hpp"
 #include "inslab/models/faults/axis_faults.hpp"
+#include "inslab/models/timing/sensor_clock.hpp"
 #include "inslab/noise/random/gauss_markov.hpp"
 
 namespace inslab::barometer {
@@ -53,8 +54,8 @@ class BarometerModel {
   static void state(Self& self, Visitor& visit) {
     visit(self.errors_, self.installation_, self.fault_);
     if constexpr (!std::is_const_v<Self>) self.take_profiles();
-    visit(self.port_, self.sea_level_drift_, self.temperature_drift_, self.drift_, self.stuck_, self.instant_,
-          self.samples_);
+    visit(self.port_, self.clock_, self.sea_level_drift_, self.temperature_drift_, self.drift_, self.stuck_,
+          self.instant_, self.samples_);
   }
 
  private:
@@ -78,8 +79,9 @@ class BarometerModel {
   random::NormalCursor white_;
   random::NormalCursor temperature_white_;
   random::NormalCursor burst_;  ///< of a fault
-  faults::AxisFaults stuck_;    ///< the pressure is its first axis
-  std::uint64_t instant_ = 0;   ///< the last one
+  timing::SensorClock clock_;
+  faults::AxisFaults stuck_;   ///< the pressure is its first axis
+  std::uint64_t instant_ = 0;  ///< the last one
   std::uint64_t samples_ = 0;
 };
 

@@ -47,7 +47,8 @@ GnssModel::GnssModel(const Setup& setup)
       position_noise_(stream(setup, "position"), random::VectorNoise::kNed, setup.gnss_rate.period_s()),
       velocity_noise_(stream(setup, "velocity"), random::VectorNoise::kNed, setup.gnss_rate.period_s()),
       recording_run_{setup.seed, receiver(setup.sensor_number), setup.end, setup.recordings},
-      recorded_(setup.errors.recorded_error, recording_run_) {
+      recorded_(setup.errors.recorded_error, recording_run_),
+      clock_(setup.errors.time_tag, setup.gnss_rate.period_s(), setup.seed, receiver(setup.sensor_number)) {
   take_errors_of(errors_.lesser_solutions.size());
 }
 
@@ -56,6 +57,7 @@ void GnssModel::apply(const GnssErrorProfile& profile) {
   errors_ = catalog::checked_for<catalog::Gnss>(profile);
   recorded_ = std::move(recorded);
   ladder_.retune(profile, profile.request.continuity);
+  clock_.retune(profile.time_tag, profile.request.continuity, epoch_, rate_.at(epoch_).count());
   for (random::VectorNoise* noise : {&position_noise_, &velocity_noise_}) {
     if (profile.request.continuity == Continuity::Reset) noise->reset();
     if (profile.request.continuity == Continuity::Redraw) noise->redraw(epoch_);
@@ -105,6 +107,7 @@ std::optional<GnssFix> GnssModel::observe(const TruthState& truth) {
   const std::int64_t time_ns = truth.header.sim_time_ns;
   if (time_ns <= 0 || !rate_.contains(time::Nanoseconds(time_ns))) return std::nullopt;
   epoch_ = rate_.index(time::Nanoseconds(time_ns));
+  const StreamHeader header = clock_.tagged(truth.header, epoch_);
 
   const SensorSite antenna = sensor_site(truth, installation_.lever_arm_v_m);
   const Geometry sky = geometry(truth, antenna);
@@ -128,7 +131,7 @@ std::optional<GnssFix> GnssModel::observe(const TruthState& truth) {
   const nav::Geodetic measured = nav::displaced(antenna.position, position_noise_ned_m + position_fault_ned_m);
 
   GnssFix fix;
-  fix.header = truth.header;
+  fix.header = header;
   fix.header.sequence_number = fixes_++;
   fix.header.publish_realtime_ns = 0;
   fix.header.publish_monotonic_ns = 0;

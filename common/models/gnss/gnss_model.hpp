@@ -12,6 +12,7 @@
 #include "inslab/models/gnss/outage_schedule.hpp"
 #include "inslab/models/gnss/recorded_fixes.hpp"
 #include "inslab/models/gnss/solution_ladder.hpp"
+#include "inslab/models/timing/sensor_clock.hpp"
 #include "inslab/noise/random/vector_noise.hpp"
 
 namespace inslab::gnss {
@@ -60,8 +61,9 @@ class GnssModel {
     if constexpr (!std::is_const_v<Self>) {
       self.ladder_.retune(self.errors_, Continuity::Reset);
       self.recorded_ = RecordedFixes(self.errors_.recorded_error, self.recording_run_);
+      self.clock_.use(self.errors_.time_tag);
     }
-    visit(self.ladder_, self.position_noise_, self.velocity_noise_, self.rung_, self.epoch_, self.fixes_);
+    visit(self.ladder_, self.position_noise_, self.velocity_noise_, self.clock_, self.rung_, self.epoch_, self.fixes_);
     if constexpr (!std::is_const_v<Self>) self.take_errors_of(self.rung_);
   }
 
@@ -84,6 +86,7 @@ class GnssModel {
   random::VectorNoise velocity_noise_;
   RecordedFixes::Run recording_run_;
   RecordedFixes recorded_;
+  timing::SensorClock clock_;
   std::size_t rung_ = 0;     ///< whose errors the noise has
   std::uint64_t epoch_ = 0;  ///< the last one
   std::uint64_t fixes_ = 0;

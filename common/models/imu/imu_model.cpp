@@ -45,6 +45,7 @@ ImuModel::ImuModel(const Setup& setup)
              random::Stream(setup.seed, sensor_name(setup.sensor_number) + "/dropped_samples")),
       recording_run_{setup.seed, sensor_name(setup.sensor_number), setup.end, setup.recordings},
       recorded_(setup.errors.recorded_error, recording_run_),
+      clock_(setup.errors.time_tag, rate_.period_s(), setup.seed, sensor_name(setup.sensor_number)),
       latency_ns_(time::from_seconds(setup.errors.latency_s).count()),
       revisions_{setup.errors.request.journal_number, setup.vibration.request.journal_number,
                  setup.installation.request.journal_number, 0} {
@@ -146,6 +147,7 @@ void ImuModel::tune(const ImuErrorProfile& profile, Continuity continuity, std::
   use_responses(gyro, accel, profile.accel_delay_s);
   drops_.retune(profile.drop_probability);
   recorded_ = RecordedSignal(profile.recorded_error, recording_run_);
+  clock_.retune(profile.time_tag, continuity, k, rate_.at(k).count());
   latency_ns_ = time::from_seconds(profile.latency_s).count();
 }
 
@@ -244,7 +246,7 @@ std::optional<ImuModel::Output> ImuModel::end_interval(const TruthState& truth) 
   discontinuity_ = false;
 
   ImuSample& sample = out->sample;
-  sample.header = perfect.header;
+  sample.header = clock_.is_off() ? perfect.header : clock_.tagged(perfect.header, interval_.k + 1);
   sample.sensor_number = sensor_number_;
   sample.available_sim_time_ns = end_ns + latency_ns_;
   sample.interval_ns = perfect.interval_ns;

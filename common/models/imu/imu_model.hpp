@@ -23,6 +23,7 @@
 #include "inslab/models/imu/triad_errors.hpp"
 #include "inslab/models/imu/triad_limits.hpp"
 #include "inslab/models/imu/vibration.hpp"
+#include "inslab/models/timing/sensor_clock.hpp"
 #include "inslab/nav/gravity.hpp"
 
 namespace inslab::imu {
@@ -76,7 +77,7 @@ class ImuModel {
     if constexpr (!std::is_const_v<Self>) self.use_profiles();
     visit(self.vibration_, self.gyro_, self.accel_, self.gyro_thermal_, self.accel_thermal_, self.gyro_limits_,
           self.accel_limits_, self.previous_, self.perfect_, self.size_effect_dv_, self.gyro_motion_,
-          self.accel_motion_, self.discontinuity_, self.revisions_, self.pending_);
+          self.accel_motion_, self.clock_, self.discontinuity_, self.revisions_, self.pending_);
     if constexpr (!std::is_const_v<Self>) self.find_start();
   }
 
@@ -133,6 +134,7 @@ class ImuModel {
   DroppedSamples drops_;
   RecordedSignal::Run recording_run_;
   RecordedSignal recorded_;
+  timing::SensorClock clock_;
   std::int64_t latency_ns_;
 
   std::int64_t from_ns_ = 0;  ///< the interval that is open, or that begins at `previous_`

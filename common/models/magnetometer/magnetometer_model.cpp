@@ -41,7 +41,9 @@ MagnetometerModel::MagnetometerModel(const Setup& setup)
       errors_(catalog::checked_for<catalog::Magnetometer>(setup.errors)),
       installation_(catalog::checked_for<catalog::Magnetometer>(setup.installation)),
       noise_(stream(setup, "field"), random::VectorNoise::kAxes, setup.rate.period_s()),
-      burst_(stream(setup, "burst"), random::VectorNoise::kAxes, setup.rate.period_s()) {
+      burst_(stream(setup, "burst"), random::VectorNoise::kAxes, setup.rate.period_s()),
+      clock_(setup.errors.time_tag, setup.rate.period_s(), setup.seed,
+             "magnetometer" + std::to_string(setup.sensor_number)) {
   take_profiles();
 }
 
@@ -49,6 +51,7 @@ void MagnetometerModel::apply(const MagnetometerErrorProfile& profile) {
   errors_ = catalog::checked_for<catalog::Magnetometer>(profile);
   if (profile.request.continuity == Continuity::Reset) noise_.reset();
   if (profile.request.continuity == Continuity::Redraw) noise_.redraw(instant_);
+  clock_.retune(profile.time_tag, profile.request.continuity, instant_, rate_.at(instant_).count());
   take_profiles();
 }
 
@@ -70,17 +73,19 @@ void MagnetometerModel::take_profiles() {
   noise_.retune(errors_.white_sigma_nt, errors_.gm_sigma_nt, errors_.gm_correlation_time_s);
   burst_.retune(fault_.magnetic_noise_burst_nt, Vector3::Zero(), Vector3::Zero());
   axes_.set(fault_.magnetometer_axes);
+  clock_.use(errors_.time_tag);
 }
 
 std::optional<MagneticField> MagnetometerModel::observe(const TruthState& truth) {
   const std::int64_t time_ns = truth.header.sim_time_ns;
   if (time_ns <= 0 || !rate_.contains(time::Nanoseconds(time_ns))) return std::nullopt;
   instant_ = rate_.index(time::Nanoseconds(time_ns));
+  const StreamHeader header = clock_.tagged(truth.header, instant_);
   const Vector3 noise_nt = noise_.advance(instant_) + burst_.advance(instant_);
   if (fault_.magnetometer_silent) return std::nullopt;
 
   MagneticField sample;
-  sample.header = truth.header;
+  sample.header = header;
   sample.header.sequence_number = samples_++;
   sample.header.publish_realtime_ns = 0;
   sample.header.publish_monotonic_ns = 0;

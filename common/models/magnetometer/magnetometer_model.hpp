@@ -12,6 +12,7 @@
 #include "inslab/foundation/time/rate.hpp"
 #include "inslab/models/faults/axis_faults.hpp"
 #include "inslab/models/magnetometer/sensed_field.hpp"
+#include "inslab/models/timing/sensor_clock.hpp"
 #include "inslab/noise/random/vector_noise.hpp"
 
 namespace inslab::magnetometer {
@@ -54,7 +55,7 @@ class MagnetometerModel {
   static void state(Self& self, Visitor& visit) {
     visit(self.errors_, self.installation_, self.fault_);
     if constexpr (!std::is_const_v<Self>) self.take_profiles();
-    visit(self.noise_, self.axes_, self.instant_, self.samples_);
+    visit(self.noise_, self.axes_, self.clock_, self.instant_, self.samples_);
   }
 
  private:
@@ -71,6 +72,7 @@ class MagnetometerModel {
   random::VectorNoise noise_;
   random::VectorNoise burst_;  ///< of a fault: white alone
   faults::AxisFaults axes_;
+  timing::SensorClock clock_;
   std::uint64_t instant_ = 0;  ///< the last one
   std::uint64_t samples_ = 0;
 };

@@ -88,6 +88,7 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
                        "the filter has no state that grows with the square of a force or a rate"),
     profiles::left_out("recorded_error.*", "recorded errors",
                        "a signal, not its statistics; give the filter those of its twin (inslab allan --profile)"),
+    profiles::left_out("time_tag.*", "time tags", "the filter takes every tag for the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {
@@ -125,6 +126,7 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("hdop", "a fix says itself how unsure it is and when it was valid"),
     profiles::no_error("vdop", "a fix says itself how unsure it is and when it was valid"),
     profiles::no_error("recorded_error.*", "fixes come with what the real receiver claimed"),
+    profiles::left_out("time_tag.*", "time tags", "the filter takes every tag for the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {
@@ -171,6 +173,7 @@ inline constexpr profiles::FieldUse kMagnetometerErrorUses[] = {
     profiles::handled("gm_correlation_time_s"),
     profiles::no_error("full_scale_nt", "saturated samples come marked as such and are not used"),
     profiles::handled("quantization_nt"),
+    profiles::left_out("time_tag.*", "time tags", "the filter takes every tag for the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kBarometerErrorUses[] = {

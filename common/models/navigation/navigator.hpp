@@ -6,12 +6,14 @@
 #include <optional>
 
 #include "inslab/models/navigation/navigation_filter.hpp"
+#include "inslab/models/navigation/tag_time.hpp"
 
 namespace inslab::navigation {
 
 /// The filter fed in the order in which a flight computer would have its inputs: of an observation
 /// (measurements.hpp; a fix, for one) and an IMU sample, the one that is available first comes first, whatever the
-/// order in which they are handed over here. So a run gives the same solutions in lockstep, offline and from its log.
+/// order in which they are handed over here. It navigates by their tags (TagTime). So a run gives the same solutions in
+/// lockstep, offline and from its log.
 ///
 /// Who cannot know whether an earlier fix is still on its way leaves fixes_complete_up_to() at its default: each sample
 /// then goes in at once, with the fixes that have come.
@@ -46,6 +48,7 @@ class Navigator {
 
  private:
   NavigationFilter filter_;
+  TagTime tag_time_;
   std::deque<ImuSample> samples_;
   /// By the time they are available; of one time in the order of their kinds, whichever stream came first.
   std::multimap<std::pair<std::int64_t, std::size_t>, Observation> observations_;

@@ -30,6 +30,8 @@ OdometerModel::OdometerModel(const Setup& setup)
       scale_drift_({}, setup.rate.period_s(), stream(setup, "scale/gm")),
       noise_(stream(setup, "distance")),
       burst_(stream(setup, "burst")),
+      clock_(setup.errors.time_tag, setup.rate.period_s(), setup.seed,
+             "odometer" + std::to_string(setup.sensor_number)),
       part_of_count_(stream(setup, "phase").uniform(0)) {
   take_profiles();
 }
@@ -37,11 +39,13 @@ OdometerModel::OdometerModel(const Setup& setup)
 void OdometerModel::apply(const OdometerErrorProfile& profile) {
   errors_ = catalog::checked_for<catalog::Odometer>(profile);
   if (profile.request.continuity == Continuity::Reset) scale_drift_.reset();
+  const std::int64_t now_ns = previous_ ? previous_->header.sim_time_ns : 0;
+  const std::uint64_t k = rate_.index(time::Nanoseconds(now_ns));
   if (profile.request.continuity == Continuity::Redraw) {
-    const std::int64_t now_ns = previous_ ? previous_->header.sim_time_ns : 0;
-    scale_turn_on_.redraw(rate_.index(time::Nanoseconds(now_ns)));
-    scale_drift_.redraw(rate_.index(time::Nanoseconds(now_ns)));
+    scale_turn_on_.redraw(k);
+    scale_drift_.redraw(k);
   }
+  clock_.retune(profile.time_tag, profile.request.continuity, k, rate_.at(k).count());
   take_profiles();
 }
 
@@ -59,6 +63,7 @@ void OdometerModel::take_profiles() {
   contact_.use(installation_);
   scale_turn_on_.retune(errors_.scale_factor_turn_on_sigma_ppm);
   scale_drift_.retune({errors_.scale_factor_gm_sigma_ppm, errors_.scale_factor_gm_correlation_time_s});
+  clock_.use(errors_.time_tag);
   faulty_.set({fault_.odometer_fault, AxisFault::None, AxisFault::None});
 }
 
@@ -74,12 +79,12 @@ std::optional<WheelTravel> OdometerModel::measure(const TruthState& truth) {
 
   const std::uint64_t k = rate_.index(time::Nanoseconds(time_ns));
   WheelTravel sample;
+  sample.header = clock_.tagged(truth.header, k);
   sample.interval_ns = (rate_.at(k) - rate_.at(k - 1)).count();
   const double dt_s = time::to_seconds(sample.interval_ns);
   const double distance_m = shown_m(k, dt_s, time_ns);
   if (fault_.odometer_silent) return std::nullopt;
 
-  sample.header = truth.header;
   sample.header.sequence_number = samples_++;
   sample.header.publish_realtime_ns = 0;
   sample.header.publish_monotonic_ns = 0;

@@ -11,6 +11,7 @@
 #include "inslab/foundation/time/rate.hpp"
 #include "inslab/models/faults/axis_faults.hpp"
 #include "inslab/models/odometer/wheel_contact.hpp"
+#include "inslab/models/timing/sensor_clock.hpp"
 #include "inslab/noise/random/gauss_markov.hpp"
 #include "inslab/noise/random/random_constant.hpp"
 
@@ -54,8 +55,8 @@ class OdometerModel {
   static void state(Self& self, Visitor& visit) {
     visit(self.errors_, self.installation_, self.fault_);
     if constexpr (!std::is_const_v<Self>) self.take_profiles();
-    visit(self.scale_turn_on_, self.scale_drift_, self.faulty_, self.previous_, self.turned_m_, self.part_of_count_,
-          self.samples_);
+    visit(self.clock_, self.scale_turn_on_, self.scale_drift_, self.faulty_, self.previous_, self.turned_m_,
+          self.part_of_count_, self.samples_);
   }
 
  private:
@@ -73,7 +74,8 @@ class OdometerModel {
   random::GaussMarkov scale_drift_;
   random::NormalCursor noise_;
   random::NormalCursor burst_;  ///< of a fault
-  faults::AxisFaults faulty_;   ///< the distance is its first axis
+  timing::SensorClock clock_;
+  faults::AxisFaults faulty_;  ///< the distance is its first axis
   std::optional<TruthState> previous_;
   double turned_m_ = 0.0;  ///< in the interval that is open
   double part_of_count_;   ///< since the last whole one, 0 to 1

@@ -71,6 +71,7 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
     profiles::handled("gyro_anisoinertia_deg_per_h_per_deg2_per_s2"),
     profiles::left_out("recorded_error.*", "recorded errors",
                        "a signal, not its statistics; inslab simulate and Monte Carlo have it"),
+    profiles::left_out("time_tag.*", "time tags", "the prediction is of the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {
@@ -98,6 +99,7 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("vdop", "reported with a fix; no error follows from it"),
     profiles::left_out("recorded_error.*", "recorded errors",
                        "a signal, not its statistics; inslab simulate and Monte Carlo have it"),
+    profiles::left_out("time_tag.*", "time tags", "the prediction is of the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {
