@@ -112,7 +112,7 @@ inline constexpr profiles::FieldUse kImuErrorUses[] = {
                        "comes with the motion, whose effect is not weighed"),
     profiles::left_out("recorded_error.*", "recorded errors",
                        "a real sensor promises nothing; they are taken off before the rest is weighed"),
-    profiles::left_out("time_tag.*", "time tags", "samples are compared by their time of validity"),
+    profiles::handled("time_tag.*"),
 };
 
 inline constexpr profiles::FieldUse kGnssErrorUses[] = {
@@ -149,7 +149,7 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("vdop", "reported with a fix; no error follows from it"),
     profiles::left_out("recorded_error.*", "recorded errors",
                        "a real sensor promises nothing; such a swap is not weighed"),
-    profiles::left_out("time_tag.*", "time tags", "samples are compared by their time of validity"),
+    profiles::handled("time_tag.*"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {
@@ -186,7 +186,7 @@ inline constexpr profiles::FieldUse kMagnetometerErrorUses[] = {
     profiles::handled("gm_correlation_time_s"),
     profiles::left_out("full_scale_nt", "full scale", "saturated samples are passed over"),
     profiles::handled("quantization_nt"),
-    profiles::left_out("time_tag.*", "time tags", "samples are compared by their time of validity"),
+    profiles::handled("time_tag.*"),
 };
 
 inline constexpr profiles::FieldUse kBarometerErrorUses[] = {
@@ -210,7 +210,7 @@ inline constexpr profiles::FieldUse kBarometerErrorUses[] = {
     profiles::left_out("temperature_offset_deg_c", "the sensor's temperature", "the pressure alone is weighed"),
     profiles::left_out("temperature_white_sigma_deg_c", "the sensor's temperature", "the pressure alone is weighed"),
     profiles::left_out("temperature_quantization_deg_c", "the sensor's temperature", "the pressure alone is weighed"),
-    profiles::left_out("time_tag.*", "time tags", "samples are compared by their time of validity"),
+    profiles::handled("time_tag.*"),
 };
 
 inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
@@ -229,7 +229,7 @@ inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
     profiles::handled("wheel_circumference_m"),
     profiles::handled("dead_below_m_per_s"),
     profiles::handled("direction_known"),
-    profiles::left_out("time_tag.*", "time tags", "samples are compared by their time of validity"),
+    profiles::handled("time_tag.*"),
 };
 
 inline constexpr profiles::FieldUse kFaultUses[] = {

@@ -10,6 +10,7 @@
 #include "inslab/referee/evidence/evidence_uses.hpp"
 #include "inslab/referee/evidence/imu_promise.hpp"
 #include "inslab/referee/evidence/sample_joiner.hpp"
+#include "inslab/referee/evidence/time_tag_evidence.hpp"
 
 namespace inslab::evidence {
 
@@ -95,6 +96,14 @@ class Weigher {
   }
 
   std::vector<EvidenceLine> lines() const {
+    std::vector<EvidenceLine> lines = lines_of_the_value();
+    const std::vector<EvidenceLine> of_the_tag = time_tag_lines(summary_, swap_, period_s());
+    lines.insert(lines.end(), of_the_tag.begin(), of_the_tag.end());
+    return lines;
+  }
+
+ private:
+  std::vector<EvidenceLine> lines_of_the_value() const {
     switch (swap_.ack.kind) {
       case ProfileKind::ImuError:
         return imu_error();
@@ -116,7 +125,6 @@ class Weigher {
     return {};
   }
 
- private:
   /// Of which there is an entry for every usable sample of the sensor.
   const NoiseStatistics& series_of(const SwapWindow& window) const {
     switch (swap_.ack.target.kind) {

@@ -152,6 +152,12 @@ bool is_measured(const ImuSample& sample) {
 
 }  // namespace
 
+void SwapWindow::add_tag(std::uint64_t index, const StreamHeader& tagged, const StreamHeader& truth) {
+  const time::GpsTime tag{tagged.gps_week, tagged.gps_time_of_week_ns},
+      valid{truth.gps_week, truth.gps_time_of_week_ns};
+  time_tag.add(index, {time::to_seconds(tag - valid), time::to_seconds(truth.sim_time_ns), 0.0});
+}
+
 void SensorFilter::use(const ImuErrorProfile& profile) {
   gyro_.retune(imu::in_si(profile.gyro));
   accel_.retune(imu::in_si(profile.accel));
@@ -257,6 +263,7 @@ void SwapWindowsOfLog::add(const ImuSample& sample, const ImuTruth& imu_truth, c
     window.accel_residual_m_per_s2.add(time_s, accel_error, dtheta / dt_s, dv / dt_s);
     const auto imu_place = geodetic_of(imu_truth);
     window.imu_arm_v_m.add(k, C_ev(vehicle).transpose() * offset_e(imu_place, vehicle));
+    window.add_tag(k, sample.header, vehicle.header);
   });
 }
 
@@ -280,6 +287,7 @@ void SwapWindowsOfLog::add(const GnssFix& fix, const TruthState& vehicle) {
     window.antenna_arm_v_m.add(k, C_ev(vehicle).transpose() * offset);
     window.position_ned_m.add(k, C_en.transpose() * (offset - C_ev(vehicle) * arm_v));
     window.velocity_ned_m_per_s.add(k, fix.v_n - C_en.transpose() * v_e);
+    window.add_tag(k, fix.header, vehicle.header);
   });
 }
 
@@ -301,7 +309,10 @@ void SwapWindowsOfLog::add(const MagneticField& sample, const TruthState& vehicl
     passing.magnetic_revisions = revisions;
   }
   const Vector3 error_nt = sample.B_b_nt - passing.magnetic->B_b_nt(vehicle);
-  for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) { window.magnetic_nt.add(k, error_nt); });
+  for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) {
+    window.magnetic_nt.add(k, error_nt);
+    window.add_tag(k, sample.header, vehicle.header);
+  });
 }
 
 void SwapWindowsOfLog::add(const AirPressure& sample, const TruthState& vehicle) {
@@ -313,6 +324,7 @@ void SwapWindowsOfLog::add(const AirPressure& sample, const TruthState& vehicle)
   if (sample.saturated) return;
   for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) {
     window.pressure.add(sample.header.sequence_number, {error_pa, sample.pressure_altitude_m, 0.0});
+    window.add_tag(sample.header.sequence_number, sample.header, vehicle.header);
   });
 }
 
@@ -325,6 +337,9 @@ void SwapWindowsOfLog::add(const WheelTravel& sample, const std::vector<const Tr
   const double error_m = std::copysign(1.0, expected_m) * (sample.distance_m - expected_m);
   for_each_open(passing, sample.header.sim_time_ns, [&](SwapWindow& window) {
     window.way_m.add(sample.header.sequence_number, {error_m, std::abs(expected_m), 0.0});
+    if (!way.empty() && way.back()->header.sim_time_ns == sample.header.sim_time_ns) {
+      window.add_tag(sample.header.sequence_number, sample.header, way.back()->header);
+    }
   });
 }
 

@@ -57,6 +57,9 @@ struct SwapWindow {
   std::int64_t until_ns = 0;  ///< and not later than this
   bool contains(std::int64_t t) const { return t > after_ns && t <= until_ns; }
 
+  /// Notes the tag of sample `index` of a sensor beside the vehicle's truth of its time.
+  void add_tag(std::uint64_t index, const StreamHeader& tagged, const StreamHeader& truth);
+
   /// ImuSample minus what the sensor's low-pass filter makes of the ImuTruth, as a rate.
   NoiseStatistics gyro_rad_per_s;
   NoiseStatistics accel_m_per_s2;
@@ -68,6 +71,7 @@ struct SwapWindow {
   NoiseStatistics antenna_arm_v_m;  ///< GnssFix minus the vehicle's truth, in the vehicle's axes
   NoiseStatistics magnetic_nt;      ///< MagneticField minus its MagneticExpectation
   NoiseStatistics pressure;         ///< AirPressure minus its PressureExpectation, Pa; the pressure altitude, m
+  NoiseStatistics time_tag;         ///< tag of a sample less that of the truth, s; the truth's sim time, s
   NoiseStatistics way_m;  ///< WheelTravel minus its WayExpectation in that one's direction; the expectation's size
 };
 
