@@ -9,209 +9,12 @@
 #include "inslab/models/navigation/rolling_without_slide.hpp"
 #include "inslab/models/navigation/wheel_speed.hpp"
 #include "tests/unit/models/navigation/drawn_run.hpp"
+#include "tests/unit/models/navigation/rolling_wheel.hpp"
 
 namespace inslab::navigation {
 namespace wheel_aids_test {
 
 using namespace circling;
-
-constexpr int kSteps = 20;  ///< IMU intervals in one of an odometer: 10 Hz
-constexpr double kInterval_s = kSteps * kDt_s;
-constexpr std::int64_t kInterval_ns = kSteps * kDt_ns;
-
-NavigationParameters told() {
-  NavigationParameters p;
-  p.states.wheel_scale = p.states.wheel_axis = true;
-  p.odometer.number = 0;
-  p.odometer.sigma_m_per_s = 0.03;
-  p.odometer.noise_m_per_sqrt_m = 0.0;
-  p.rolling_constraint.lateral_sigma_m_per_s = p.rolling_constraint.vertical_sigma_m_per_s = 0.05;
-  return p;
-}
-
-WheelTravel travel(double distance_m, std::int64_t end_ns, std::uint32_t number = 0) {
-  WheelTravel sample;
-  sample.header.sim_time_ns = end_ns;
-  sample.sensor_number = number;
-  sample.interval_ns = kInterval_ns;
-  sample.distance_m = distance_m;
-  return sample;
-}
-
-/// Adds up the true way of a contact over the intervals of an odometer, by the rule of the trapezium.
-class Wheel {
- public:
-  explicit Wheel(const Vector3& arm_b_m = Vector3::Zero()) : arm_b_m_(arm_b_m) {}
-
-  void begin(const Circling& truth) { v_b_ = truth.velocity_b(arm_b_m_); }
-  void advance(const Circling& truth) {
-    const Vector3 v_b = truth.velocity_b(arm_b_m_);
-    way_b_m_ += 0.5 * kDt_s * (v_b_ + v_b);
-    v_b_ = v_b;
-  }
-  Vector3 take() {
-    const Vector3 way_b_m = way_b_m_;
-    way_b_m_.setZero();
-    return way_b_m;
-  }
-
- private:
-  Vector3 arm_b_m_;
-  Vector3 v_b_ = Vector3::Zero();
-  Vector3 way_b_m_ = Vector3::Zero();
-};
-
-/// A filter that has followed the truth to the end of an odometer's interval from a start that errs by `e`.
-struct AtTheEnd {
-  NavigationParameters p;
-  Circling truth;
-  InertialFilter filter;
-
-  AtTheEnd(const NavigationParameters& parameters, const StateVector& e, const Vector3& push_b)
-      : p(parameters), filter(begun_with(parameters, e, truth.state())) {
-    for (int k = 0; k < kSteps; ++k) {
-      const ImuSample sample = truth.next(push_b);
-      ImuInterval interval;
-      interval.end_ns = truth.time_ns();
-      interval.increments = {sample.dtheta_b, sample.dv_b, kDt_s};
-      filter.advance(interval);
-    }
-  }
-
-  std::vector<Measurement> made() const { return measurements_of(travel(1.0, truth.time_ns()), filter.situation(), p); }
-  Eigen::Vector3d innovations() const {
-    const std::vector<Measurement> both = made();
-    Eigen::Vector3d all;
-    all << both.at(0).innovation, both.at(1).innovation;
-    return all;
-  }
-
- private:
-  static InertialFilter begun_with(const NavigationParameters& p, const StateVector& e, nav::NavState start) {
-    const StateLayout layout(p.states);
-    start.position = nav::displaced(start.position, Vector3(e.segment<3>(kPosition)));
-    start.v_n += e.segment<3>(kVelocity);
-    start.q_nb = nav::quaternion_from_rotation_vector(-e.segment<3>(kAttitude)) * start.q_nb;
-    Estimates errors;
-    layout.for_each_chosen(
-        [&](StateBlock block) { errors[block].head(size_of(block)) = e.segment(layout.first(block), size_of(block)); });
-    return {p, kGravity, start, errors, Covariance(initial_sigmas(p)), 0, std::nullopt};
-  }
-};
-
-// H says what errors at the interval's end, where the filter is, show in the mean of the interval; errors at its
-// beginning, which central differences change here, come there by the filter's own transition. What both leave out is
-// of second order in the interval, 0.1 s: of a turn of 0.01 rad and of 10 m/s, 0.001 m/s for 1 rad.
-TEST(WheelAids, TheirDerivativesAreThoseOfWhatTheyPredict) {
-  NavigationParameters p = told();
-  p.odometer.lever_arm_b_m = Vector3(-1.0, 0.8, 0.5);
-  p.odometer.mounting_rpy_deg = Vector3(3.0, -4.0, 15.0);
-  p.covariance_interval_s = 1.0;  // one step for all of it
-  const StateLayout layout(p.states);
-  StateVector e = StateVector::Zero(layout.size());
-  e.segment<2>(layout.first(StateBlock::WheelScale)) << 0.01, 0.002;
-  e.segment<2>(layout.first(StateBlock::WheelAxis)) << 0.02, -0.03;
-  const Vector3 push_b(2.0, 0.0, 0.0);
-  const AtTheEnd there(p, e, push_b);
-  Eigen::MatrixXd Phi = Eigen::MatrixXd::Identity(layout.size(), layout.size());
-  Phi.topLeftCorner<9, 9>() = there.filter.transition().nav_by_nav;
-  Eigen::MatrixXd H(3, layout.size());
-  Eigen::Index row = 0;
-  for (const Measurement& m : there.made()) {
-    H.middleRows(row, m.rows()) = m.H(layout);
-    row += m.rows();
-  }
-  ASSERT_EQ(row, 3);
-  const Eigen::MatrixXd by_start = H * Phi;
-  for (Eigen::Index i = kVelocity; i < layout.size(); ++i) {
-    const bool is_of_the_imu = i >= kNavStates && i < layout.first(StateBlock::WheelScale);
-    if (is_of_the_imu) continue;
-    const double h = i < kAttitude ? 0.01 : 1e-5;
-    StateVector up = e, down = e;
-    up[i] += h;
-    down[i] -= h;
-    const Eigen::VectorXd slope =
-        (AtTheEnd(p, up, push_b).innovations() - AtTheEnd(p, down, push_b).innovations()) / (2.0 * h);
-    EXPECT_LT((slope - by_start.col(i)).norm(), 0.005) << "state " << i;
-  }
-}
-
-// A gyro that errs turns the wheel about the IMU: central differences of what is linear.
-TEST(WheelAids, TheirLeverArmCarriesTheErrorsOfTheGyros) {
-  NavigationParameters p = told();
-  p.odometer.lever_arm_b_m = Vector3(-1.0, 0.8, 0.5);
-  p.odometer.mounting_rpy_deg = Vector3(3.0, -4.0, 15.0);
-  const StateLayout layout(p.states);
-  Situation at;
-  at.v_n = Vector3(10.0, 1.0, 0.0);
-  at.omega_ib_b = Vector3(0.1, -0.2, 0.5);
-  at.estimates[StateBlock::GyroScale] = Vector3(0.01, -0.02, 0.03);
-  at.rate_by_measured = (Vector3::Ones() + at.estimates[StateBlock::GyroScale]).cwiseInverse();
-  const auto innovation = [&](const Vector3& bias, const Vector3& scale) {
-    const Vector3 measured = at.omega_ib_b.cwiseQuotient(at.rate_by_measured);
-    const Vector3 corrected =
-        (measured - bias).cwiseQuotient(Vector3::Ones() + at.estimates[StateBlock::GyroScale] + scale);
-    RecentMotion recent(0);
-    recent.add(kInterval_ns, at.v_n, at.v_n, kInterval_s * corrected);
-    at.recent = &recent;
-    Eigen::Vector3d all;
-    const auto made = measurements_of(travel(1.0, kInterval_ns), at, p);
-    all << made[0].innovation, made[1].innovation;
-    Eigen::MatrixXd H(3, layout.size());
-    H << made[0].H(layout), made[1].H(layout);
-    at.recent = nullptr;
-    return std::pair(all, H);
-  };
-  const double h = 1e-4;
-  const Eigen::MatrixXd H = innovation(Vector3::Zero(), Vector3::Zero()).second;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const Vector3 step = h * Vector3::Unit(axis), zero = Vector3::Zero();
-    const Eigen::Vector3d by_bias = (innovation(step, zero).first - innovation(-step, zero).first) / (2.0 * h);
-    const Eigen::Vector3d by_scale = (innovation(zero, step).first - innovation(zero, -step).first) / (2.0 * h);
-    EXPECT_LT((by_bias - H.col(layout.first(StateBlock::GyroBias) + axis)).norm(), 1e-8);
-    EXPECT_LT((by_scale - H.col(layout.first(StateBlock::GyroScale) + axis)).norm(), 1e-6);
-  }
-}
-
-// A car that brakes by 4 m/s^2 in a turn of 0.5 rad/s, its wheel 0.8 m inside: the mean of the interval differs from
-// its end by 0.2 m/s, from its middle by 1e-3 m/s at most, and the prediction from it by less than 1e-5.
-TEST(WheelAids, PredictTheMeanOfTheIntervalAndNotItsEnd) {
-  NavigationParameters p = told();
-  p.odometer.lever_arm_b_m = Vector3(-1.0, 0.8, 0.5);
-  Circling truth(15.0, 0.5);
-  NavigationFilter filter = begun(truth, p);
-  Wheel wheel(p.odometer.lever_arm_b_m);
-  const Vector3 push_b(-4.0, 0.0, 0.0);
-  filter.add(truth.next(push_b));
-  wheel.begin(truth);
-  for (int k = 0; k < kSteps; ++k) {
-    filter.add(truth.next(push_b));
-    wheel.advance(truth);
-  }
-  const Vector3 mean_b = wheel.take() / kInterval_s;
-  const auto made = measurements_of(travel(mean_b.x() * kInterval_s, truth.time_ns()), filter.filter()->situation(), p);
-  ASSERT_EQ(made.size(), 2U);
-  EXPECT_NEAR(made[0].innovation[0], 0.0, 1e-5);
-  EXPECT_NEAR(made[1].innovation[0], mean_b.y(), 1e-5);
-  EXPECT_NEAR(made[1].innovation[1], mean_b.z(), 1e-5);
-}
-
-// What is asked for may begin between two samples, or reach back further than is kept.
-TEST(WheelAids, RecentMotionKnowsEveryIntervalOfTheLastSecond) {
-  RecentMotion motion(0);
-  for (std::int64_t k = 0; k < 1000; ++k) {
-    const double t_s = kDt_s * static_cast<double>(k);
-    const Vector3 begin(3.0 * t_s, 0.0, 1.0), end(3.0 * (t_s + kDt_s), 0.0, 1.0);
-    motion.add((k + 1) * kDt_ns, begin, end, kDt_s * Vector3(0.0, 0.0, 0.2));
-  }
-  const auto means = motion.over(432'100'000);
-  ASSERT_TRUE(means);
-  EXPECT_NEAR(means->v_b_less_now.x(), -0.5 * 3.0 * 0.4321, 3.0 * kDt_s * kDt_s / 0.4321);
-  EXPECT_NEAR(means->omega_eb_b.z(), 0.2, 1e-12);
-  EXPECT_TRUE(motion.over(1'000'000'000));
-  EXPECT_FALSE(motion.over(2'100'000'000));
-  EXPECT_FALSE(motion.over(0));
-}
 
 /// Follows a circle with fixes for `fixes_s`, with a wheel's samples all the time.
 struct Driven {
@@ -237,7 +40,7 @@ struct Driven {
 };
 
 TEST(WheelAids, FindAScaleFactorAndAnAxisThatNobodyToldOf) {
-  NavigationParameters p = told();
+  NavigationParameters p = told_of_a_wheel();
   // The wheel points 1 deg to the left and 0.5 deg up of what is true of the circle's.
   p.odometer.mounting_rpy_deg = Vector3(0.0, 0.5, -1.0);
   p.odometer.axis_sigma_deg = 1.0;
@@ -255,7 +58,7 @@ TEST(WheelAids, FindAScaleFactorAndAnAxisThatNobodyToldOf) {
 
 // A wheel that locks, and one that spins at twice its speed.
 TEST(WheelAids, WhatTheInnovationTestRefusesChangesNothing) {
-  NavigationParameters p = told();
+  NavigationParameters p = told_of_a_wheel();
   p.rolling_constraint.use = false;
   Driven slips(p), hears_nothing(p);
   slips.drive(4000, 4000, [](WheelTravel sample, int k) {
@@ -278,7 +81,7 @@ TEST(WheelAids, WhatTheInnovationTestRefusesChangesNothing) {
 
 // Slower than 0.75 m/s it counts nothing, and says nothing of the speed; that it does not slide it still says.
 TEST(WheelAids, CountsOfAWheelThatIsTooSlowAreNoStandstill) {
-  NavigationParameters p = told();
+  NavigationParameters p = told_of_a_wheel();
   p.odometer.dead_below_m_per_s = 0.75;
   p.odometer.count_m = 0.02;
   Circling truth(0.6, 0.0);
@@ -300,7 +103,7 @@ TEST(WheelAids, CountsOfAWheelThatIsTooSlowAreNoStandstill) {
 
 // Backwards at 3 m/s an odometer that does not know the direction shows 3 m/s.
 TEST(WheelAids, WithoutADirectionTheSpeedIsItsSize) {
-  const NavigationParameters p = told();
+  const NavigationParameters p = told_of_a_wheel();
   for (const double speed_m_per_s : {-3.0, 3.0, 0.2}) {
     Circling truth(speed_m_per_s, 0.0);
     NavigationFilter filter = begun(truth, p);
@@ -319,7 +122,7 @@ TEST(WheelAids, WithoutADirectionTheSpeedIsItsSize) {
 
 // Left and right of a car that circles at 0.1 rad/s and 10 m/s, 0.8 m to either side: 10.08 and 9.92 m/s.
 TEST(WheelAids, TheOtherOdometerIsHeldAgainstItsOwnWheel) {
-  NavigationParameters p = told();
+  NavigationParameters p = told_of_a_wheel();
   p.other_odometer = p.odometer;
   p.other_odometer.number = 7;
   p.odometer.lever_arm_b_m = Vector3(0.0, -0.8, 0.0);
@@ -339,7 +142,7 @@ TEST(WheelAids, TheOtherOdometerIsHeldAgainstItsOwnWheel) {
 
 // A slide of 0.1 m/s that lasts 0.5 s is one slide in five samples of 0.1 s.
 TEST(WheelAids, ASlideThatLastsCountsOnce) {
-  NavigationParameters p = told();
+  NavigationParameters p = told_of_a_wheel();
   p.rolling_constraint.lateral_sigma_m_per_s = 0.1;
   Circling truth;
   NavigationFilter filter = begun(truth, p);
@@ -353,7 +156,7 @@ TEST(WheelAids, ASlideThatLastsCountsOnce) {
 }
 
 TEST(WheelAids, SamplesThatComeLateGiveTheSameBitsAsInTime) {
-  const NavigationParameters p = told();
+  const NavigationParameters p = told_of_a_wheel();
   Circling truth;
   NavigationFilter in_time = begun(truth, p), late = in_time;
   std::multimap<std::int64_t, WheelTravel> on_their_way;
@@ -426,7 +229,7 @@ TEST(WheelAids, TheirParametersMatchAProfileAndChooseWhatThereIsToEstimate) {
 /// The vehicle slides: at the beginning of each interval of the odometer its velocity across and away from the road
 /// becomes another one, drawn.
 double nees_of_run(std::uint64_t seed) {
-  NavigationParameters told_of = told();
+  NavigationParameters told_of = told_of_a_wheel();
   told_of.rolling_constraint.lasts_s = 0.0;
   told_of.odometer.scale_factor_drift_correlation_time_s = 0.0;
   told_of.odometer.noise_m_per_sqrt_m = 0.02;
