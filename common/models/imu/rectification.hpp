@@ -11,9 +11,10 @@ namespace inslab::imu {
 /// square and nothing else, 1 ppm/g there is 0.980665 mGal/g^2 here.
 class Rectification {
  public:
-  explicit Rectification(const Vector3& mgal_per_g2) : coefficient_(mgal_per_g2 * (units::kMGal / kG2)) {}
+  explicit Rectification(const Vector3& mgal_per_g2)
+      : coefficient_(mgal_per_g2 * (units::kMGal / kG2)), is_off_(coefficient_.isZero(0.0)) {}
 
-  bool is_off() const { return coefficient_.isZero(0.0); }
+  bool is_off() const { return is_off_; }
 
   /// The error of an interval, m/s, from its `moments`, (m/s^2)^2.
   Vector3 error(const Matrix3& moments, double dt_s) const {
@@ -24,6 +25,7 @@ class Rectification {
   static constexpr double kG2 = units::kG * units::kG;
 
   Vector3 coefficient_;  ///< m/s^2 per (m/s^2)^2
+  bool is_off_;
 };
 
 }  // namespace inslab::imu

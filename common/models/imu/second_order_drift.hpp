@@ -22,10 +22,12 @@ class SecondOrderDrift {
   SecondOrderDrift(const Vector9& squares, const Vector9& products, const Vector9& rate_products)
       : A_(matrix(squares) * (units::kDegPerH / kG2)),
         B_(matrix(products) * (units::kDegPerH / kG2)),
-        C_(matrix(rate_products) * (units::kDegPerH / (units::kDegPerS * units::kDegPerS))) {}
+        C_(matrix(rate_products) * (units::kDegPerH / (units::kDegPerS * units::kDegPerS))),
+        is_of_force_(!A_.isZero(0.0) || !B_.isZero(0.0)),
+        is_of_rate_(!C_.isZero(0.0)) {}
 
-  bool is_of_force() const { return !A_.isZero(0.0) || !B_.isZero(0.0); }
-  bool is_of_rate() const { return !C_.isZero(0.0); }
+  bool is_of_force() const { return is_of_force_; }
+  bool is_of_rate() const { return is_of_rate_; }
 
   /// The error of an interval of `dt_s`, rad, from what is felt of the force, m/s, and the moments within, (m/s^2)^2.
   Vector3 of_force(const Vector3& dv, const Matrix3& moments, double dt_s) const {
@@ -45,6 +47,8 @@ class SecondOrderDrift {
   Matrix3 A_;  ///< rad/s per (m/s^2)^2
   Matrix3 B_;
   Matrix3 C_;  ///< rad/s per (rad/s)^2
+  bool is_of_force_;
+  bool is_of_rate_;
 };
 
 }  // namespace inslab::imu

@@ -18,7 +18,7 @@ class ThermalBias {
  public:
   explicit ThermalBias(const TriadParameters& parameters) { take(parameters); }
 
-  bool is_off() const { return rate_.isZero(0.0) && hysteresis_.isZero(0.0); }
+  bool is_off() const { return is_off_; }
 
   /// Takes new parameters between two intervals. Keep: the play goes on; otherwise it begins afresh.
   void retune(const TriadParameters& parameters, Continuity continuity) {
@@ -48,11 +48,13 @@ class ThermalBias {
     rate_ = parameters.bias_per_warming;
     hysteresis_ = parameters.bias_hysteresis;
     width_k_ = parameters.bias_hysteresis_width_k;
+    is_off_ = rate_.isZero(0.0) && hysteresis_.isZero(0.0);
   }
 
   Vector3 rate_;        ///< rad/s | m/s^2 per K/s
   Vector3 hysteresis_;  ///< rad/s | m/s^2
   double width_k_;
+  bool is_off_;
   bool begun_ = false;
   double play_deg_c_ = 0.0;
 };
