@@ -85,8 +85,7 @@ TEST(RecordedFixes, AreRefusedForARunThatIsLonger) {
 }
 
 TEST(RecordedFixes, AreInTheFixWithTheirClaimsTypeAndOutages) {
-  GnssModel::Setup setup;
-  setup.gnss_rate = time::Rate(2.0);
+  GnssModel::Setup setup{42, 0, time::Rate(2.0), {}, {}, {}, {}};
   setup.errors.fix_type = FixType::Fixed;
   setup.end = time::from_seconds(20.0);
   setup.recordings = run_of(20.0).find;

@@ -45,16 +45,25 @@ class FixErrorsOfAFile : public test::TemporaryFolder {
     }
   }
 
-  // Metres of a degree at 45 deg north, 50 m up: WGS84 radii of curvature by their series.
-  static constexpr double kNorthM = 111132.9526 + 50.0 * units::kDeg - 0.0;
-  static constexpr double kEastM = 78847.4 + 50.0 * units::kDeg * 0.70710678;
+  // Metres of a degree at 45 deg north and 50 m up, by the radii of curvature of WGS 84.
+  static constexpr double kNorthM = 111132.65007880167;
+  static constexpr double kEastM = 78847.45216105282;
 
-  static double latitude_deg(double t) { return 45.0 + 100.0 * std::sin(0.1 * t) / kNorthM; }
-  static double longitude_deg(double t) { return 7.0 + 100.0 * (1.0 - std::cos(0.1 * t)) / kEastM; }
-  static double north_m_per_s(double t) { return 10.0 * std::cos(0.1 * t); }
-  static double east_m_per_s(double t) { return 10.0 * std::sin(0.1 * t); }
+  // Turning at 0.1 rad/s with a speed of 10 + 5 sin(0.3 t) m/s, or the arm ahead and the offset would be one.
+  static double north_m(double t) {
+    return 100.0 * std::sin(0.1 * t) + 2.5 * ((1.0 - std::cos(0.4 * t)) / 0.4 + (1.0 - std::cos(0.2 * t)) / 0.2);
+  }
+  static double east_m(double t) {
+    return 100.0 * (1.0 - std::cos(0.1 * t)) + 2.5 * (std::sin(0.2 * t) / 0.2 - std::sin(0.4 * t) / 0.4);
+  }
+  static double speed_m_per_s(double t) { return 10.0 + 5.0 * std::sin(0.3 * t); }
+  static double latitude_deg(double t) { return 45.0 + north_m(t) / kNorthM; }
+  static double longitude_deg(double t) { return 7.0 + east_m(t) / kEastM; }
+  static double north_m_per_s(double t) { return speed_m_per_s(t) * std::cos(0.1 * t); }
+  static double east_m_per_s(double t) { return speed_m_per_s(t) * std::sin(0.1 * t); }
   static double yaw_deg(double t) {
-    return 0.1 * t / units::kDeg > 180.0 ? 0.1 * t / units::kDeg - 360.0 : 0.1 * t / units::kDeg;
+    const double deg = 0.1 * t / units::kDeg;
+    return deg > 180.0 ? deg - 360.0 : deg;
   }
 
   FixErrorOptions options() const {
@@ -76,7 +85,11 @@ TEST_F(FixErrorsOfAFile, FindTheArmAndTheOffsetAndLeaveTheNoise) {
   EXPECT_NEAR(std::sqrt(squares.x()), 0.01, 0.004);
   EXPECT_NEAR(std::sqrt(squares.y()), 0.01, 0.004);
   EXPECT_NEAR(std::sqrt(squares.z()), 0.02, 0.008);
-  EXPECT_NE(found.text.find("time offset  0.02"), std::string::npos) << found.text;
+  const std::string::size_type offset = found.text.find("time offset ");
+  const std::string::size_type arm = found.text.find("lever arm ");
+  ASSERT_NE(arm, std::string::npos);
+  EXPECT_NEAR(std::stod(found.text.substr(offset + 12)), 0.02, 0.003) << found.text;  // 1 cm on 50 changes of 5 m/s
+  EXPECT_NEAR(std::stod(found.text.substr(arm + 10)), 2.0, 0.03) << found.text;
   EXPECT_EQ(found.errors.epochs.front().fix_type, FixType::Fixed);
   EXPECT_NEAR(found.errors.epochs.front().position_sigma_ned_m.z(), 0.02, 0.008);
 }
