@@ -6,6 +6,12 @@
 #include "inslab/foundation/fields/limits.hpp"
 
 namespace inslab::profiles {
+namespace {
+
+/// Whole milliseconds come out as people write them.
+std::string seconds_text(time::Nanoseconds t) { return number_text(static_cast<double>(t.count()) / 1e9); }
+
+}  // namespace
 
 time::Nanoseconds begin_of(const RecordedFixErrors& recording, const RecordedFixError& profile, time::Nanoseconds end,
                            double drawn) {
@@ -13,9 +19,9 @@ time::Nanoseconds begin_of(const RecordedFixErrors& recording, const RecordedFix
   const time::Nanoseconds lasts = recording.epochs.back().time;
   const time::Nanoseconds given = is_given ? time::from_seconds(profile.from_s) : time::Nanoseconds(0);
   if (given + end > lasts) {
-    throw std::invalid_argument(profile.file + ": lasts " + number_text(time::to_seconds(lasts)) + " s; the run" +
+    throw std::invalid_argument(profile.file + ": lasts " + seconds_text(lasts) + " s; the run" +
                                 (is_given ? ", from " + number_text(profile.from_s) + " s on," : "") + " needs " +
-                                number_text(time::to_seconds(given + end)) + " s");
+                                seconds_text(given + end) + " s");
   }
   if (is_given) return given;
   // Epochs are where a real receiver's clock put them: the run begins at one, so that equal rates meet epoch by epoch.

@@ -198,6 +198,7 @@ inline constexpr profiles::FieldUse kBarometerErrorUses[] = {
     profiles::no_error("temperature_offset_deg_c", "the filter does not look at the temperature"),
     profiles::no_error("temperature_white_sigma_deg_c", "the filter does not look at the temperature"),
     profiles::no_error("temperature_quantization_deg_c", "the filter does not look at the temperature"),
+    profiles::left_out("time_tag.*", "time tags", "the filter takes every tag for the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
@@ -216,6 +217,7 @@ inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
     profiles::handled("wheel_circumference_m"),
     profiles::handled("dead_below_m_per_s"),
     profiles::no_error("direction_known", "a sample says it itself"),
+    profiles::left_out("time_tag.*", "time tags", "the filter takes every tag for the time of validity"),
 };
 
 inline constexpr profiles::FieldUse kFaultUses[] = {

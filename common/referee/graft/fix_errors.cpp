@@ -119,7 +119,7 @@ struct ArmFit {
   Geometry7 sigma;
 };
 
-/// Errors are linear in all of them: error = constant - C_nv arm + v_n offset, with the signs of what was taken off.
+/// The errors that are left are linear in what is still to be added: v_n offset + C_nv arm + constant.
 ArmFit fit_arm(const Compared& errors) {
   Square7 square = Square7::Zero();
   Geometry7 right = Geometry7::Zero();
@@ -203,7 +203,7 @@ FixErrors extract_fix_errors(const FixErrorOptions& options) {
     ArmFit fit;
     for (int i = 0; i < 3; ++i) {  // the turning of C_nv within the offset is all that is not linear
       fit = fit_arm(errors);
-      time_offset_s -= fit.change[0];
+      time_offset_s += fit.change[0];
       arm_v_m += fit.change.segment<3>(1);
       errors = compared(reference, fixes, time_offset_s, arm_v_m);
     }

@@ -23,6 +23,7 @@ struct Golden {
 scenario::LoadedScenario turning(int rate_hz) {
   scenario::LoadedScenario loaded;
   scenario::Scenario& s = loaded.scenario;
+  s.trajectory.gravity.model = nav::GravityModel::Somigliana;
   s.name = "turning";
   s.seed = 7;
   s.duration_s = 10.0;

@@ -68,7 +68,7 @@ TEST(LiveVehicle, StandsWhereItStartsUntilStatesCome) {
     EXPECT_LT(truth.v_n.norm(), 1e-15);
     // A perfect IMU at rest: the Earth's rate and gravity.
     EXPECT_NEAR(truth.omega_iv_v.norm(), nav::wgs84::omega_e_rad_per_s, 1e-18);
-    EXPECT_NEAR(truth.dv_v.norm(), 5e-3 * nav::Gravity().g_n(position(first)).norm(), 1e-15);
+    EXPECT_NEAR(truth.dv_v.norm(), 5e-3 * nav::Gravity(nav::GravityModel::Normal).g_n(position(first)).norm(), 1e-15);
   }
 }
 
@@ -166,7 +166,7 @@ TEST(LiveVehicle, IncrementsCarryOneSampleToTheNextThroughAnOutage) {
   const std::vector<TruthState> truth = follow(model, outage.arrivals, 6.0, 1000.0);
   const auto earth = [](const TruthState& t) -> Vector3 {
     const Vector3 rates = 2.0 * nav::omega_ie_n(t.latitude_rad) + nav::omega_en_n(position(t), t.v_n);
-    return nav::Gravity().g_n(position(t)) - rates.cross(t.v_n);
+    return nav::Gravity(nav::GravityModel::Normal).g_n(position(t)) - rates.cross(t.v_n);
   };
   for (std::size_t k = 1; k < truth.size(); ++k) {
     const TruthState &a = truth[k - 1], &b = truth[k];

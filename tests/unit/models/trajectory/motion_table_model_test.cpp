@@ -69,7 +69,7 @@ TEST(MotionTableModel, AtRestFeelsTheEarthsRateAndGravityAlone) {
   const double dt_s = 0.005;
   // Roundings of numbers of 4e-7 rad and 0.05 m/s.
   EXPECT_LT((truth.dtheta_v - C_vn * nav::omega_ie_n(first.latitude_rad) * dt_s).norm(), 1e-21);
-  const Vector3 g_n = nav::Gravity().g_n(geodetic_of(first));
+  const Vector3 g_n = nav::Gravity(nav::GravityModel::Normal).g_n(geodetic_of(first));
   EXPECT_LT((truth.dv_v + C_vn * g_n * dt_s).norm(), 3e-17);
   EXPECT_LT((truth.f_v + C_vn * g_n).norm(), 5e-15);
   EXPECT_EQ(truth.latitude_rad, first.latitude_rad);

@@ -82,7 +82,7 @@ scenario::LoadedScenario rows() {
 class VehicleClasses : public testing::TestWithParam<Case> {};
 
 TEST_P(VehicleClasses, PublishDerivativesThatAreThose) {
-  const nav::Gravity gravity;
+  const nav::Gravity gravity(nav::GravityModel::Normal);
   const auto truth = run(GetParam().load(), 200.0);
   double worst_v = 0.0, worst_f = 0.0, worst_rate = 0.0;
   for (std::size_t i = 2; i + 2 < truth.size(); ++i) {
@@ -137,7 +137,7 @@ using EcefState = std::array<long double, 10>;
 TEST_P(VehicleClasses, MoveAsAnIndependentIntegrationOfTheirRateAndForce) {
   using LongVector = Eigen::Matrix<long double, 3, 1>;
   using LongQuaternion = Eigen::Quaternion<long double>;
-  const nav::Gravity gravity;
+  const nav::Gravity gravity(nav::GravityModel::Normal);
   const scenario::LoadedScenario loaded = GetParam().load();
   // Joints of the jerk lie inside steps and cost h^2/24 of its jump each, 1e-7 m/s for 1 m/s^3 and 1.25 ms.
   const double rate_hz = loaded.scenario.duration_s < 500.0 ? 1600.0 : 400.0;
