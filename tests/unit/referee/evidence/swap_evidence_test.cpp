@@ -39,8 +39,8 @@ class TamperingSink : public sim::LogSink {
 class SwapEvidenceOfDemo : public test::TemporaryFolder {
  protected:
   /// A whole offline run of the demo: 60 s, four swaps, one of each kind.
-  LogSummary write_log(double noise_factor = 1.0, std::uint64_t sequence_shift = 0) {
-    const auto loaded = scenario::load(std::string(INSLAB_SOURCE_DIR) + "/config/scenarios/demo.json");
+  LogSummary write_log(double noise_factor = 1.0, std::uint64_t sequence_shift = 0, const char* name = "demo") {
+    const auto loaded = scenario::load(std::string(INSLAB_SOURCE_DIR) + "/config/scenarios/" + name + ".json");
     const time::GpsTime start = loaded.start(time::Nanoseconds(0));
     TamperingSink sink(path("run.mcap"), loaded, start);
     sink.noise_factor = noise_factor;
@@ -204,6 +204,18 @@ TEST_F(SwapEvidenceOfAFilter, SaysTheTrueReasonWhereNothingIsMeasured) {
   EXPECT_TRUE(all.front().lines.empty());
   EXPECT_EQ(all.front().why_nothing,
             "only 0 pairs of usable samples after it, in the 19.995 s to its neighbour or the end; 30 are needed");
+}
+
+TEST_F(SwapEvidenceOfDemo, ErrorsOfARecordingAreTakenOffBeforeTheRestIsWeighed) {
+  const std::vector<SwapEvidence> all = weigh(write_log(1.0, 0, "grafting"));
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_THAT(all[0].left_out, testing::Contains("recorded errors"));
+  for (const SwapEvidence& evidence : all) {
+    EXPECT_EQ(evidence.lines.size(), 2U);
+    EXPECT_TRUE(evidence.holds());
+  }
+  // What the profile beside the recording promises is nothing: more than that is seen.
+  EXPECT_FALSE(weigh(write_log(1.1, 0, "grafting"))[0].holds());
 }
 
 TEST_F(SwapEvidenceOfDemo, SummaryCountsEverySampleOfEveryStream) {
