@@ -13,6 +13,10 @@ struct CounterOfEarlierFields {
     if (field.is_appended || field.is_inserted) return;
     if constexpr (has_fields<std::remove_const_t<Value>>) {
       Value::fields(part, *this);
+    } else if constexpr (is_list<std::remove_const_t<Value>>) {
+      const auto count = static_cast<std::uint32_t>(part.size());
+      counted(field, count);
+      for (const auto& element : part) std::decay_t<decltype(element)>::fields(element, *this);
     } else {
       counted(field, part);
     }
