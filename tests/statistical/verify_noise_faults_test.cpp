@@ -10,6 +10,7 @@
 #include "inslab/referee/verify/allan_block.hpp"
 #include "inslab/referee/verify/gnss.hpp"
 #include "inslab/referee/verify/navigation.hpp"
+#include "inslab/referee/verify/realism.hpp"
 #include "inslab/referee/verify/vibration_block.hpp"
 #include "tests/statistical/faulty_subjects.hpp"
 #include "tests/statistical/planted_faults.hpp"
@@ -316,6 +317,28 @@ TEST(PlantedFaults, HonestyRowsWithAnotherSensorSeeWhenItIsWorseThanTheFiltersAr
                                                      }
                                                      return tables;
                                                    }}});
+}
+
+TEST(PlantedFaults, RowsOfCausesSeeThatTheyAreNotThereAndThatTheImuIsAnother) {
+  const Subjects without_causes = with_simulation(simulation_of([](scenario::LoadedScenario& scenario) {
+    for (scenario::LoadedImu& imu : scenario.imus) {
+      imu.errors.accel_delay_s = 0.0;
+      imu.errors.accel_place_m.setZero();
+    }
+    for (scenario::LoadedGnss& gnss : scenario.gnss) {
+      gnss.errors.time_tag = {};
+      gnss.errors.position_gm_sigma_ned_m.setZero();
+      gnss.installation.lever_arm_v_m = {1.0, 0.0, -1.2};  // of config/profiles/installation/antenna_roof.json
+    }
+  }));
+  const Subjects worse = with_simulation(simulation_of([](scenario::LoadedScenario& scenario) {
+    for (scenario::LoadedImu& imu : scenario.imus) scale(imu.errors, 25.0);
+  }));
+  const auto table = [](const Subjects& subjects) {
+    return [subjects] { return Tables{realism_table({}, subjects)}; };
+  };
+  expect_each_row_to_fail_by_some_fault(table({}), {{"no cause is there", table(without_causes)},
+                                                    {"an IMU 25 times as bad as the filter is told", table(worse)}});
 }
 
 }  // namespace verify_noise_faults_test

@@ -12,6 +12,7 @@
 #include "inslab/models/navigation/matching_odometer.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"
 #include "inslab/models/navigation/processes.hpp"
+#include "inslab/models/navigation/tag_time.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/noise/random/stream.hpp"
 #include "inslab/referee/verify/catalogue.hpp"
@@ -57,7 +58,8 @@ class Scored {
   const std::size_t imu_index;
   const std::size_t shift_index;
 
-  void imu(const ImuSample& sample, const ImuTruth& truth) {
+  void imu(const ImuSample& measured, const ImuTruth& truth) {
+    const ImuSample sample = tag_time_.applied(measured);
     if (!begun_) {
       begin(truth);
       return;
@@ -71,7 +73,7 @@ class Scored {
   void gnss(GnssFix fix) {
     if (!begun_) return;
     if (!setup_.gnss_velocity) fix.velocity_sigma_ned_m_per_s.setZero();
-    filter_.add(fix);
+    filter_.add(tag_time_.applied(ref::Observation(fix)));
     for (const ref::UpdateResult& result : filter_.take_results()) {
       bool rejected = false;
       for (const ref::MeasurementResult& m : result.measurements) {
@@ -83,7 +85,7 @@ class Scored {
     }
   }
   void aid(const ref::Observation& observation) {
-    if (begun_) filter_.add(observation);
+    if (begun_) filter_.add(tag_time_.applied(observation));
   }
   NavigationRun result() const {
     NavigationRun run = run_;
@@ -118,6 +120,7 @@ class Scored {
   OutageScore score_;
   ref::NavigationParameters parameters_;
   ref::NavigationFilter filter_;
+  ref::TagTime tag_time_;
   random::Stream draws_;
   bool begun_ = false;
   nav::NavState state_;  ///< of the estimate
@@ -225,6 +228,7 @@ scenario::LoadedScenario navigation_scenario(const NavigationSetup& setup) {
     gnss.rate = time::Rate(setup.gnss_rate_hz);
     gnss.errors = setup.gnss;
     gnss.installation = catalogue_profile<InstallationProfile>(kAntennaPlace);
+    gnss.installation.lever_arm_v_m += setup.antenna_off_v_m;
     gnss.errors.target = gnss.installation.target = {SensorKind::Gnss, gnss.number};
     if (setup.outages.first_s < setup.duration_s) {
       const OutageTimes times = shifted(setup.outages, shift_s);

@@ -50,7 +50,8 @@ struct NavigationSetup {
   std::shared_ptr<const TrajectoryFile> file;  ///< the rows of a motion from a file
   GnssErrorProfile gnss;
   double gnss_rate_hz = 1.0;
-  bool gnss_velocity = false;  ///< false: positions alone, as 7-column texts have them
+  Vector3 antenna_off_v_m = Vector3::Zero();  ///< from where the filter takes the antenna to be
+  bool gnss_velocity = false;                 ///< false: positions alone, as 7-column texts have them
   double duration_s = 1200.0;
   OutageTimes outages;
   std::vector<double> shifts_s = {0.0, 60.0, 120.0};  ///< of all outages: the same run anew for each, but for the fixes

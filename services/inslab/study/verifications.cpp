@@ -9,6 +9,7 @@
 #include "inslab/referee/verify/increments_block.hpp"
 #include "inslab/referee/verify/navigation.hpp"
 #include "inslab/referee/verify/propagation.hpp"
+#include "inslab/referee/verify/realism.hpp"
 #include "inslab/referee/verify/trajectory_block.hpp"
 #include "inslab/referee/verify/vibration_block.hpp"
 #include "inslab/services/inslab/study/outages_over_dds.hpp"
@@ -38,6 +39,12 @@ const std::vector<Verification>& verifications() {
       {"navigation", "Drift in GNSS outages and the filter's honesty (thesis tables 4-10 to 4-13)",
        [](const VerifyRequest& request) { return verify::navigation(request.full, request.outages); }, false, nullptr,
        outages_over_dds},
+      {"realism", "What a real set has besides, one cause at a time, in the thesis's outages",
+       [](const VerifyRequest& request) {
+         verify::OutageRuns runs;
+         runs.seeds = request.full ? 20 : 1;
+         return std::vector<verify::Table>{verify::realism_table(runs)};
+       }},
       {"propagation", "How errors of inertial navigation grow, against closed forms and the linear model (lecture)",
        [](const VerifyRequest& request) { return verify::propagation(request.full); }, false,
        verify::propagation_picture},

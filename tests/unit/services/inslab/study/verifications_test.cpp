@@ -12,7 +12,7 @@ TEST(Verifications, AreTheBlocksForWhoseRowsFaultsArePlanted) {
   std::vector<std::string> names;
   for (const Verification& verification : verifications()) names.emplace_back(verification.name);
   EXPECT_THAT(names, testing::UnorderedElementsAre("trajectory", "closed-loop", "alignment", "allan", "increments",
-                                                   "gnss", "navigation", "propagation", "vibration"));
+                                                   "gnss", "navigation", "realism", "propagation", "vibration"));
 }
 
 }  // namespace verifications_test
