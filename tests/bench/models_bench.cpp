@@ -152,6 +152,51 @@ void BM_ImuEveryTerm(benchmark::State& state) {
 }
 BENCHMARK(BM_ImuEveryTerm);
 
+/// Everything that an IMU's profile can say.
+ImuErrorProfile every_stage() {
+  ImuErrorProfile errors = every_error();
+  errors.accel_delay_s = 0.001;
+  errors.accel_place_m.setConstant(0.01);
+  errors.gyro_cross_axis_gm_sigma_arcsec.setConstant(10.0);
+  errors.gyro_cross_axis_gm_correlation_time_s.setConstant(100.0);
+  errors.accel_cross_axis_gm_sigma_arcsec.setConstant(10.0);
+  errors.accel_cross_axis_gm_correlation_time_s.setConstant(100.0);
+  errors.gyro_bias_temperature_rate_deg_per_h_per_deg_c_per_min.setConstant(1.0);
+  errors.accel_bias_temperature_rate_mgal_per_deg_c_per_min.setConstant(1.0);
+  errors.gyro_bias_hysteresis_deg_per_h.setConstant(1.0);
+  errors.accel_bias_hysteresis_mgal.setConstant(1.0);
+  errors.accel_rectification_mgal_per_g2.setConstant(10.0);
+  errors.gyro_g2_sensitivity_deg_per_h_per_g2.setConstant(0.1);
+  errors.gyro_anisoelasticity_deg_per_h_per_g2.setConstant(0.1);
+  errors.gyro_anisoinertia_deg_per_h_per_deg2_per_s2.setConstant(1e-4);
+  errors.time_tag.offset_s = 1e-3;
+  errors.time_tag.drift_ppm = 1.0;
+  errors.time_tag.white_sigma_s = 1e-6;
+  errors.time_tag.gm_sigma_s = 1e-6;
+  errors.time_tag.gm_correlation_time_s = 10.0;
+  errors.time_tag.quantization_s = 1e-6;
+  return errors;
+}
+
+void BM_ImuEveryStage(benchmark::State& state) {
+  auto setup = imu_setup();
+  setup.errors = every_stage();
+  imu::ImuModel model(setup);
+  run_imu(state, model);
+}
+BENCHMARK(BM_ImuEveryStage);
+
+void BM_ImuEveryStageShaken(benchmark::State& state) {
+  auto setup = imu_setup();
+  setup.errors = every_stage();
+  setup.installation.lever_arm_v_m = {0.5, 0.2, -0.8};
+  setup.installation.mounting_rpy_deg = {1.0, 2.0, 3.0};
+  shake(setup.vibration);
+  imu::ImuModel model(setup);
+  run_imu(state, model);
+}
+BENCHMARK(BM_ImuEveryStageShaken);
+
 /// Random vibration along and about three axes beside bias and noise.
 void BM_ImuRandomVibration(benchmark::State& state) {
   auto setup = imu_setup();
