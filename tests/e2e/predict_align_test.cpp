@@ -121,8 +121,10 @@ TEST_F(Predict, FixesBoundTheErrorsButForOutagesAndSwapsCount) {
 
 TEST_F(Predict, NamesTheTermsThatItLeavesOut) {
   const std::string file = scenario("all", source("config/profiles/imu/every_term.json"), 2.0, "");
-  EXPECT_THAT(inslab({"predict", file, "--overwrite", "-o", folder_ / "."}),
-              HasSubstr("left out: bandwidth, full scale, quantization, latency, dropped samples\n"));
+  EXPECT_THAT(
+      inslab({"predict", file, "--overwrite", "-o", folder_ / "."}),
+      HasSubstr(
+          "left out: bandwidth, full scale, quantization, latency, dropped samples, delay of a triad, size effect, "));
 }
 
 TEST_F(Predict, ShowsTheSignedResponseAtRestBesideTheClosedForms) {

@@ -7,7 +7,7 @@ std::optional<Navigator::Step> Navigator::step() {
   const std::int64_t available_ns = samples_.front().available_sim_time_ns;
   const ImuSample sample = tag_time_.applied(samples_.front());
   samples_.pop_front();
-  const auto later = observations_.upper_bound({available_ns, std::variant_npos});
+  const auto later = observations_.upper_bound({available_ns, std::variant_npos, 0});
   for (auto each = observations_.begin(); each != later; ++each) filter_.add(tag_time_.applied(each->second));
   observations_.erase(observations_.begin(), later);
   return Step{sample.header.sequence_number, filter_.add(sample)};

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "inslab/models/navigation/navigation_filter.hpp"
 #include "inslab/models/navigation/tag_time.hpp"
@@ -29,7 +30,8 @@ class Navigator {
   /// The samples of one IMU, in their order.
   void add(const ImuSample& sample) { samples_.push_back(sample); }
   void add(const Observation& observation) {
-    observations_.emplace(std::pair(available_at_ns(observation), observation.index()), observation);
+    const std::uint32_t number = std::visit([](const auto& sample) { return number_of(sample); }, observation);
+    observations_.emplace(Turn{available_at_ns(observation), observation.index(), number}, observation);
   }
 
   /// Every fix, and whatever else is observed, that is available at or before this sim time has been added.
@@ -47,11 +49,19 @@ class Navigator {
   NavigationFilter& filter() { return filter_; }
 
  private:
+  template <class Sample>
+  static std::uint32_t number_of(const Sample& sample) {
+    return sample.sensor_number;
+  }
+  static std::uint32_t number_of(const Standstill&) { return 0; }
+
   NavigationFilter filter_;
   TagTime tag_time_;
   std::deque<ImuSample> samples_;
-  /// By the time they are available; of one time in the order of their kinds, whichever stream came first.
-  std::multimap<std::pair<std::int64_t, std::size_t>, Observation> observations_;
+  /// When an observation is available; of one time in the order of their kinds, and of one kind of their sensors'
+  /// numbers, whichever stream came first.
+  using Turn = std::tuple<std::int64_t, std::size_t, std::uint32_t>;
+  std::multimap<Turn, Observation> observations_;
   std::int64_t complete_up_to_ns_ = kEver;
 };
 

@@ -101,5 +101,22 @@ TEST(Navigator, GivesTheSameSolutionsInWhateverOrderTheInputsAreHandedOver) {
   EXPECT_EQ(fixes_first.filter().take_results().size(), 5u);
 }
 
+TEST(Navigator, TakesThoseOfOneTimeAndKindInTheOrderOfTheirSensorsWhicheverCameFirst) {
+  GnssFix first = fix_at(kDt_ns), second = fix_at(kDt_ns);
+  second.sensor_number = 1;
+  second.latitude_rad += 1e-8;
+  const auto latitude_after = [](const GnssFix& one, const GnssFix& other) {
+    Navigator navigator = begun();
+    navigator.add(one);
+    navigator.add(other);
+    navigator.add(imu_sample(0));
+    navigator.add(imu_sample(1));
+    EXPECT_EQ(fixes_taken_in(navigator), 2u);
+    navigator.add(imu_sample(2));
+    return navigator.step()->solution->latitude_rad;
+  };
+  EXPECT_EQ(latitude_after(first, second), latitude_after(second, first));
+}
+
 }  // namespace navigator_test
 }  // namespace inslab::navigation
