@@ -14,7 +14,7 @@
 #include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/sha256.hpp"
 #include "inslab/models/trajectory/row_motion.hpp"
-#include "inslab/models/trajectory/smooth_vehicle.hpp"
+#include "inslab/referee/graft/reference_imu.hpp"
 
 namespace inslab::graft {
 namespace {
@@ -64,18 +64,6 @@ Fixes fixes_of_text(const FixErrorOptions& options) {
   return fixes;
 }
 
-/// The truth of a vehicle as far as a site on it asks for it.
-TruthState truth_of(const trajectory::SmoothVehicle& vehicle) {
-  TruthState truth;
-  truth.latitude_rad = vehicle.position().latitude_rad;
-  truth.longitude_rad = vehicle.position().longitude_rad;
-  truth.height_m = vehicle.position().height_m;
-  truth.v_n = vehicle.v_n();
-  truth.q_nv = vehicle.q_nv();
-  truth.omega_iv_v = vehicle.omega_iv_v();
-  return truth;
-}
-
 /// Errors of the fixes against a reference, and how they go with its geometry.
 struct Compared {
   std::vector<RecordedFixErrors::Epoch> epochs;  ///< times in the reference's
@@ -93,7 +81,7 @@ Compared compared(const TrajectoryFile& reference, const Fixes& fixes, double ti
     const time::Nanoseconds at(fix.time_ns + shift_ns);
     if (at <= vehicle.now() || at >= reference.rows.back().time) continue;
     vehicle.advance(at);
-    const TruthState truth = truth_of(vehicle);
+    const TruthState truth = truth_of(vehicle, time::Nanoseconds(0));
     const SensorSite antenna = sensor_site(truth, arm_v_m);
     const Vector3 offset_e = nav::ecef_from_geodetic(geodetic_of(fix.fix)) - nav::ecef_from_geodetic(antenna.position);
     RecordedFixErrors::Epoch epoch;

@@ -6,7 +6,6 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/imu/installation.hpp"
 #include "inslab/models/trajectory/row_motion.hpp"
-#include "inslab/models/trajectory/smooth_vehicle.hpp"
 
 namespace inslab::graft {
 namespace {
@@ -20,8 +19,9 @@ std::int64_t difference_ns(std::int64_t a_ns, std::int64_t b_ns) {
   return difference > kWeek / 2 ? difference - kWeek : difference < -kWeek / 2 ? difference + kWeek : difference;
 }
 
-/// The truth as far as an installation asks for it.
-TruthState truth_of(const trajectory::SmoothVehicle& vehicle, std::int64_t interval_ns) {
+}  // namespace
+
+TruthState truth_of(const trajectory::SmoothVehicle& vehicle, time::Nanoseconds interval) {
   TruthState truth;
   truth.header.sim_time_ns = vehicle.now().count();
   truth.latitude_rad = vehicle.position().latitude_rad;
@@ -33,11 +33,9 @@ TruthState truth_of(const trajectory::SmoothVehicle& vehicle, std::int64_t inter
   truth.f_v = vehicle.f_v();
   truth.dtheta_v = vehicle.dtheta_v();
   truth.dv_v = vehicle.dv_v();
-  truth.interval_ns = interval_ns;
+  truth.interval_ns = interval.count();
   return truth;
 }
-
-}  // namespace
 
 ReferenceImu::ReferenceImu(TrajectoryFile reference, const time::Rate& rate, std::int64_t first_ns, std::size_t count)
     : reference_(std::move(reference)),
@@ -76,7 +74,7 @@ std::vector<RecordedErrors::Increments> ReferenceImu::increments(const Geometry&
   const auto go_to = [&](std::size_t end) {
     const std::int64_t before_ns = vehicle.now().count();
     vehicle.advance(time::Nanoseconds(row_time_ns(end) + shift_ns));
-    return truth_of(vehicle, vehicle.now().count() - before_ns);
+    return truth_of(vehicle, vehicle.now() - time::Nanoseconds(before_ns));
   };
   imu::Installation::Instant start = installation.at(go_to(first_));
   std::vector<RecordedErrors::Increments> all;
