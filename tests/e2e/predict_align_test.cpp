@@ -299,6 +299,27 @@ TEST_F(Graft, ARecordingAtRestIsPutOntoAnotherMotion) {
               testing::ContainsRegex("0\\.(09[5-9]|10[0-5])"));
 }
 
+TEST_F(Graft, AnOffsetThatIsGivenMovesTheRecordingHoweverMuch) {
+  const std::string log = simulated(scenario("turns", put("ideal.json", R"({"name": "ideal"})"), 20.0,
+                                             R"(, "motions": [{"type": "constant_rate", "rate_deg_per_s": 3}])"),
+                                    "turns");
+  inslab({"export", log, "--format", "imu", "-o", folder_ / "imu.txt"});
+  std::ifstream in(folder_ / "imu.txt");
+  std::ofstream later(folder_ / "later.txt");
+  std::string line;
+  while (std::getline(in, line)) {
+    const std::size_t end = line.find(' ');
+    later << std::fixed << std::stod(line.substr(0, end)) + 100.0 << line.substr(end) << "\n";
+  }
+  later.close();
+  const std::vector<std::string> command{"graft", "extract", folder_ / "later.txt", "--reference",
+                                         log,     "-o",      folder_ / "e.mcap",    "--keep-geometry"};
+  EXPECT_THAT(inslab(command, kBadInput), HasSubstr("--time-offset moves the recording"));
+  std::vector<std::string> moved = command;
+  moved.insert(moved.end(), {"--time-offset", "-100"});
+  EXPECT_THAT(inslab(moved), testing::AllOf(HasSubstr("time offset  -100.000000 s"), HasSubstr("3600 samples")));
+}
+
 TEST_F(Graft, SaysWhatIsMissing) {
   const std::string still = simulated(scenario("still", put("ideal.json", R"({"name": "ideal"})"), 20.0, ""), "still");
   EXPECT_THAT(inslab({"graft", "extract", still, "-o", folder_ / "x.mcap"}, kBadInput),

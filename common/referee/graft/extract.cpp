@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "inslab/formats/recordings/recorded_errors_file.hpp"
 #include "inslab/foundation/files/file_error.hpp"
@@ -108,7 +109,10 @@ Extracted from_motion(const ExtractOptions& options) {
   }
   const auto rows = static_cast<double>(reading.file.rows.size());
   const double row_rate_hz = (rows - 1.0) / time::to_seconds(reading.file.rows.back().time);
-  const ReferenceImu reference(std::move(reading.file), series.increments.rate, series.first_ns,
+  // What is given of the offset moves the recording, however much; what is fitted is the rest.
+  Geometry start = options.start;
+  const time::Nanoseconds given = time::from_seconds(std::exchange(start.time_offset_s, 0.0));
+  const ReferenceImu reference(std::move(reading.file), series.increments.rate, series.first_ns + given.count(),
                                series.increments.intervals.size());
   if (reference.count() > kMostMoving) {
     throw files::ReadError(fmt::format("{}: has {} samples along the reference; expected at most {}", options.file,
@@ -117,8 +121,8 @@ Extracted from_motion(const ExtractOptions& options) {
   const auto from = series.increments.intervals.begin() + static_cast<std::ptrdiff_t>(reference.first());
   const std::vector<RecordedErrors::Increments> measured(from, from + static_cast<std::ptrdiff_t>(reference.count()));
   GeometryFit fit;
-  fit.geometry = options.start;
-  if (!options.keep_geometry) fit = fit_geometry(reference, measured, options.start);
+  fit.geometry = start;
+  if (!options.keep_geometry) fit = fit_geometry(reference, measured, start);
 
   const auto perfect = reference.increments(fit.geometry);
   Extracted out;
@@ -135,6 +139,7 @@ Extracted from_motion(const ExtractOptions& options) {
     const auto moved = motion_errors(*out.terms, perfect[k], dt_s);
     for (std::size_t axis = 0; axis < RecordedErrors::kAxes; ++axis) out.errors.intervals[k][axis] -= moved[axis];
   }
+  fit.geometry.time_offset_s += time::to_seconds(given);
   out.notes["method"] = "in motion, less a reference, less what goes with the motion";
   out.notes["reference"] = name_of(options.reference);
   out.text = fmt::format("{}: {}, {} samples along {}\n{}{}", options.file, series.kind, reference.count(),
