@@ -37,6 +37,8 @@ namespace {
 constexpr std::uint32_t kReceiveBufferBytes = 4u << 20;
 constexpr std::uint32_t kSendBufferBytes = 1u << 20;
 constexpr std::uint32_t kParticipantsOfAPeer = 24;
+/// A participant that was not heard for so long is forgotten.
+constexpr std::int32_t kLease_s = 10;
 constexpr std::uint32_t kShmSegmentBytes = 16u << 20;
 constexpr std::uint32_t kShmQueueCapacity = 4096;
 /// Of one participant beside its segment: its ports and what Fast DDS keeps with them.
@@ -183,7 +185,7 @@ efd::DomainParticipantQos qos_for(const ParticipantOptions& options,
     factory.get_default_participant_qos(qos);
   } else {
     set_transport(qos, options);
-    qos.wire_protocol().builtin.discovery_config.leaseDuration = efd::Duration_t(10, 0);
+    qos.wire_protocol().builtin.discovery_config.leaseDuration = efd::Duration_t(kLease_s, 0);
     qos.wire_protocol().builtin.discovery_config.leaseDuration_announcementperiod = efd::Duration_t(1, 0);
     if (!options.peers.empty()) set_peers(qos, options);
     if (!options.discovery_server.empty()) set_discovery_server(qos, options.discovery_server);
@@ -262,9 +264,12 @@ Participant::Participant(const ParticipantOptions& options)
   }
   publisher_ = participant_->create_publisher(publisher_qos);
   subscriber_ = participant_->create_subscriber(subscriber_qos);
+  standstill_ =
+      std::make_unique<StandstillWatch>(std::chrono::seconds(kLease_s / 2), [this] { announcements_.repeat(); });
 }
 
 Participant::~Participant() {
+  standstill_.reset();
   participant_->set_listener(nullptr);
   participant_->delete_contained_entities();
   efd::DomainParticipantFactory::get_instance()->delete_participant(participant_);

@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "inslab/bus/dds/announcements.hpp"
 #include "inslab/bus/dds/fast_dds.hpp"
 #include "inslab/bus/dds/peers.hpp"
+#include "inslab/bus/dds/standstill_watch.hpp"
 #include "inslab/bus/dds/type_adapter.hpp"
 #include "inslab/bus/dds/typed_topics.hpp"
 
@@ -61,7 +63,8 @@ std::string shared_memory_shortage(ParticipantOptions options, int participants)
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(
     const ParticipantOptions& options, const std::shared_ptr<std::atomic<std::uint32_t>>& refused);
 
-/// One DDS participant of a process, with one publisher and one subscriber. Writers and readers hold on to it.
+/// One DDS participant of a process, with one publisher and one subscriber. Writers and readers hold on to it. When the
+/// process has stood still for so long that others may have forgotten it, all of them are announced once more.
 class Participant {
  public:
   /// Throws std::runtime_error when Fast DDS refuses (a domain out of range, no such interface, no free ports) and when
@@ -77,6 +80,8 @@ class Participant {
   eprosima::fastdds::dds::Publisher& publisher() const { return *publisher_; }
   eprosima::fastdds::dds::Subscriber& subscriber() const { return *subscriber_; }
 
+  /// Its writers and readers are to be in there for as long as they are.
+  Announcements& announcements() { return announcements_; }
   /// The topic of that name and type, both registered at their first use and kept until the end. Throws
   /// std::runtime_error when Fast DDS refuses.
   template <class T>
@@ -107,6 +112,8 @@ class Participant {
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
   eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
   eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;
+  Announcements announcements_;
+  std::unique_ptr<StandstillWatch> standstill_;
 };
 
 }  // namespace inslab::dds

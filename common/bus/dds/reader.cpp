@@ -52,13 +52,16 @@ struct UntypedReader::Listener : efd::DataReaderListener {
 UntypedReader::UntypedReader(Participant& participant, efd::Topic& topic, const efd::DataReaderQos& qos, void* sample,
                              Taken taken)
     : subscriber_(participant.subscriber()),
+      announcements_(participant.announcements()),
       listener_(std::make_unique<Listener>(participant, topic.get_name(), sample, std::move(taken))) {
   reader_ = subscriber_.create_datareader(&topic, qos, listener_.get());
   if (reader_ == nullptr) throw std::runtime_error("Fast DDS makes no reader of " + listener_->topic);
+  announcements_.add(*reader_);
 }
 
 UntypedReader::~UntypedReader() {
   // First no more callbacks, then no more reader: the callback's target may go right after this.
+  announcements_.remove(*reader_);
   reader_->set_listener(nullptr);
   subscriber_.delete_datareader(reader_);
 }

@@ -46,6 +46,7 @@ class UntypedReader {
   struct Listener;
 
   eprosima::fastdds::dds::Subscriber& subscriber_;
+  Announcements& announcements_;
   std::unique_ptr<Listener> listener_;
   eprosima::fastdds::dds::DataReader* reader_ = nullptr;
 };

@@ -85,12 +85,18 @@ struct UntypedWriter::Listener : efd::DataWriterListener {
 };
 
 UntypedWriter::UntypedWriter(Participant& participant, efd::Topic& topic, const efd::DataWriterQos& qos)
-    : publisher_(participant.publisher()), listener_(std::make_unique<Listener>(participant, topic.get_name())) {
+    : publisher_(participant.publisher()),
+      announcements_(participant.announcements()),
+      listener_(std::make_unique<Listener>(participant, topic.get_name())) {
   writer_ = publisher_.create_datawriter(&topic, qos, listener_.get());
   if (writer_ == nullptr) throw std::runtime_error("Fast DDS makes no writer of " + topic.get_name());
+  announcements_.add(*writer_);
 }
 
-UntypedWriter::~UntypedWriter() { publisher_.delete_datawriter(writer_); }
+UntypedWriter::~UntypedWriter() {
+  announcements_.remove(*writer_);
+  publisher_.delete_datawriter(writer_);
+}
 
 bool UntypedWriter::write(const void* sample) {
   constexpr int kTries = 3;

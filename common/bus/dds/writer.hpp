@@ -29,6 +29,7 @@ class UntypedWriter {
   struct Listener;
 
   eprosima::fastdds::dds::Publisher& publisher_;
+  Announcements& announcements_;
   std::unique_ptr<Listener> listener_;
   eprosima::fastdds::dds::DataWriter* writer_ = nullptr;
 };
