@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "tests/e2e/logged_samples.hpp"
@@ -43,6 +44,15 @@ class Services : public testing::Test {
   TestFolder folder_;
   std::string log_ = folder_ / "log.mcap";
 };
+
+TEST_F(Services, ThatAreNotBuiltAreNamedWithWhatBuildsThem) {
+  std::filesystem::copy_file(program("inslab"), folder_ / "inslab");
+  Process run(folder_ / "inslab",
+              {"run", source("tests/data/short.json"), "--domain", own_domain(), "--log", folder_ / "run.mcap"});
+  EXPECT_EQ(run.wait(seconds(60)), 1) << run.output();
+  EXPECT_THAT(run.output(), HasSubstr(folder_ / "inslab-truth-logger" + ": No such file or directory"));
+  EXPECT_THAT(run.output(), HasSubstr("cmake --build --preset release --target inslab-truth-logger"));
+}
 
 TEST_F(Services, StartInAnyOrderAndEndTogether) {
   const auto gnss = emulator();
