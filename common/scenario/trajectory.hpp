@@ -20,6 +20,9 @@ namespace inslab::scenario {
 
 inline constexpr std::size_t kMaxSegments = 100000;
 inline constexpr double kMaxTrajectoryLength_s = 1e9;
+/// What a gun gives a shell is within: 1e4 g, and 300 turns a second.
+inline constexpr double kMaxMotion_m_per_s2 = 1e6;
+inline constexpr double kMaxMotion_deg_per_s = 1e6;
 
 /// What one motion does. Numbers in the comments are the types of the thesis's table 3-1.
 enum class MotionType : std::uint32_t {
@@ -61,6 +64,8 @@ struct Motion {
   double period_s = 1.0;               ///< sine_accel, sine_rate, cosine_rate
   double ramp_fraction = 0.25;         ///< delta_speed, target_speed, turn
   double drag_per_m = 0.0;             ///< ballistic
+  double spin_deg_per_s = 0.0;         ///< ballistic
+  double spin_decay_s = 0.0;           ///< ballistic
   bool until_start_height = false;     ///< ballistic
 
   template <class Self, class Visitor>
@@ -254,36 +259,52 @@ void Motion::fields(Self& self, Visitor& visit) {
       visit(ramp_fraction, self.ramp_fraction);
       break;
     case MotionType::ConstantAccel:
-      visit(Field("acceleration_m_per_s2").in(-1e3, 1e3).required(), self.acceleration_m_per_s2);
+      visit(Field("acceleration_m_per_s2").in(-kMaxMotion_m_per_s2, kMaxMotion_m_per_s2).required(),
+            self.acceleration_m_per_s2);
       break;
     case MotionType::SineAccel:
-      visit(Field("amplitude_m_per_s2", "peak").in(-1e3, 1e3).required(), self.amplitude_m_per_s2);
+      visit(Field("amplitude_m_per_s2", "peak").in(-kMaxMotion_m_per_s2, kMaxMotion_m_per_s2).required(),
+            self.amplitude_m_per_s2);
       visit(period, self.period_s);
       break;
     case MotionType::RampAccel:
-      visit(Field("from_m_per_s2", "at the segment's start").in(-1e3, 1e3).required(), self.from_m_per_s2);
-      visit(Field("to_m_per_s2", "at the segment's end").in(-1e3, 1e3).required(), self.to_m_per_s2);
+      visit(Field("from_m_per_s2", "at the segment's start").in(-kMaxMotion_m_per_s2, kMaxMotion_m_per_s2).required(),
+            self.from_m_per_s2);
+      visit(Field("to_m_per_s2", "at the segment's end").in(-kMaxMotion_m_per_s2, kMaxMotion_m_per_s2).required(),
+            self.to_m_per_s2);
       break;
     case MotionType::Turn:
       visit(Field("angle_deg", "about z: right positive").in(-1e5, 1e5).required(), self.angle_deg);
       visit(ramp_fraction, self.ramp_fraction);
       break;
     case MotionType::ConstantRate:
-      visit(Field("rate_deg_per_s", "about z: right positive").in(-1e4, 1e4).required(), self.rate_deg_per_s);
+      visit(
+          Field("rate_deg_per_s", "about z: right positive").in(-kMaxMotion_deg_per_s, kMaxMotion_deg_per_s).required(),
+          self.rate_deg_per_s);
       break;
     case MotionType::SineRate:
     case MotionType::CosineRate:
-      visit(Field("amplitude_deg_per_s", "peak").in(-1e4, 1e4).required(), self.amplitude_deg_per_s);
+      visit(Field("amplitude_deg_per_s", "peak").in(-kMaxMotion_deg_per_s, kMaxMotion_deg_per_s).required(),
+            self.amplitude_deg_per_s);
       visit(period, self.period_s);
       break;
     case MotionType::RampRate:
-      visit(Field("from_deg_per_s", "at the segment's start").in(-1e4, 1e4).required(), self.from_deg_per_s);
-      visit(Field("to_deg_per_s", "at the segment's end").in(-1e4, 1e4).required(), self.to_deg_per_s);
+      visit(
+          Field("from_deg_per_s", "at the segment's start").in(-kMaxMotion_deg_per_s, kMaxMotion_deg_per_s).required(),
+          self.from_deg_per_s);
+      visit(Field("to_deg_per_s", "at the segment's end").in(-kMaxMotion_deg_per_s, kMaxMotion_deg_per_s).required(),
+            self.to_deg_per_s);
       break;
     case MotionType::Ballistic:
       visit(Field("drag_per_m", "deceleration over speed squared: half of density, drag coefficient and area over mass")
                 .in(0.0, 1.0),
             self.drag_per_m);
+      visit(
+          Field("spin_deg_per_s", "about the velocity, at the segment's start; clockwise as seen from behind positive")
+              .in(-kMaxMotion_deg_per_s, kMaxMotion_deg_per_s),
+          self.spin_deg_per_s);
+      visit(Field("spin_decay_s", "time in which the air slows the spin to 1/e of it; 0: it does not").in(0.0, 1e6),
+            self.spin_decay_s);
       visit(Field("until_start_height",
                   "the segment ends when the vehicle is back at the height of its start, after duration_s at the "
                   "latest; with the last segment ends the run"),

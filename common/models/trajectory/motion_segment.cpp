@@ -56,6 +56,7 @@ MotionSegment::MotionSegment(const scenario::Segment& segment, const Vector3& v_
   for (const scenario::Motion& motion : segment.motions) {
     if (motion.type == scenario::MotionType::Ballistic) {
       drag_per_m_ = motion.drag_per_m;
+      spin_ = Spin(motion.spin_deg_per_s * units::kDeg, motion.spin_decay_s);
       ends_at_start_height_ = motion.until_start_height;
     }
     const auto axis = static_cast<Eigen::Index>(scenario::axis_of(motion));

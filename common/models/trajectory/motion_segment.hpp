@@ -5,6 +5,7 @@
 
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/models/trajectory/motion_profiles.hpp"
+#include "inslab/models/trajectory/spin.hpp"
 #include "inslab/scenario/trajectory.hpp"
 
 namespace inslab::trajectory {
@@ -45,6 +46,8 @@ class MotionSegment {
 
   /// Deceleration over speed squared of a ballistic segment, 1/m; of other segments nothing.
   const std::optional<double>& drag_per_m() const { return drag_per_m_; }
+  /// About the velocity, in a ballistic segment.
+  const Spin& spin() const { return spin_; }
   bool is_ballistic() const { return drag_per_m_.has_value(); }
   bool ends_at_start_height() const { return ends_at_start_height_; }
 
@@ -64,6 +67,7 @@ class MotionSegment {
   bool accelerates_ = false;
   bool keeps_velocity_on_nose_ = true;
   std::optional<double> drag_per_m_;
+  Spin spin_;
   bool ends_at_start_height_ = false;
 };
 

@@ -67,6 +67,8 @@ VehicleMotion::VehicleMotion(const nav::Geodetic& position, const Vector3& v_v, 
 
 bool VehicleMotion::begin(MotionSegment segment) {
   v_v_at_start_ = segment_.keeps_velocity_on_nose() ? now_.nose_v : v_v();
+  if (!segment_.spin().is_none()) q_nv_ = nav::CompensatedQuaternion(q_nv());
+  spun_ = Quaternion::Identity();
   segment_ = std::move(segment);
   if (!segment_.keeps_velocity_on_nose()) {
     std::transform(now_.v_n.data(), now_.v_n.data() + 3, v_n_, [](double c) { return nav::CompensatedSum(c); });
@@ -76,6 +78,7 @@ bool VehicleMotion::begin(MotionSegment segment) {
     speed_m_per_s_ = nav::CompensatedSum(v_v_at_start_.norm());
     along_v_ = v_v_at_start_.normalized();
     now_ = falling(q_nv(), speed_m_per_s_.value(), position());
+    spin_to(0.0);
   } else {
     now_.motion = segment_.at(0.0);
     now_.nose_v = segment_.keeps_velocity_on_nose() ? v_v_at_start_ : Vector3::Zero();
@@ -88,7 +91,10 @@ double VehicleMotion::longest_step_s() const {
   const double speed = now_.v_n.norm();
   double step_s = std::min(kLongestMotionStep_s, segment_.longest_step_s());
   if (segment_.is_ballistic()) {
-    const double rate = std::max(now_.motion.omega_nv_v.norm(), *segment_.drag_per_m() * speed);
+    const Vector3& omega_nv_v = now_.motion.omega_nv_v;
+    const double turn =
+        segment_.spin().is_none() ? omega_nv_v.norm() : (omega_nv_v - along_v_.dot(omega_nv_v) * along_v_).norm();
+    const double rate = std::max(turn, *segment_.drag_per_m() * speed);
     step_s = std::min(step_s, kLargestChangePerFallStep / rate);
   }
   return speed * step_s > kLongestStep_m ? kLongestStep_m / speed : step_s;
@@ -96,7 +102,7 @@ double VehicleMotion::longest_step_s() const {
 
 void VehicleMotion::step(double t0_s, double t1_s, double dt_s) {
   if (segment_.is_ballistic()) {
-    fall(dt_s);
+    fall(t0_s, t1_s, dt_s);
     return;
   }
   Instant middle, end;
@@ -190,9 +196,9 @@ VehicleMotion::Instant VehicleMotion::falling(const Quaternion& q_nv, double spe
 /// The rotation vector's derivative is the Bortz equation to second order in the angle; the third vanishes.
 VehicleMotion::FallChange VehicleMotion::fall_rate(const FallChange& change) const {
   const Vector3 phi = change.segment<3>(4);
-  const Instant instant =
-      falling(q_nv() * nav::quaternion_from_rotation_vector(phi), speed_m_per_s_.value() + change[3],
-              {latitude_rad_.value() + change[0], longitude_rad_.value() + change[1], height_m_.value() + change[2]});
+  const Instant instant = falling(
+      nav::canonical(q_nv_.value()) * nav::quaternion_from_rotation_vector(phi), speed_m_per_s_.value() + change[3],
+      {latitude_rad_.value() + change[0], longitude_rad_.value() + change[1], height_m_.value() + change[2]});
   const Vector3& omega_nv_v = instant.motion.omega_nv_v;
   FallChange rate;
   rate << instant.position_rate, along_v_.dot(instant.motion.a_lin_v),
@@ -201,7 +207,19 @@ VehicleMotion::FallChange VehicleMotion::fall_rate(const FallChange& change) con
   return rate;
 }
 
-void VehicleMotion::fall(double dt_s) {
+/// From axes that do not spin, in which now_ is, to those of the vehicle.
+void VehicleMotion::spin_to(double t_s) {
+  const Spin& spin = segment_.spin();
+  if (spin.is_none()) return;
+  spun_ = nav::quaternion_from_rotation_vector(std::remainder(spin.angle_rad(t_s), 2.0 * units::kPi) * along_v_);
+  const Matrix3 C_vu = spun_.conjugate().toRotationMatrix();
+  now_.C_nv = now_.C_nv * C_vu.transpose();
+  now_.motion.omega_nv_v = C_vu * now_.motion.omega_nv_v + spin.rate_rad_per_s(t_s) * along_v_;
+  now_.omega_in_v = C_vu * now_.omega_in_v;
+  now_.f_earth_v = C_vu * now_.f_earth_v;
+}
+
+void VehicleMotion::fall(double t0_s, double t1_s, double dt_s) {
   const FallChange k1 = fall_rate(FallChange::Zero());
   const FallChange k2 = fall_rate(0.5 * dt_s * k1);
   const FallChange k3 = fall_rate(0.5 * dt_s * k2);
@@ -210,9 +228,17 @@ void VehicleMotion::fall(double dt_s) {
   add_to_position(change.head<3>());
   speed_m_per_s_.add(change[3]);
   q_nv_.turn_source(change.segment<3>(4));
-  increments_.dtheta_v += change.segment<3>(7);
+  const Spin& spin = segment_.spin();
+  if (spin.is_none()) {
+    increments_.dtheta_v += change.segment<3>(7);
+  } else {
+    increments_.dtheta_v += spin.integral_in_spinning_axes(along_v_, k1.segment<3>(7), 0.5 * (k2 + k3).segment<3>(7),
+                                                           k4.segment<3>(7), t0_s, dt_s) +
+                            spin.turned_rad(t0_s, dt_s) * along_v_;
+  }
   increments_.dv_v += change.tail<3>();
-  now_ = falling(q_nv(), speed_m_per_s_.value(), position());
+  now_ = falling(nav::canonical(q_nv_.value()), speed_m_per_s_.value(), position());
+  spin_to(t1_s);
 }
 
 void VehicleMotion::evaluate(Instant& instant, const nav::Geodetic& position) const {
@@ -253,6 +279,8 @@ nav::Geodetic VehicleMotion::position() const {
   return {latitude_rad_.value(), longitude_rad_.value(), height_m_.value()};
 }
 
-Quaternion VehicleMotion::q_nv() const { return nav::canonical(q_nv_.value()); }
+Quaternion VehicleMotion::q_nv() const {
+  return nav::canonical(segment_.spin().is_none() ? q_nv_.value() : q_nv_.value() * spun_);
+}
 
 }  // namespace inslab::trajectory

@@ -25,8 +25,9 @@ struct Increments {
 /// Simpson's rule on each step. Sums are compensated.
 ///
 /// In a ballistic segment a_lin_v and omega_nv_v are not given but follow from gravity and drag: the velocity keeps its
-/// direction in v axes (the nose), and the vehicle does not spin about it. Speed, attitude, position and increments
-/// are integrated together by the classical Runge-Kutta method of fourth order.
+/// direction in v axes (the nose). Speed, attitude, position and increments are integrated together by the classical
+/// Runge-Kutta method of fourth order, in axes that do not spin about the velocity; the spin itself is closed-form, and
+/// drag, which lies along it, feels nothing of it.
 /// Source: docs/models.md; thesis (3-23)..(3-32).
 class VehicleMotion {
  public:
@@ -75,9 +76,10 @@ class VehicleMotion {
   /// Since the start of a ballistic step: latitude, longitude, height; speed; rotation vector of v; dtheta_v; dv_v.
   using FallChange = Eigen::Matrix<double, 13, 1>;
 
-  void fall(double dt_s);
+  void fall(double t0_s, double t1_s, double dt_s);
   FallChange fall_rate(const FallChange& change) const;
   Instant falling(const Quaternion& q_nv, double speed_m_per_s, const nav::Geodetic& position) const;
+  void spin_to(double t_s);
   Vector3 drag_v(const Instant& instant) const;
   void evaluate(Instant& instant, const nav::Geodetic& position) const;
   void find_velocities(Instant& middle, Instant& end, double dt_s);
@@ -89,7 +91,8 @@ class VehicleMotion {
   nav::CompensatedSum latitude_rad_;
   nav::CompensatedSum longitude_rad_;
   nav::CompensatedSum height_m_;
-  nav::CompensatedQuaternion q_nv_;
+  nav::CompensatedQuaternion q_nv_;  ///< of a ballistic segment without what it has spun
+  Quaternion spun_ = Quaternion::Identity();
   nav::CompensatedSum v_n_[3];         ///< carried only while the velocity is not kept on the nose
   Vector3 v_v_at_start_;               ///< of the segment
   nav::CompensatedSum speed_m_per_s_;  ///< of a ballistic segment, with its direction

@@ -120,7 +120,10 @@ struct MotionInEcef {
     const RealVector v_v = q.conjugate() * v_n;
     if (const Motion* ballistic = leg.ballistic()) {
       accel_n = earth_n - ballistic->drag_per_m * v_n.norm() * v_n;
-      omega_nv_v = v_v.cross(q.conjugate() * accel_n) / v_n.squaredNorm();
+      const Real x = t - leg.start_s, deg = kPi / 180;
+      const Real slowed = ballistic->spin_decay_s > 0 ? std::exp(-x / ballistic->spin_decay_s) : Real(1);
+      omega_nv_v = v_v.cross(q.conjugate() * accel_n) / v_n.squaredNorm() +
+                   ballistic->spin_deg_per_s * deg * slowed * leg.v_v_at_start.normalized();
       return;
     }
     RealVector accel_v;
@@ -221,7 +224,7 @@ std::vector<ReferenceState> solve(const scenario::Trajectory& trajectory, const 
     for (const Real stop : stops) {
       if (stop <= now_s || stop > end_s) continue;
       if (stop > duration_s) return seconds;
-      odeint::integrate_adaptive(stepper, motion, y, now_s, stop, (stop - now_s) / 4);
+      odeint::integrate_adaptive(stepper, motion, y, now_s, stop, std::min((stop - now_s) / 4, Real(1e-3L)));
       now_s = stop;
       if (stop != std::floor(stop)) continue;
       seconds.push_back(reference_of(y, stop));

@@ -67,6 +67,29 @@ Flight ballistic() {
   return flight;
 }
 
+/// A gun gives it 1e4 g for 5 ms and 20 turns a second, which the air takes away again.
+Flight gun_launch() {
+  Flight flight{"gun launch", catalogue_scenario("projectile").trajectory, 40.0};
+  flight.trajectory.initial.speed_m_per_s = 0.0;
+  flight.trajectory.initial.pitch_deg = 45.0;
+  scenario::Motion charge, rifling, free;
+  charge.type = scenario::MotionType::ConstantAccel;
+  charge.acceleration_m_per_s2 = 98066.5;
+  rifling.type = scenario::MotionType::RampRate;
+  rifling.axis = scenario::Axis::X;
+  rifling.to_deg_per_s = free.spin_deg_per_s = 7200.0;
+  free.type = scenario::MotionType::Ballistic;
+  free.drag_per_m = 1e-4;
+  free.spin_decay_s = 30.0;
+  scenario::Segment barrel, flies;
+  barrel.duration_s = 0.005;
+  barrel.motions = {charge, rifling};
+  flies.duration_s = 300.0;
+  flies.motions = {free};
+  flight.trajectory.segments = {barrel, flies};
+  return flight;
+}
+
 std::vector<Flight> flights() {
   std::vector<Flight> all;
   for (const std::string& name : catalogue()) {
@@ -74,6 +97,7 @@ std::vector<Flight> flights() {
     all.push_back({name, scenario.trajectory, scenario.duration_s});
   }
   all.push_back(ballistic());
+  all.push_back(gun_launch());
   return all;
 }
 
@@ -151,8 +175,8 @@ std::vector<Table> verify_trajectory(const Subjects& subjects, double longest_s)
   for (Flight& flight : flights()) {
     flight.duration_s = std::min(flight.duration_s, longest_s);
     accuracy.rows.push_back(accuracy_row(flight, subjects.truth));
-    // The free flight of `ballistic` begins with the jump of a rate that nothing leads in.
-    if (flight.name == "ballistic") continue;
+    // A free flight begins with the jump of a rate that nothing leads in.
+    if (flight.name == "ballistic" || flight.name == "gun launch") continue;
     if (auto row = smoothness_row(flight, subjects.truth)) smoothness.rows.push_back(*std::move(row));
   }
   return {accuracy, smoothness};

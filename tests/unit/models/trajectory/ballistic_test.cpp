@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
+#include "inslab/foundation/units/units.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/nav/attitude.hpp"
 #include "inslab/nav/wgs84.hpp"
@@ -59,6 +61,77 @@ TEST(Ballistic, AttitudeFollowsTheVelocityWithoutSpin) {
     ASSERT_LT((truth.q_nv.conjugate() * truth.v_n - Vector3(truth.v_n.norm(), 0.0, 0.0)).norm(), 1e-13);
     ASSERT_LT(std::abs(omega_nv_v(truth).x()), 1e-15);
   }
+}
+
+/// The same shot with and without a spin.
+struct Spinning {
+  Spinning(double rate_deg_per_s, double decay_s) {
+    scenario::Trajectory t = shot(200.0, 40.0, 1e-4);
+    plain = std::make_unique<MotionTableModel>(model_of(t));
+    t.segments[0].motions[0].spin_deg_per_s = rate_deg_per_s;
+    t.segments[0].motions[0].spin_decay_s = decay_s;
+    spinning = std::make_unique<MotionTableModel>(model_of(t));
+  }
+  std::unique_ptr<MotionTableModel> plain, spinning;
+};
+
+TEST(Ballistic, SpinsAboutItsNoseAsTheAirLetsIt) {
+  constexpr double kRate_rad_per_s = 1e5 * units::kDeg, kDecay_s = 4.0;
+  const Spinning shots(1e5, kDecay_s);
+  for (int i = 1; i <= 2000; ++i) {
+    const TruthState plain = shots.plain->advance(), truth = shots.spinning->advance();
+    const double t_s = i * 5e-3;
+    ASSERT_EQ(truth.latitude_rad, plain.latitude_rad) << "the flight is the same to the bit";
+    ASSERT_EQ(truth.height_m, plain.height_m);
+    ASSERT_EQ(truth.dv_v, plain.dv_v) << "drag lies along the nose";
+    const double rolled_rad = kRate_rad_per_s * kDecay_s * (1.0 - std::exp(-t_s / kDecay_s));
+    const Quaternion spun(Eigen::AngleAxisd(rolled_rad, Vector3::UnitX()));
+    ASSERT_LT((plain.q_nv * spun).angularDistance(truth.q_nv), 1e-10) << t_s;
+    const Vector3 omega_iv_v =
+        spun.conjugate() * plain.omega_iv_v + Vector3(kRate_rad_per_s * std::exp(-t_s / kDecay_s), 0.0, 0.0);
+    ASSERT_LT((truth.omega_iv_v - omega_iv_v).norm(), 1e-9) << t_s;
+  }
+}
+
+/// The gyros' increments against Simpson's rule on 4000 pieces of each interval, in which the plain shot's rate is
+/// taken as the parabola through three of its samples.
+TEST(Ballistic, GyrosOfASpinningShotFeelTheSlowTurnThroughTheSpin) {
+  constexpr double kRate_rad_per_s = 9e4 * units::kDeg, kDecay_s = 3.0;
+  scenario::Trajectory t = shot(200.0, 40.0, 1e-4);
+  MotionTableModel plain = model_of(t, 400.0);
+  t.segments[0].motions[0].spin_deg_per_s = 9e4;
+  t.segments[0].motions[0].spin_decay_s = kDecay_s;
+  MotionTableModel spinning = model_of(t, 200.0);
+  Vector3 start = plain.current().omega_iv_v;
+  for (int k = 0; k < 100; ++k) {
+    const Vector3 middle = plain.advance().omega_iv_v, end = plain.advance().omega_iv_v;
+    constexpr int kPieces = 4000;
+    Vector3 expected = Vector3::Zero();
+    for (int i = 0; i <= kPieces; ++i) {
+      const double share = static_cast<double>(i) / kPieces, t_s = (k + share) * 5e-3;
+      const Vector3 omega = start + share * ((end - start) + (share - 1.0) * 2.0 * (start - 2.0 * middle + end));
+      const double angle_rad = kRate_rad_per_s * kDecay_s * (1.0 - std::exp(-t_s / kDecay_s));
+      const Vector3 seen = Eigen::AngleAxisd(-angle_rad, Vector3::UnitX()) * omega +
+                           Vector3(kRate_rad_per_s * std::exp(-t_s / kDecay_s), 0.0, 0.0);
+      expected += (i == 0 || i == kPieces ? 1.0 : i % 2 == 1 ? 4.0 : 2.0) / 3.0 / kPieces * 5e-3 * seen;
+    }
+    ASSERT_LT((spinning.advance().dtheta_v - expected).norm(), 1e-11) << k;
+    start = end;
+  }
+}
+
+TEST(Ballistic, ASpinStaysInTheAttitudeThatItReached) {
+  scenario::Trajectory t = shot(100.0, 30.0);
+  t.segments[0].motions[0].until_start_height = false;
+  t.segments[0].motions[0].spin_deg_per_s = 90.0;
+  t.segments[0].duration_s = 1.0;
+  t.segments.push_back(tables::segment(1.0, {}));
+  MotionTableModel model = model_of(t);
+  TruthState truth;
+  for (int i = 0; i < 300; ++i) truth = model.advance();
+  EXPECT_EQ(truth.segment_index, 1U);
+  EXPECT_NEAR(nav::rpy_from_quaternion(truth.q_nv).roll_rad / units::kDeg, 90.0, 0.01);  // the Earth turns below it
+  EXPECT_NEAR((truth.q_nv.conjugate() * truth.v_n).x(), truth.v_n.norm(), 1e-10);
 }
 
 TEST(Ballistic, KeepsAVelocityOffTheNoseWhereItWas) {
