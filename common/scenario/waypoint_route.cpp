@@ -183,22 +183,29 @@ std::optional<Violation> violation(const std::vector<Waypoint>& waypoints, doubl
                                    const RouteOptions& options) {
   if (auto broken = single_violation(waypoints)) return broken;
   if (auto broken = leg_violation(waypoints, options)) return broken;
-  const WaypointRoute route(waypoints, options);
-  for (const WaypointRoute::Run& run : route.runs()) {
+  // Where a line turns back it has no slope, and the times along it are infinite.
+  for (const WaypointRoute::Run& run : WaypointRoute::runs_of(waypoints, options)) {
     if (auto broken = turn_violation(run)) return broken;
   }
-  return acceleration_violation(route, max_acceleration_m_per_s2);
+  return acceleration_violation(WaypointRoute(waypoints, options), max_acceleration_m_per_s2);
 }
 
-WaypointRoute::WaypointRoute(const std::vector<Waypoint>& waypoints, const RouteOptions& options) {
+std::vector<WaypointRoute::Run> WaypointRoute::runs_of(const std::vector<Waypoint>& waypoints,
+                                                       const RouteOptions& options) {
+  std::vector<Run> runs;
   std::vector<Waypoint> run{waypoints.front()};
   for (std::size_t k = 1; k < waypoints.size(); ++k) {
     run.push_back(waypoints[k]);
     const bool parts = options.stops_part && waypoints[k].speed_m_per_s == 0.0;
     if (!parts && k + 1 < waypoints.size()) continue;
-    runs_.push_back({nav::surface_curve(positions(run)), k + 1 - run.size()});
+    runs.push_back({nav::surface_curve(positions(run)), k + 1 - run.size()});
     run = {waypoints[k]};
   }
+  return runs;
+}
+
+WaypointRoute::WaypointRoute(const std::vector<Waypoint>& waypoints, const RouteOptions& options)
+    : runs_(runs_of(waypoints, options)) {
   for (std::size_t k = 0; k < waypoints.size(); ++k) {
     if (k > 0) add_leg(k - 1, waypoints[k - 1], waypoints[k], options);
     arrivals_.push_back(duration());

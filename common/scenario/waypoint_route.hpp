@@ -37,7 +37,8 @@ class WaypointRoute {
     nav::SurfaceCurve curve;
     std::size_t first = 0;
   };
-  const std::vector<Run>& runs() const { return runs_; }
+  /// The lines through the waypoints, before there are any times.
+  static std::vector<Run> runs_of(const std::vector<Waypoint>& waypoints, const RouteOptions& options);
 
  private:
   /// A leg, or a part of one, over which the speed is one polynomial.

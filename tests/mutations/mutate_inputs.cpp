@@ -87,7 +87,7 @@ std::string fault_of(const std::string& message, const std::string& path) {
   if (message.size() < message.find(path) + path.size() + 8) return "gives no reason";
   if (message.size() > kLongestMessage) return "has " + std::to_string(message.size()) + " characters";
   for (const char* raw : {"exception.", "std::", "bad_alloc", "stoi", "stod", "basic_string",
-                          "vector::", "map::", "optional", "YAML::", "_M_", "what()"}) {
+                          "vector::", "map::", "optional", "YAML::", "::_M_", "what()"}) {
     if (message.find(raw) != std::string::npos) return "is the raw words of a library";
   }
   return "";

@@ -58,7 +58,11 @@ std::unique_ptr<TruthModel> make_truth_model(const scenario::LoadedScenario& sce
     case scenario::TrajectorySource::Waypoints:
       return make_waypoint_model(scenario, start);
   }
-  return std::make_unique<MotionTableModel>(trajectory, scenario.gravity(), scenario.truth_grid(), start);
+  try {
+    return std::make_unique<MotionTableModel>(trajectory, scenario.gravity(), scenario.truth_grid(), start);
+  } catch (const std::domain_error& error) {
+    throw json::Error(scenario.file.string(), {Rule::ValueRange, "trajectory", error.what()});
+  }
 }
 
 }  // namespace inslab::trajectory

@@ -151,14 +151,14 @@ TEST(WaypointRoute, HopsFromStopToStopAtItsLegSpeeds) {
 TEST(WaypointRoute, LeavesAStopInAnyDirectionOnlyWhenStopsPart) {
   const std::vector<Waypoint> waypoints = hops();
   const WaypointRoute route(waypoints, kHops);
-  ASSERT_EQ(route.runs().size(), 4U);
+  ASSERT_EQ(WaypointRoute::runs_of(waypoints, kHops).size(), 4U);
   // The first leg is vertical to the last bit of the position.
   for (std::size_t i = 0; i < route.pieces() && route.piece(i).index == 0; ++i) {
     const PathPiece piece = route.piece(i);
     const nav::Vector3 v = piece.velocity_k(0.5 * span_s(piece));
     ASSERT_LT(std::hypot(v.x(), v.y()), 1e-9) << i;
   }
-  EXPECT_EQ(WaypointRoute(tour()).runs().size(), 1U) << "its stop on the way is passed on one curve";
+  EXPECT_EQ(WaypointRoute::runs_of(tour(), {}).size(), 1U) << "its stop on the way is passed on one curve";
 }
 
 TEST(WaypointRules, RefuseALegSpeedThatItsLegCannotKeep) {
@@ -203,6 +203,15 @@ TEST(WaypointRules, RefuseAPathThatTurnsBackAndNameTheWaypoint) {
   ASSERT_TRUE(broken.has_value());
   EXPECT_EQ(broken->rule, Rule::WaypointTurn);
   EXPECT_EQ(broken->path, "waypoints[2]");
+}
+
+TEST(WaypointRules, RefuseAPathThatTurnsBackOnTheSpotWhereItHasNoSlope) {
+  const std::vector<Waypoint> out_and_home{waypoint(1.0, 2.0, 0.0, 0.0), waypoint(1.0, 2.01, 0.0, 5.0),
+                                           waypoint(1.0, 2.0, 0.0, 0.0)};
+  const auto broken = violation(out_and_home, kNoLimit);
+  ASSERT_TRUE(broken.has_value());
+  EXPECT_EQ(broken->rule, Rule::WaypointTurn);
+  EXPECT_EQ(broken->path, "waypoints[1]");
 }
 
 TEST(WaypointRules, RefuseAnAccelerationAboveTheLimitAndNameTheLeg) {

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "inslab/data/json/config_error.hpp"
 #include "inslab/models/trajectory/inverse_mechanization_model.hpp"
 #include "inslab/models/trajectory/motion_table_model.hpp"
 #include "inslab/models/trajectory/smooth_model.hpp"
 #include "tests/unit/models/trajectory/file_rows.hpp"
+#include "tests/unit/models/trajectory/tables.hpp"
 
 namespace inslab::trajectory {
 namespace truth_model_test {
@@ -17,6 +19,20 @@ scenario::LoadedScenario loaded(const std::string& name) {
 TEST(TruthModel, IsTheMotionTablesForAMotionTable) {
   const auto model = make_truth_model(loaded("short.json"), {2300, 0});
   EXPECT_NE(dynamic_cast<const MotionTableModel*>(model.get()), nullptr);
+}
+
+TEST(TruthModel, NamesTheFileWhoseMotionCannotBegin) {
+  scenario::LoadedScenario scenario = loaded("short.json");
+  scenario.scenario.trajectory.initial.speed_m_per_s = 0.0;
+  scenario.scenario.trajectory.segments = {tables::segment(10.0, {tables::ballistic()})};
+  try {
+    make_truth_model(scenario, {2300, 0});
+    FAIL();
+  } catch (const json::Error& error) {
+    EXPECT_EQ(error.file(), scenario.file.string());
+    EXPECT_EQ(error.path(), "trajectory");
+    EXPECT_NE(std::string(error.what()).find("speed is 0"), std::string::npos) << error.what();
+  }
 }
 
 TEST(TruthModel, FollowsTheRowsOfTheScenariosFile) {
