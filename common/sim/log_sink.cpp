@@ -1,5 +1,7 @@
 #include "inslab/sim/log_sink.hpp"
 
+#include <algorithm>
+
 #include "inslab/data/catalog/topics.hpp"
 #include "inslab/foundation/host/host.hpp"
 
@@ -33,7 +35,8 @@ LogSink::LogSink(const std::string& path, const scenario::LoadedScenario& scenar
 
 template <class T>
 void LogSink::write(log::LogChannel<T>& channel, const T& sample, const StreamHeader& header) {
-  latest_utc_ns_ = utc_of_sim_time_zero_ns_ + static_cast<std::uint64_t>(header.sim_time_ns);
+  // What a fault held back was put out later than it is valid.
+  latest_utc_ns_ = std::max(latest_utc_ns_, utc_of_sim_time_zero_ns_ + static_cast<std::uint64_t>(header.sim_time_ns));
   channel.write(sample, static_cast<std::uint32_t>(header.sequence_number), latest_utc_ns_, latest_utc_ns_);
 }
 

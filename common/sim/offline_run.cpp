@@ -58,14 +58,14 @@ template <class Kind>
 void OfflineRun::process(const TruthState& truth) {
   for (std::size_t i = 0; i < sensors<Kind>().size(); ++i) {
     typename Sensor<Kind>::Result result = sensors<Kind>()[i].process(truth);
-    if (result.output) {
+    result.put_out([&](auto& output) {
       using Wiring = SensorModel<Kind>;
-      Wiring::hand(sink_, i, *result.output);
+      Wiring::hand(sink_, i, output);
       if constexpr (scenario::is_navigated_by<Kind>) {
-        const auto& sample = std::get<0>(Wiring::samples(*result.output));
+        const auto& sample = std::get<0>(Wiring::samples(output));
         if (navigator_ && scenario::is_of_the_app<Kind>(*app_, sample.sensor_number)) navigator_->add(sample);
       }
-    }
+    });
     for (const ProfileAck& ack : result.acks) sink_.ack(ack);
   }
 }

@@ -25,9 +25,9 @@ class SensorOnBus : public service::TruthConsumer {
 
   void process(const TruthState& truth) override {
     auto result = sensor_.process(truth);
-    if (result.output) {
-      std::apply([this](auto&... sample) { outputs_.put(sample...); }, sim::SensorModel<Kind>::samples(*result.output));
-    }
+    result.put_out([this](auto& output) {
+      std::apply([this](auto&... sample) { outputs_.put(sample...); }, sim::SensorModel<Kind>::samples(output));
+    });
     for (const ProfileAck& ack : result.acks) acks_.write(ack);
   }
   void end_run(const RunId& run) override {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "inslab/data/catalog/any_profile.hpp"
+#include "inslab/data/catalog/fault_rules.hpp"
 #include "inslab/data/catalog/sensor_kinds.hpp"
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/fields/violation.hpp"
@@ -274,41 +275,9 @@ inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
   return detail::ladder_violation(profile);
 }
 
-namespace detail {
-
-/// Finds the first fault that another kind of sensor has than the one it is for.
-class FaultFits {
- public:
-  explicit FaultFits(SensorKind target) : target_(enum_name(target)) {}
-  std::optional<Violation> found;
-
-  template <class T>
-  void operator()(const Field& field, const T& value) {
-    if (found || field.sensor_kind.empty() || field.sensor_kind == target_ || is_off(value)) return;
-    found = Violation{Rule::FaultFitsSensor, std::string(field.name),
-                      "is given; this is a fault of a sensor of kind " + std::string(field.sensor_kind)};
-  }
-
- private:
-  static bool is_off(const Vector3& value) { return value.isZero(0.0); }
-  static bool is_off(double value) { return value == 0.0; }
-  static bool is_off(bool value) { return !value; }
-  static bool is_off(AxisFault value) { return value == AxisFault::None; }
-  template <class T>
-  static bool is_off(const T&) {  // what every kind has
-    return true;
-  }
-
-  std::string_view target_;
-};
-
-}  // namespace detail
-
 inline std::optional<Violation> violation(const FaultProfile& profile) {
   if (auto broken = detail::fade_violation(profile.request)) return broken;
-  detail::FaultFits fits(profile.target.kind);
-  FaultProfile::fields(profile, fits);
-  return fits.found;
+  return fault_violation(profile);
 }
 
 inline std::optional<Violation> violation(const MagnetometerErrorProfile& profile) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "inslab/data/profiles/common_faults.hpp"
 #include "inslab/data/requests/profile_request.hpp"
+#include "inslab/data/samples/gnss_fix.hpp"
 
 namespace inslab {
 inline namespace samples {
@@ -49,6 +51,9 @@ struct FaultProfile {
   AxisFault odometer_fault = AxisFault::None;                      ///< odometer
   bool wheel_locked = false;                                       ///< odometer: the wheel does not turn
   bool odometer_silent = false;                                    ///< odometer: no samples while on
+  FixType wrong_fix_type = FixType::None;                ///< gnss: what fixes claim to be; none: what they are
+  Vector3 position_noise_burst_ned_m = Vector3::Zero();  ///< gnss
+  CommonFaults common;                                   ///< every kind
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -140,6 +145,16 @@ struct FaultProfile {
           self.wheel_locked);
     visit(Field("odometer_silent", "odometer: no sample while on").only_for("odometer").appended(),
           self.odometer_silent);
+    visit(Field("wrong_fix_type", "gnss: what fixes claim to be while on; none: what they are")
+              .only_for("gnss")
+              .appended(),
+          self.wrong_fix_type);
+    visit(Field("position_noise_burst_ned_m", "gnss: white noise added while the fault is on, of one fix")
+              .only_for("gnss")
+              .appended()
+              .in(0.0, 1e5),
+          self.position_noise_burst_ned_m);
+    CommonFaults::fields(self.common, visit);
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "inslab/data/samples/stream_header.hpp"
+#include "inslab/foundation/units/units.hpp"
 
 namespace inslab {
 inline namespace samples {
@@ -48,14 +49,15 @@ struct GnssFix {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
+    constexpr double kQuarterTurn = 0.5 * units::kPi;
     visit(Field("header"), self.header);
     visit(Field("sensor_number"), self.sensor_number);
     visit(Field("available_sim_time_ns"), self.available_sim_time_ns);
     visit(Field("fix_type"), self.fix_type);
-    visit(Field("latitude_rad"), self.latitude_rad);
-    visit(Field("longitude_rad"), self.longitude_rad);
-    visit(Field("height_m"), self.height_m);
-    visit(Field("v_n_m_per_s"), self.v_n);
+    visit(Field("latitude_rad").measured(-kQuarterTurn, kQuarterTurn), self.latitude_rad);
+    visit(Field("longitude_rad").measured(-2.0 * kQuarterTurn, 2.0 * kQuarterTurn), self.longitude_rad);
+    visit(Field("height_m").measured(-1000.0, 20000.0), self.height_m);
+    visit(Field("v_n_m_per_s").measured(-600.0, 600.0), self.v_n);
     visit(Field("position_sigma_ned_m"), self.position_sigma_ned_m);
     visit(Field("velocity_sigma_ned_m_per_s"), self.velocity_sigma_ned_m_per_s);
     visit(Field("satellites_used"), self.satellites_used);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "inslab/data/samples/stream_header.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 
 namespace inslab {
 inline namespace samples {
@@ -38,6 +39,13 @@ struct ImuSample {
   bool accel_saturated = false;  ///< the same
   ImuRevisions revisions;
 
+  /// The increments follow from the mean rates, where these have been changed.
+  void settle(const ImuSample& before) {
+    const double dt_s = time::to_seconds(interval_ns);
+    if (mean_omega_ib_b != before.mean_omega_ib_b) dtheta_b = dt_s * mean_omega_ib_b;
+    if (mean_f_b != before.mean_f_b) dv_b = dt_s * mean_f_b;
+  }
+
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
     visit(Field("header"), self.header);
@@ -46,9 +54,9 @@ struct ImuSample {
     visit(Field("dtheta_b_rad"), self.dtheta_b);
     visit(Field("dv_b_m_per_s"), self.dv_b);
     visit(Field("interval_ns"), self.interval_ns);
-    visit(Field("mean_omega_ib_b_rad_per_s"), self.mean_omega_ib_b);
-    visit(Field("mean_f_b_m_per_s2"), self.mean_f_b);
-    visit(Field("temperature_deg_c"), self.temperature_deg_c);
+    visit(Field("mean_omega_ib_b_rad_per_s").measured(-35.0, 35.0), self.mean_omega_ib_b);
+    visit(Field("mean_f_b_m_per_s2").measured(-1000.0, 1000.0), self.mean_f_b);
+    visit(Field("temperature_deg_c").measured(-40.0, 85.0), self.temperature_deg_c);
     visit(Field("gyro_valid"), self.gyro_valid);
     visit(Field("accel_valid"), self.accel_valid);
     visit(Field("gyro_saturated"), self.gyro_saturated);

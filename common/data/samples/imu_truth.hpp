@@ -17,9 +17,11 @@ struct TriadErrorBudget {
   Vector3 size_effect = Vector3::Zero();  ///< of accelerometers at places of their own
   Vector3 delay = Vector3::Zero();        ///< of a triad that is late
   Vector3 recorded = Vector3::Zero();     ///< of a recording that the profile names
+  Vector3 fault = Vector3::Zero();        ///< of the faults that every kind of sensor may have
 
   Vector3 sum() const {
-    return bias + scale + cross_axis + g_sensitivity + vibration + noise + limits + size_effect + delay + recorded;
+    return bias + scale + cross_axis + g_sensitivity + vibration + noise + limits + size_effect + delay + recorded +
+           fault;
   }
 
   template <class Self, class Visitor>
@@ -34,6 +36,7 @@ struct TriadErrorBudget {
     visit(Field("size_effect").inserted(), self.size_effect);
     visit(Field("delay").inserted(), self.delay);
     visit(Field("recorded").inserted(), self.recorded);
+    visit(Field("fault").inserted(), self.fault);
   }
 };
 
@@ -53,6 +56,7 @@ struct ImuTruth {
   TriadErrorBudget accel_error;  ///< m/s
   bool discontinuity = false;    ///< the IMU was relocated at the start of this interval
   ImuRevisions revisions;
+  std::uint32_t active_faults = 0;  ///< those that acted on the sample beside: bits of ActiveFault (common_faults.hpp)
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -70,6 +74,7 @@ struct ImuTruth {
     visit(Field("accel_error_m_per_s"), self.accel_error);
     visit(Field("discontinuity"), self.discontinuity);
     visit(Field("revisions"), self.revisions);
+    visit(Field("active_faults").inserted(), self.active_faults);
   }
 };
 

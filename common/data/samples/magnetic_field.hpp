@@ -26,14 +26,16 @@ struct MagneticField {
   Vector3 B_b_nt = Vector3::Zero();  ///< along the sensor's axes
   bool saturated = false;            ///< an axis was at the end of its range
   MagnetometerRevisions revisions;
+  std::int64_t available_sim_time_ns = 0;  ///< when an app has it
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
     visit(Field("header"), self.header);
     visit(Field("sensor_number"), self.sensor_number);
-    visit(Field("B_b_nt"), self.B_b_nt);
+    visit(Field("B_b_nt").measured(-200000.0, 200000.0), self.B_b_nt);
     visit(Field("saturated"), self.saturated);
     visit(Field("revisions"), self.revisions);
+    visit(Field("available_sim_time_ns").appended(), self.available_sim_time_ns);
   }
 };
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cmath>
+
 #include "inslab/data/samples/stream_header.hpp"
+#include "inslab/foundation/time/gps_time.hpp"
 
 namespace inslab {
 inline namespace samples {
@@ -29,6 +32,17 @@ struct WheelTravel {
   std::int64_t counts = 0;       ///< of the encoder in it; 0 where it has none
   bool direction_known = true;
   OdometerRevisions revisions;
+  std::int64_t available_sim_time_ns = 0;  ///< when an app has it
+
+  /// The distance follows from the speed, and counts from the distance: those of a wheel that showed some, whose counts
+  /// say how long one is.
+  void settle(const WheelTravel& before) {
+    if (speed_m_per_s == before.speed_m_per_s) return;
+    distance_m = speed_m_per_s * time::to_seconds(interval_ns);
+    if (before.counts == 0) return;
+    const double counts_now = distance_m / before.distance_m * static_cast<double>(before.counts);
+    counts = std::isfinite(counts_now) ? std::llround(counts_now) : 0;
+  }
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -36,10 +50,11 @@ struct WheelTravel {
     visit(Field("sensor_number"), self.sensor_number);
     visit(Field("interval_ns"), self.interval_ns);
     visit(Field("distance_m"), self.distance_m);
-    visit(Field("speed_m_per_s"), self.speed_m_per_s);
+    visit(Field("speed_m_per_s").measured(-100.0, 100.0), self.speed_m_per_s);
     visit(Field("counts"), self.counts);
     visit(Field("direction_known"), self.direction_known);
     visit(Field("revisions"), self.revisions);
+    visit(Field("available_sim_time_ns").appended(), self.available_sim_time_ns);
   }
 };
 

@@ -61,6 +61,10 @@ struct NestedName<TimeTagErrors> {
   static constexpr std::string_view value = "TimeTagErrors";
 };
 template <>
+struct NestedName<ChannelFault> {
+  static constexpr std::string_view value = "ChannelFault";
+};
+template <>
 struct NestedName<TimeTagStep> {
   static constexpr std::string_view value = "TimeTagStep";
 };

@@ -88,6 +88,14 @@ struct Field {
     field.is_inserted = true;
     return field;
   }
+  /// A value that a sensor measures; `least` and `most` are what sensors of the kind can show at all, in its unit.
+  constexpr Field measured(double least, double most) const {
+    Field field = *this;
+    field.is_measured = true;
+    field.least_shown = least;
+    field.most_shown = most;
+    return field;
+  }
   /// On the wire but not in JSON files: set by the software.
   constexpr Field wire_only() const {
     Field field = *this;
@@ -99,6 +107,8 @@ struct Field {
   std::string_view meaning;
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
+  double least_shown = 0.0;
+  double most_shown = 0.0;
   std::size_t max_size = 64;
   std::string_view sensor_kind;
   bool is_required = false;
@@ -106,6 +116,7 @@ struct Field {
   bool is_wire_only = false;
   bool is_appended = false;
   bool is_inserted = false;
+  bool is_measured = false;
 };
 
 /// Specialised for every enum on the wire or in JSON: `type` is the IDL name, `prefix` the enumerators' prefix there,

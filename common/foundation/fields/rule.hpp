@@ -79,6 +79,7 @@ enum class Rule : std::uint32_t {
   SolutionsAscend,     ///< lesser solutions go up from the worst, each worse than the profile's own
   FixTypeGiven,        ///< a receiver without any fix is a fault, not an error profile
   FaultFitsSensor,     ///< each fault is one of a kind of sensor, as an outage is one of receivers
+  FaultComesAndGoes,   ///< what is intermittent is a fault
   FullScale,           ///< an accelerometer that saturates reads at least 1 g
   NonlinearityScale,   ///< a non-linearity in parts of full scale has a full scale
   CornersInOrder,      ///< corners of the temperature, or of currents, are in order of time
@@ -100,7 +101,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 79> values{"readable",
+  static constexpr std::array<std::string_view, 80> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -166,6 +167,7 @@ struct EnumNames<Rule> {
                                                            "solutions_ascend",
                                                            "fix_type_given",
                                                            "fault_fits_sensor",
+                                                           "fault_comes_and_goes",
                                                            "full_scale",
                                                            "nonlinearity_scale",
                                                            "corners_in_order",

@@ -46,6 +46,7 @@ GnssModel::GnssModel(const Setup& setup)
       ladder_(setup.errors, setup.gnss_rate.period_s(), setup.seed, receiver(setup.sensor_number)),
       position_noise_(stream(setup, "position"), random::VectorNoise::kNed, setup.gnss_rate.period_s()),
       velocity_noise_(stream(setup, "velocity"), random::VectorNoise::kNed, setup.gnss_rate.period_s()),
+      position_burst_(stream(setup, "position_burst"), random::VectorNoise::kNed, setup.gnss_rate.period_s()),
       recording_run_{setup.seed, receiver(setup.sensor_number), setup.end, setup.recordings},
       recorded_(setup.errors.recorded_error, recording_run_),
       clock_(setup.errors.time_tag, setup.gnss_rate.period_s(), setup.seed, receiver(setup.sensor_number)) {
@@ -69,7 +70,14 @@ void GnssModel::apply(const InstallationProfile& profile) {
   installation_ = catalog::checked_for<catalog::Gnss>(profile);
 }
 
-void GnssModel::apply(const FaultProfile& profile) { fault_ = catalog::checked_for<catalog::Gnss>(profile); }
+void GnssModel::apply(const FaultProfile& profile) {
+  fault_ = catalog::checked_for<catalog::Gnss>(profile);
+  take_fault();
+}
+
+void GnssModel::take_fault() {
+  position_burst_.retune(fault_.position_noise_burst_ned_m, Vector3::Zero(), Vector3::Zero());
+}
 
 const SolutionErrors& GnssModel::errors_on(std::size_t rung) const {
   if (rung < errors_.lesser_solutions.size()) return errors_.lesser_solutions[rung];
@@ -124,7 +132,8 @@ std::optional<GnssFix> GnssModel::observe(const TruthState& truth) {
     if (!recorded || recorded->fix_type == FixType::None) return std::nullopt;
   }
 
-  const Vector3 position_fault_ned_m = fault_.position_jump_ned_m + drift_ned_m(time_ns);
+  const Vector3 position_fault_ned_m =
+      fault_.position_jump_ned_m + drift_ned_m(time_ns) + position_burst_.advance(epoch_);
   const Vector3 velocity_fault_n_m_per_s =
       fault_.velocity_jump_ned_m_per_s +
       (fault_.drift_in_velocity ? fault_.position_drift_ned_m_per_s : Vector3(Vector3::Zero()));
@@ -150,6 +159,7 @@ std::optional<GnssFix> GnssModel::observe(const TruthState& truth) {
   fix.pdop = std::hypot(sky.hdop, sky.vdop);
   fix.revisions = {errors_.request.journal_number, installation_.request.journal_number, fault_.request.journal_number};
   if (recorded) add(*recorded, antenna.position, position_noise_ned_m + position_fault_ned_m, fix);
+  if (fault_.wrong_fix_type != FixType::None) fix.fix_type = fault_.wrong_fix_type;
   return fix;
 }
 

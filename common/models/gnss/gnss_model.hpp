@@ -62,6 +62,7 @@ class GnssModel {
       self.ladder_.retune(self.errors_, Continuity::Reset);
       self.recorded_ = RecordedFixes(self.errors_.recorded_error, self.recording_run_);
       self.clock_.use(self.errors_.time_tag);
+      self.take_fault();
     }
     visit(self.ladder_, self.position_noise_, self.velocity_noise_, self.clock_, self.rung_, self.epoch_, self.fixes_);
     if constexpr (!std::is_const_v<Self>) self.take_errors_of(self.rung_);
@@ -73,6 +74,7 @@ class GnssModel {
   const SolutionErrors& errors_on(std::size_t rung) const;
   FixType fix_type_on(std::size_t rung) const;
   void take_errors_of(std::size_t rung);
+  void take_fault();
   Vector3 drift_ned_m(std::int64_t time_ns) const;
 
   std::uint32_t sensor_number_;
@@ -84,6 +86,7 @@ class GnssModel {
   SolutionLadder ladder_;
   random::VectorNoise position_noise_;
   random::VectorNoise velocity_noise_;
+  random::VectorNoise position_burst_;  ///< of a fault
   RecordedFixes::Run recording_run_;
   RecordedFixes recorded_;
   timing::SensorClock clock_;

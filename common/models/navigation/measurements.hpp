@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "inslab/data/samples/measured.hpp"
 #include "inslab/models/navigation/gnss_position.hpp"
 #include "inslab/models/navigation/gnss_velocity.hpp"
 #include "inslab/models/navigation/magnetic_vector.hpp"
@@ -27,11 +28,6 @@ using MeasurementKinds = std::tuple<GnssPosition, GnssVelocity, ZeroVelocityUpda
                                     WheelSpeed, RollingWithoutSlide>;
 
 namespace detail {
-template <class Sample, class = void>
-inline constexpr bool says_when_available = false;
-template <class Sample>
-inline constexpr bool says_when_available<Sample, std::void_t<decltype(Sample::available_sim_time_ns)>> = true;
-
 template <class Variant, class Kinds>
 struct SamplesOf;
 template <class... Samples>
@@ -67,12 +63,7 @@ inline std::int64_t valid_at_ns(const Observation& observation) {
 }
 
 inline std::int64_t available_at_ns(const Observation& observation) {
-  return std::visit(
-      [](const auto& sample) {
-        if constexpr (detail::says_when_available<std::decay_t<decltype(sample)>>) return sample.available_sim_time_ns;
-        return sample.header.sim_time_ns;
-      },
-      observation);
+  return std::visit([](const auto& sample) { return samples::available_at_ns(sample); }, observation);
 }
 
 /// Whether every kind that is made of it can use its numbers.

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "inslab/models/trajectory/smooth_truth.hpp"
+
 namespace inslab::trajectory {
 
 SmoothModel::SmoothModel(SmoothMotion motion, std::string name, const nav::Gravity& gravity, const time::Grid& grid,
@@ -26,23 +28,11 @@ TruthState SmoothModel::advance() {
 }
 
 TruthState SmoothModel::current() const {
-  TruthState truth;
+  TruthState truth = truth_of(vehicle_, interval_);
   truth.header.sequence_number = sample_;
-  truth.header.sim_time_ns = vehicle_.now().count();
   const time::GpsTime gps = start_ + vehicle_.now();
   truth.header.gps_week = gps.week;
   truth.header.gps_time_of_week_ns = gps.time_of_week_ns;
-  truth.latitude_rad = vehicle_.position().latitude_rad;
-  truth.longitude_rad = vehicle_.position().longitude_rad;
-  truth.height_m = vehicle_.position().height_m;
-  truth.v_n = vehicle_.v_n();
-  truth.q_nv = vehicle_.q_nv();
-  truth.omega_iv_v = vehicle_.omega_iv_v();
-  truth.f_v = vehicle_.f_v();
-  truth.dtheta_v = vehicle_.dtheta_v();
-  truth.dv_v = vehicle_.dv_v();
-  truth.interval_ns = interval_.count();
-  truth.segment_index = vehicle_.piece_index();
   return truth;
 }
 

@@ -34,7 +34,8 @@ double over_band(const imu::Spectrum& spectrum, const F& f) {
 
 bool has_faulty_axis(const FaultProfile& fault) {
   const std::array<AxisFault, 3> none{};
-  return fault.gyro_axes != none || fault.accel_axes != none || fault.gyro_silent || fault.accel_silent;
+  return fault.gyro_axes != none || fault.accel_axes != none || fault.gyro_silent || fault.accel_silent ||
+         !fault.common.are_none();
 }
 
 /// Variance of exact flicker of B = 1 about a straight line through n samples: (ln n - 0.737)/pi, of the Gauss-Markov

@@ -90,6 +90,9 @@ class Weigher {
     if (swap_.ack.kind == ProfileKind::GnssError && (has_recording(swap_.before) || has_recording(swap_.after))) {
       return "the errors of a real receiver are on top, which promises nothing";
     }
+    if (has_common_fault(swap_.before) || has_common_fault(swap_.after)) {
+      return "a fault of the sensor's samples was in effect";
+    }
     if (!is_imu() || swap_.ack.kind == ProfileKind::Installation) return "";
     const std::string before = promise(swap_.before).why_not(), after = promise(swap_.after).why_not();
     return !before.empty() ? before + " before it" : after.empty() ? "" : after + " after it";
@@ -176,6 +179,8 @@ class Weigher {
   bool has_recording(const SwapWindow& window) const {
     return !in_use<GnssErrorProfile>(window).recorded_error.file.empty();
   }
+
+  bool has_common_fault(const SwapWindow& window) const { return !in_use<FaultProfile>(window).common.are_none(); }
 
   std::vector<EvidenceLine> imu_error() const {
     const ImuPromise before = promise(swap_.before);

@@ -14,6 +14,7 @@
 #include "inslab/foundation/files/file_error.hpp"
 #include "inslab/foundation/files/sha256.hpp"
 #include "inslab/models/trajectory/row_motion.hpp"
+#include "inslab/models/trajectory/smooth_truth.hpp"
 #include "inslab/referee/graft/reference_imu.hpp"
 
 namespace inslab::graft {
@@ -81,7 +82,7 @@ Compared compared(const TrajectoryFile& reference, const Fixes& fixes, double ti
     const time::Nanoseconds at(fix.time_ns + shift_ns);
     if (at <= vehicle.now() || at >= reference.rows.back().time) continue;
     vehicle.advance(at);
-    const TruthState truth = truth_of(vehicle, time::Nanoseconds(0));
+    const TruthState truth = trajectory::truth_of(vehicle, time::Nanoseconds(0));
     const SensorSite antenna = sensor_site(truth, arm_v_m);
     const Vector3 offset_e = nav::ecef_from_geodetic(geodetic_of(fix.fix)) - nav::ecef_from_geodetic(antenna.position);
     RecordedFixErrors::Epoch epoch;

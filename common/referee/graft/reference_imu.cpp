@@ -6,6 +6,7 @@
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/imu/installation.hpp"
 #include "inslab/models/trajectory/row_motion.hpp"
+#include "inslab/models/trajectory/smooth_truth.hpp"
 
 namespace inslab::graft {
 namespace {
@@ -20,22 +21,6 @@ std::int64_t difference_ns(std::int64_t a_ns, std::int64_t b_ns) {
 }
 
 }  // namespace
-
-TruthState truth_of(const trajectory::SmoothVehicle& vehicle, time::Nanoseconds interval) {
-  TruthState truth;
-  truth.header.sim_time_ns = vehicle.now().count();
-  truth.latitude_rad = vehicle.position().latitude_rad;
-  truth.longitude_rad = vehicle.position().longitude_rad;
-  truth.height_m = vehicle.position().height_m;
-  truth.v_n = vehicle.v_n();
-  truth.q_nv = vehicle.q_nv();
-  truth.omega_iv_v = vehicle.omega_iv_v();
-  truth.f_v = vehicle.f_v();
-  truth.dtheta_v = vehicle.dtheta_v();
-  truth.dv_v = vehicle.dv_v();
-  truth.interval_ns = interval.count();
-  return truth;
-}
 
 ReferenceImu::ReferenceImu(TrajectoryFile reference, const time::Rate& rate, std::int64_t first_ns, std::size_t count)
     : reference_(std::move(reference)),
@@ -74,7 +59,7 @@ std::vector<RecordedErrors::Increments> ReferenceImu::increments(const Geometry&
   const auto go_to = [&](std::size_t end) {
     const std::int64_t before_ns = vehicle.now().count();
     vehicle.advance(time::Nanoseconds(row_time_ns(end) + shift_ns));
-    return truth_of(vehicle, vehicle.now() - time::Nanoseconds(before_ns));
+    return trajectory::truth_of(vehicle, vehicle.now() - time::Nanoseconds(before_ns));
   };
   imu::Installation::Instant start = installation.at(go_to(first_));
   std::vector<RecordedErrors::Increments> all;

@@ -5,14 +5,10 @@
 
 #include "inslab/data/samples/recorded_errors.hpp"
 #include "inslab/data/samples/trajectory_file.hpp"
-#include "inslab/data/samples/truth_state.hpp"
-#include "inslab/models/trajectory/smooth_vehicle.hpp"
+#include "inslab/foundation/time/rate.hpp"
 #include "inslab/nav/vectors.hpp"
 
 namespace inslab::graft {
-
-/// The truth of a vehicle on a reference's curves as far as a site on it, or an installation, asks for it.
-TruthState truth_of(const trajectory::SmoothVehicle& vehicle, time::Nanoseconds interval);
 
 /// How a recorded IMU sat on the reference, and how its clock went beside the reference's.
 struct Geometry {
