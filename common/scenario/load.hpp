@@ -33,32 +33,18 @@ struct LoadedGnss {
   std::vector<OutageArea> outage_areas;
 };
 
-/// One magnetometer with its profiles read.
-struct LoadedMagnetometer {
+/// One instrument of another kind with its profiles read.
+template <class Errors>
+struct LoadedInstrument {
   std::uint32_t number = 0;
   time::Rate rate{100.0};
-  MagnetometerErrorProfile errors;
+  Errors errors;
   InstallationProfile installation;
   InstallationProfile nominal_installation;
 };
-
-/// One barometer with its profiles read.
-struct LoadedBarometer {
-  std::uint32_t number = 0;
-  time::Rate rate{50.0};
-  BarometerErrorProfile errors;
-  InstallationProfile installation;
-  InstallationProfile nominal_installation;
-};
-
-/// One odometer with its profiles read.
-struct LoadedOdometer {
-  std::uint32_t number = 0;
-  time::Rate rate{100.0};
-  OdometerErrorProfile errors;
-  InstallationProfile installation;
-  InstallationProfile nominal_installation;
-};
+using LoadedMagnetometer = LoadedInstrument<MagnetometerErrorProfile>;
+using LoadedBarometer = LoadedInstrument<BarometerErrorProfile>;
+using LoadedOdometer = LoadedInstrument<OdometerErrorProfile>;
 
 /// A scenario with every file it names read and checked.
 struct LoadedScenario {
@@ -137,37 +123,27 @@ struct LoadedSection<catalog::Gnss> {
           "installation_profile", "installation", &GnssSensor::installation_profile, &LoadedGnss::installation}};
 };
 
+/// What an instrument begins with, which no scenario has to say.
+template <class Sensor, class Loaded>
+inline constexpr std::tuple kProfilesOfInstrument{
+    NamedProfile<Sensor, Loaded, decltype(Loaded::errors)>{"error_profile", "errors", &Sensor::error_profile,
+                                                           &Loaded::errors},
+    NamedProfile<Sensor, Loaded, InstallationProfile>{"installation_profile", "installation",
+                                                      &Sensor::installation_profile, &Loaded::installation}};
 template <>
 struct LoadedSection<catalog::Magnetometer> {
   static constexpr auto sensors = &LoadedScenario::magnetometers;
-  static constexpr std::tuple profiles{
-      NamedProfile<MagnetometerSensor, LoadedMagnetometer, MagnetometerErrorProfile>{
-          "error_profile", "errors", &MagnetometerSensor::error_profile, &LoadedMagnetometer::errors},
-      NamedProfile<MagnetometerSensor, LoadedMagnetometer, InstallationProfile>{
-          "installation_profile", "installation", &MagnetometerSensor::installation_profile,
-          &LoadedMagnetometer::installation}};
+  static constexpr auto profiles = kProfilesOfInstrument<MagnetometerSensor, LoadedMagnetometer>;
 };
-
 template <>
 struct LoadedSection<catalog::Barometer> {
   static constexpr auto sensors = &LoadedScenario::barometers;
-  static constexpr std::tuple profiles{
-      NamedProfile<BarometerSensor, LoadedBarometer, BarometerErrorProfile>{
-          "error_profile", "errors", &BarometerSensor::error_profile, &LoadedBarometer::errors},
-      NamedProfile<BarometerSensor, LoadedBarometer, InstallationProfile>{"installation_profile", "installation",
-                                                                          &BarometerSensor::installation_profile,
-                                                                          &LoadedBarometer::installation}};
+  static constexpr auto profiles = kProfilesOfInstrument<BarometerSensor, LoadedBarometer>;
 };
-
 template <>
 struct LoadedSection<catalog::Odometer> {
   static constexpr auto sensors = &LoadedScenario::odometers;
-  static constexpr std::tuple profiles{
-      NamedProfile<OdometerSensor, LoadedOdometer, OdometerErrorProfile>{
-          "error_profile", "errors", &OdometerSensor::error_profile, &LoadedOdometer::errors},
-      NamedProfile<OdometerSensor, LoadedOdometer, InstallationProfile>{"installation_profile", "installation",
-                                                                        &OdometerSensor::installation_profile,
-                                                                        &LoadedOdometer::installation}};
+  static constexpr auto profiles = kProfilesOfInstrument<OdometerSensor, LoadedOdometer>;
 };
 
 template <class Kind>
