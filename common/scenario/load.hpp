@@ -45,6 +45,10 @@ struct LoadedInstrument {
 using LoadedMagnetometer = LoadedInstrument<MagnetometerErrorProfile>;
 using LoadedBarometer = LoadedInstrument<BarometerErrorProfile>;
 using LoadedOdometer = LoadedInstrument<OdometerErrorProfile>;
+struct LoadedHeading : LoadedInstrument<HeadingErrorProfile> {
+  std::vector<Outage> outages;
+  std::vector<OutageArea> outage_areas;
+};
 
 /// A scenario with every file it names read and checked.
 struct LoadedScenario {
@@ -61,6 +65,7 @@ struct LoadedScenario {
   std::vector<LoadedMagnetometer> magnetometers;
   std::vector<LoadedBarometer> barometers;
   std::vector<LoadedOdometer> odometers;
+  std::vector<LoadedHeading> headings;
   std::vector<catalog::AnyProfile> swaps;  ///< requests in order: target and request are filled in
   RecordingFinder recordings;              ///< of the scenario's folder of recordings; what it read it keeps
   FixRecordingFinder fix_recordings;       ///< the same, of receivers
@@ -144,6 +149,17 @@ template <>
 struct LoadedSection<catalog::Odometer> {
   static constexpr auto sensors = &LoadedScenario::odometers;
   static constexpr auto profiles = kProfilesOfInstrument<OdometerSensor, LoadedOdometer>;
+};
+
+template <>
+struct LoadedSection<catalog::Heading> {
+  static constexpr auto sensors = &LoadedScenario::headings;
+  static constexpr std::tuple profiles{
+      NamedProfile<HeadingSensor, LoadedHeading, HeadingErrorProfile>{
+          "error_profile", "errors", &HeadingSensor::error_profile, &LoadedHeading::errors},
+      NamedProfile<HeadingSensor, LoadedHeading, InstallationProfile>{"installation_profile", "installation",
+                                                                      &HeadingSensor::installation_profile,
+                                                                      &LoadedHeading::installation, true}};
 };
 
 template <class Kind>

@@ -49,6 +49,8 @@ struct FaultProfile {
   AxisFault odometer_fault = AxisFault::None;                      ///< odometer
   bool wheel_locked = false;                                       ///< odometer: the wheel does not turn
   bool odometer_silent = false;                                    ///< odometer: no samples while on
+  Vector3 wrong_fix_ned_m = Vector3::Zero();                       ///< heading
+  bool heading_outage = false;                                     ///< heading: no signals while on
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -140,6 +142,15 @@ struct FaultProfile {
           self.wheel_locked);
     visit(Field("odometer_silent", "odometer: no sample while on").only_for("odometer").appended(),
           self.odometer_silent);
+    visit(Field("wrong_fix_ned_m", "heading: by so much the second antenna is taken to be elsewhere while on")
+              .only_for("heading")
+              .appended()
+              .in(-100.0, 100.0),
+          self.wrong_fix_ned_m);
+    visit(Field("heading_outage", "heading: no signals while on; then it climbs its ladder")
+              .only_for("heading")
+              .appended(),
+          self.heading_outage);
   }
 };
 

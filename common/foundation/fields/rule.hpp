@@ -76,6 +76,7 @@ enum class Rule : std::uint32_t {
   CorrelationTime,     ///< a Gauss-Markov process with a sigma has a correlation time
   LeverArmLength,      ///< at most 1 km
   AntennaMounting,     ///< an antenna has no axes
+  BaselineLength,      ///< two antennas stand apart; others have no second arm
   SolutionsAscend,     ///< lesser solutions go up from the worst, each worse than the profile's own
   FixTypeGiven,        ///< a receiver without any fix is a fault, not an error profile
   FaultFitsSensor,     ///< each fault is one of a kind of sensor, as an outage is one of receivers
@@ -100,7 +101,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 79> values{"readable",
+  static constexpr std::array<std::string_view, 80> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -163,6 +164,7 @@ struct EnumNames<Rule> {
                                                            "correlation_time",
                                                            "lever_arm_length",
                                                            "antenna_mounting",
+                                                           "baseline_length",
                                                            "solutions_ascend",
                                                            "fix_type_given",
                                                            "fault_fits_sensor",

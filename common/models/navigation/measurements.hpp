@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "inslab/models/navigation/baseline_direction.hpp"
 #include "inslab/models/navigation/gnss_position.hpp"
 #include "inslab/models/navigation/gnss_velocity.hpp"
 #include "inslab/models/navigation/magnetic_vector.hpp"
@@ -24,7 +25,7 @@ namespace inslab::navigation {
 ///
 /// Kinds of one sample share its time: their gates are judged by the state before any of them, in this order.
 using MeasurementKinds = std::tuple<GnssPosition, GnssVelocity, ZeroVelocityUpdate, MagneticVector, PressureAltitude,
-                                    WheelSpeed, RollingWithoutSlide>;
+                                    WheelSpeed, RollingWithoutSlide, BaselineDirection>;
 
 namespace detail {
 template <class Sample, class = void>
