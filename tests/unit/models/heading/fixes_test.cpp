@@ -80,7 +80,11 @@ TEST(HeadingFixes, OfALesserSolutionHaveItsErrorsAndClaimThem) {
   const BaselineHeading floating = *model.observe(truth_at(7));
   ASSERT_EQ(floating.fix_type, FixType::Float);
   EXPECT_NEAR(floating.heading_sigma_rad, 0.01, 1e-3);
-  letters(model, 8, 16);
+  double squares = std::pow(std::sin(floating.heading_rad), 2.0);
+  for (std::uint64_t k = 8; k <= 16; ++k) squares += std::pow(std::sin(model.observe(truth_at(k))->heading_rad), 2.0);
+  // Chi-square of ten degrees of freedom; 99.9 % are in here, and the best solution would make 2.5e-4 of it.
+  EXPECT_GT(squares / 1e-4, 1.26);
+  EXPECT_LT(squares / 1e-4, 31.4);
   EXPECT_NEAR(model.observe(truth_at(17))->heading_sigma_rad, 5e-5, 1e-8);
 }
 
