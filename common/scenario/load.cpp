@@ -50,6 +50,10 @@ void load_rest(const GnssSensor& sensor, LoadedGnss& gnss) {
   gnss.outages = sensor.outages;
   gnss.outage_areas = sensor.outage_areas;
 }
+void load_rest(const HeadingSensor& sensor, LoadedHeading& heading) {
+  heading.outages = sensor.outages;
+  heading.outage_areas = sensor.outage_areas;
+}
 
 template <class Kind, class Sensor>
 Loaded<Kind> load_sensor(const std::filesystem::path& folder, const Sensor& sensor) {

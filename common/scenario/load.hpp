@@ -33,31 +33,21 @@ struct LoadedGnss {
   std::vector<OutageArea> outage_areas;
 };
 
-/// One magnetometer with its profiles read.
-struct LoadedMagnetometer {
+/// One instrument of another kind with its profiles read.
+template <class Errors>
+struct LoadedInstrument {
   std::uint32_t number = 0;
   time::Rate rate{100.0};
-  MagnetometerErrorProfile errors;
+  Errors errors;
   InstallationProfile installation;
   InstallationProfile nominal_installation;
 };
-
-/// One barometer with its profiles read.
-struct LoadedBarometer {
-  std::uint32_t number = 0;
-  time::Rate rate{50.0};
-  BarometerErrorProfile errors;
-  InstallationProfile installation;
-  InstallationProfile nominal_installation;
-};
-
-/// One odometer with its profiles read.
-struct LoadedOdometer {
-  std::uint32_t number = 0;
-  time::Rate rate{100.0};
-  OdometerErrorProfile errors;
-  InstallationProfile installation;
-  InstallationProfile nominal_installation;
+using LoadedMagnetometer = LoadedInstrument<MagnetometerErrorProfile>;
+using LoadedBarometer = LoadedInstrument<BarometerErrorProfile>;
+using LoadedOdometer = LoadedInstrument<OdometerErrorProfile>;
+struct LoadedHeading : LoadedInstrument<HeadingErrorProfile> {
+  std::vector<Outage> outages;
+  std::vector<OutageArea> outage_areas;
 };
 
 /// A scenario with every file it names read and checked.
@@ -75,6 +65,7 @@ struct LoadedScenario {
   std::vector<LoadedMagnetometer> magnetometers;
   std::vector<LoadedBarometer> barometers;
   std::vector<LoadedOdometer> odometers;
+  std::vector<LoadedHeading> headings;
   std::vector<catalog::AnyProfile> swaps;  ///< requests in order: target and request are filled in
   RecordingFinder recordings;              ///< of the scenario's folder of recordings; what it read it keeps
   FixRecordingFinder fix_recordings;       ///< the same, of receivers
@@ -137,37 +128,38 @@ struct LoadedSection<catalog::Gnss> {
           "installation_profile", "installation", &GnssSensor::installation_profile, &LoadedGnss::installation}};
 };
 
+/// What an instrument begins with, which no scenario has to say.
+template <class Sensor, class Loaded>
+inline constexpr std::tuple kProfilesOfInstrument{
+    NamedProfile<Sensor, Loaded, decltype(Loaded::errors)>{"error_profile", "errors", &Sensor::error_profile,
+                                                           &Loaded::errors},
+    NamedProfile<Sensor, Loaded, InstallationProfile>{"installation_profile", "installation",
+                                                      &Sensor::installation_profile, &Loaded::installation}};
 template <>
 struct LoadedSection<catalog::Magnetometer> {
   static constexpr auto sensors = &LoadedScenario::magnetometers;
-  static constexpr std::tuple profiles{
-      NamedProfile<MagnetometerSensor, LoadedMagnetometer, MagnetometerErrorProfile>{
-          "error_profile", "errors", &MagnetometerSensor::error_profile, &LoadedMagnetometer::errors},
-      NamedProfile<MagnetometerSensor, LoadedMagnetometer, InstallationProfile>{
-          "installation_profile", "installation", &MagnetometerSensor::installation_profile,
-          &LoadedMagnetometer::installation}};
+  static constexpr auto profiles = kProfilesOfInstrument<MagnetometerSensor, LoadedMagnetometer>;
 };
-
 template <>
 struct LoadedSection<catalog::Barometer> {
   static constexpr auto sensors = &LoadedScenario::barometers;
-  static constexpr std::tuple profiles{
-      NamedProfile<BarometerSensor, LoadedBarometer, BarometerErrorProfile>{
-          "error_profile", "errors", &BarometerSensor::error_profile, &LoadedBarometer::errors},
-      NamedProfile<BarometerSensor, LoadedBarometer, InstallationProfile>{"installation_profile", "installation",
-                                                                          &BarometerSensor::installation_profile,
-                                                                          &LoadedBarometer::installation}};
+  static constexpr auto profiles = kProfilesOfInstrument<BarometerSensor, LoadedBarometer>;
 };
-
 template <>
 struct LoadedSection<catalog::Odometer> {
   static constexpr auto sensors = &LoadedScenario::odometers;
+  static constexpr auto profiles = kProfilesOfInstrument<OdometerSensor, LoadedOdometer>;
+};
+
+template <>
+struct LoadedSection<catalog::Heading> {
+  static constexpr auto sensors = &LoadedScenario::headings;
   static constexpr std::tuple profiles{
-      NamedProfile<OdometerSensor, LoadedOdometer, OdometerErrorProfile>{
-          "error_profile", "errors", &OdometerSensor::error_profile, &LoadedOdometer::errors},
-      NamedProfile<OdometerSensor, LoadedOdometer, InstallationProfile>{"installation_profile", "installation",
-                                                                        &OdometerSensor::installation_profile,
-                                                                        &LoadedOdometer::installation}};
+      NamedProfile<HeadingSensor, LoadedHeading, HeadingErrorProfile>{
+          "error_profile", "errors", &HeadingSensor::error_profile, &LoadedHeading::errors},
+      NamedProfile<HeadingSensor, LoadedHeading, InstallationProfile>{"installation_profile", "installation",
+                                                                      &HeadingSensor::installation_profile,
+                                                                      &LoadedHeading::installation, true}};
 };
 
 template <class Kind>

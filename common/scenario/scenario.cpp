@@ -61,7 +61,8 @@ std::optional<Violation> sensors_violation(const std::string& list, const std::v
 }
 
 /// Receivers alone: outages by time and by place.
-std::optional<Violation> outages_violation(const GnssSensor& sensor, const std::string& path) {
+template <class Receiver>
+std::optional<Violation> outages_violation(const Receiver& sensor, const std::string& path) {
   for (std::size_t i = 0; i < sensor.outages.size(); ++i) {
     const Outage& outage = sensor.outages[i];
     if (outage.period_s != 0.0 && !(outage.period_s > outage.duration_s)) {
@@ -269,6 +270,9 @@ std::optional<Violation> violation(const Scenario& scenario) {
   if (broken_sensor) return broken_sensor;
   for (std::size_t i = 0; i < scenario.gnss.size(); ++i) {
     if (auto broken = outages_violation(scenario.gnss[i], at("gnss", i, ""))) return broken;
+  }
+  for (std::size_t i = 0; i < scenario.heading.size(); ++i) {
+    if (auto broken = outages_violation(scenario.heading[i], at("heading", i, ""))) return broken;
   }
   for (std::size_t i = 0; i < scenario.require_subscribers.size(); ++i) {
     if (is_stream(scenario, scenario.require_subscribers[i].topic)) continue;

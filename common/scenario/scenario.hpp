@@ -75,35 +75,6 @@ struct GnssSensor {
   }
 };
 
-/// The model of the Earth's magnetic field, and whether its five years bind.
-enum class MagneticModel : std::uint32_t { Wmm2025, Wmm2025Extrapolated };
-
-/// One magnetometer of the unit. Without an error profile it is ideal.
-struct MagnetometerSensor {
-  std::uint32_t number = 0;
-  double rate_hz = 100.0;
-  std::string error_profile;
-  std::string installation_profile;
-  std::string nominal_installation_profile;
-  MagneticModel field = MagneticModel::Wmm2025;
-
-  template <class Self, class Visitor>
-  static void fields(Self& self, Visitor& visit) {
-    visit(Field("number", "the N of inslab/magnetometer/N").in(0.0, 63.0), self.number);
-    visit(Field("rate_hz", "of its samples").in(1e-3, 1e4).required(), self.rate_hz);
-    visit(Field("error_profile", "file; absent: an ideal magnetometer").at_most(4096), self.error_profile);
-    visit(Field("installation_profile", "file; absent: at the vehicle's reference point").at_most(4096),
-          self.installation_profile);
-    visit(Field("nominal_installation_profile", "file: what the app is told; absent: the true one").at_most(4096),
-          self.nominal_installation_profile);
-    visit(
-        Field("field",
-              "the Earth's: the World Magnetic Model 2025 from 2025 to the end of 2029, or in its straight line at any "
-              "date"),
-        self.field);
-  }
-};
-
 /// A profile that is swapped in while the run goes on.
 struct ScheduledSwap {
   double at_s = 0.0;
@@ -186,6 +157,7 @@ struct ReferenceNav {
   std::optional<std::uint32_t> barometer = std::nullopt;
   std::optional<std::uint32_t> odometer = std::nullopt;
   std::optional<std::uint32_t> other_odometer = std::nullopt;
+  std::optional<std::uint32_t> heading = std::nullopt;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -200,6 +172,7 @@ struct ReferenceNav {
     visit(Field("other_odometer", "the N of the odometer on the wheel across from it; absent: it takes one alone")
               .in(0.0, 63.0),
           self.other_odometer);
+    visit(Field("heading", "the N of its inslab/heading/N; absent: it takes none").in(0.0, 63.0), self.heading);
     visit(Field("parameters",
                 "file of the filter's parameters; absent: those that match the sensors' profiles and "
                 "nominal installation")
@@ -222,6 +195,7 @@ struct Scenario {
   std::vector<MagnetometerSensor> magnetometer;
   std::vector<BarometerSensor> barometer;
   std::vector<OdometerSensor> odometer;
+  std::vector<HeadingSensor> heading;
   std::vector<ScheduledSwap> swaps;
   std::string recordings_folder = "../recordings";
   Clock clock;
@@ -246,6 +220,7 @@ struct Scenario {
     visit(Field(catalog::Magnetometer::name, "the magnetometers of this unit").at_most(8), self.magnetometer);
     visit(Field(catalog::Barometer::name, "the barometers of this unit").at_most(8), self.barometer);
     visit(Field(catalog::Odometer::name, "the odometers of this unit, one a wheel").at_most(8), self.odometer);
+    visit(Field(catalog::Heading::name, "the receivers with two antennas of this unit").at_most(8), self.heading);
     visit(Field("swaps", "profiles swapped while the run goes on").at_most(10000), self.swaps);
     visit(Field("recordings_folder", "where recorded errors are that profiles name, relative to the scenario")
               .at_most(4096),
@@ -305,6 +280,12 @@ struct Section<catalog::Odometer> {
   static constexpr auto sensors = &Scenario::odometer;
   static constexpr std::tuple of_the_app{AppKey{"odometer", &ReferenceNav::odometer},
                                          AppKey{"other_odometer", &ReferenceNav::other_odometer}};
+};
+
+template <>
+struct Section<catalog::Heading> {
+  static constexpr auto sensors = &Scenario::heading;
+  static constexpr std::tuple of_the_app{AppKey{"heading", &ReferenceNav::heading}};
 };
 
 template <class Kind>
@@ -387,12 +368,6 @@ struct EnumNames<scenario::StartAt> {
   static constexpr std::string_view type = "StartAt";
   static constexpr std::string_view prefix = "START_";
   static constexpr std::array<std::string_view, 2> values{"gps_time", "now"};
-};
-template <>
-struct EnumNames<scenario::MagneticModel> {
-  static constexpr std::string_view type = "MagneticModel";
-  static constexpr std::string_view prefix = "MAGNETIC_MODEL_";
-  static constexpr std::array<std::string_view, 2> values{"wmm2025", "wmm2025_extrapolated"};
 };
 
 }  // namespace inslab

@@ -70,6 +70,7 @@ void LogSink::gnss(std::size_t index, const GnssFix& fix) { write_streams(index,
 void LogSink::magnetometer(std::size_t index, const MagneticField& sample) { write_streams(index, sample); }
 void LogSink::barometer(std::size_t index, const AirPressure& sample) { write_streams(index, sample); }
 void LogSink::odometer(std::size_t index, const WheelTravel& sample) { write_streams(index, sample); }
+void LogSink::heading(std::size_t index, const BaselineHeading& sample) { write_streams(index, sample); }
 
 void LogSink::nav(const NavSolution& solution) { nav_->write(solution, nav_count_++, latest_utc_ns_, latest_utc_ns_); }
 

@@ -23,6 +23,7 @@ class LogSink : public RunSink {
   void magnetometer(std::size_t index, const MagneticField& sample) override;
   void barometer(std::size_t index, const AirPressure& sample) override;
   void odometer(std::size_t index, const WheelTravel& sample) override;
+  void heading(std::size_t index, const BaselineHeading& sample) override;
   void nav(const NavSolution& solution) override;
   void ack(const ProfileAck& ack) override;
 

@@ -1,25 +1,14 @@
 #pragma once
 
-#include <tuple>
-
 #include "inslab/models/magnetometer/magnetometer_model.hpp"
-#include "inslab/sim/run_sink.hpp"
-#include "inslab/sim/sensor.hpp"
+#include "inslab/sim/instrument_wiring.hpp"
 
 namespace inslab::sim {
 
 template <>
-struct SensorModel<catalog::Magnetometer> {
-  using Model = magnetometer::MagnetometerModel;
-  using Output = MagneticField;
-
-  static Model::Setup setup(const scenario::LoadedScenario& scenario, const scenario::LoadedMagnetometer& sensor) {
-    return {scenario.stream_seed(), sensor.number, sensor.rate, sensor.errors, sensor.installation};
-  }
-  static bool takes_profiles_at(const time::Rate&, const TruthState&) { return true; }
+struct SensorModel<catalog::Magnetometer> : InstrumentWiring<catalog::Magnetometer, magnetometer::MagnetometerModel> {
   static std::optional<Output> process(Model& model, const TruthState& truth) { return model.observe(truth); }
   static void hand(RunSink& sink, std::size_t index, const Output& sample) { sink.magnetometer(index, sample); }
-  static auto samples(Output& sample) { return std::tie(sample); }
 };
 
 }  // namespace inslab::sim

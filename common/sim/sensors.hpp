@@ -4,6 +4,7 @@
 
 #include "inslab/sim/barometer_sensor.hpp"
 #include "inslab/sim/gnss_sensor.hpp"
+#include "inslab/sim/heading_sensor.hpp"
 #include "inslab/sim/imu_sensor.hpp"
 #include "inslab/sim/magnetometer_sensor.hpp"
 #include "inslab/sim/odometer_sensor.hpp"

@@ -294,7 +294,7 @@ int ServerOnBus::run() {
     using Kind = typename decltype(tag)::type;
     const InstallationProfile& nominal = sensor.nominal_installation;
     const Vector3 rpy_deg = Kind::has_axes ? nominal.mounting_rpy_deg : Vector3::Zero();
-    installation_.write({{Kind::kind, sensor.number}, nominal.lever_arm_v_m, rpy_deg});
+    installation_.write({{Kind::kind, sensor.number}, nominal.lever_arm_v_m, rpy_deg, nominal.second_lever_arm_v_m});
   });
   if (!wait_until_ready()) {
     if (const auto exit_code = end_run_without_server()) return *exit_code;

@@ -222,9 +222,9 @@ std::string topics_of(const std::string& permissions_file, const std::string& ru
 
 TEST_F(SecurityFilesOf, GrantWhatSecurityMdSays) {
   std::string expected;
-  for (const char* role :
-       {"inslab-trajectory-server", "inslab-imu-injector", "inslab-gnss-emulator", "inslab-magnetometer",
-        "inslab-barometer", "inslab-odometer", "inslab-truth-logger", "operator", "nav-app", "vehicle-simulator"}) {
+  for (const char* role : {"inslab-trajectory-server", "inslab-imu-injector", "inslab-gnss-emulator",
+                           "inslab-magnetometer", "inslab-barometer", "inslab-odometer", "inslab-heading",
+                           "inslab-truth-logger", "operator", "nav-app", "vehicle-simulator"}) {
     const std::string file = keys / (std::string(role) + ".permissions.xml");
     expected +=
         std::string("| ") + role + " | " + topics_of(file, "publish") + " | " + topics_of(file, "subscribe") + " |\n";

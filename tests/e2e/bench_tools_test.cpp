@@ -183,7 +183,7 @@ TEST_F(BenchTools, SwapAnInstallationOfANamedKindOfSensorAlone) {
   const Answer answer = inslab({"swap", "installation", source("config/profiles/installation/antenna_roof.json")});
   EXPECT_EQ(answer.code, 2);
   EXPECT_THAT(answer.text, HasSubstr("--sensor-kind: missing; expected imu or gnss or magnetometer or barometer or "
-                                     "odometer, all of which have installation profiles"));
+                                     "odometer or heading, all of which have installation profiles"));
 }
 
 TEST(Commands, KeepTheirTimeoutAndSayWhereTheyLooked) {

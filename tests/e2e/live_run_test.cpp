@@ -98,6 +98,23 @@ TEST(LiveRun, WithABarometerAndOdometersGivesTheBitsOfTheOfflineRun) {
   expect_same_bits<WheelTravel>(folder / "live.mcap", offline_log, "inslab/odometer/1", 1500);
 }
 
+TEST(LiveRun, WithReceiversOfTwoAntennasGivesTheBitsOfTheOfflineRun) {
+  const TestFolder folder;
+  const std::string scenario = source("config/scenarios/two_antennas.json");
+  Process live("inslab",
+               {"run", scenario, "--log", folder / "live.mcap", "--domain", own_domain(), "--clock", "lockstep"});
+  Process offline("inslab", {"simulate", scenario, "-o", folder / "offline"});
+  // Exit 0 also means: nothing lost, all swaps acknowledged and borne out by the samples.
+  ASSERT_EQ(live.wait(seconds(80)), 0) << live.output();
+  ASSERT_EQ(offline.wait(seconds(60)), 0) << offline.output();
+  EXPECT_THAT(live.output(), HasSubstr("heading_error 'zed_f9p_moving_base' for heading0"));
+  EXPECT_THAT(live.output(), HasSubstr("horizontal noise of the baseline"));
+  EXPECT_THAT(live.output(), HasSubstr("baseline forward"));
+  const std::string offline_log = folder / "offline/two_antennas.mcap";
+  expect_same_bits<BaselineHeading>(folder / "live.mcap", offline_log, "inslab/heading/0", 380);
+  expect_same_bits<BaselineHeading>(folder / "live.mcap", offline_log, "inslab/heading/1", 200);
+}
+
 TEST(LiveRun, SummaryNamesStreamsSwapsAndLog) {
   const TestFolder folder;
   Process live("inslab",

@@ -142,6 +142,7 @@ TEST(ReferenceNav, TakesOtherSensorsLive) {
   EXPECT_EQ(aided["inslab/barometer/2"], 500U);
   EXPECT_EQ(aided["inslab/odometer/1"], 1000U);
   EXPECT_EQ(aided["inslab/odometer/4"], 300U);
+  EXPECT_EQ(aided["inslab/heading/5"], 100U);
 }
 
 TEST(ReferenceNav, TakesPartInASecuredSetAsTheAppUnderTest) {

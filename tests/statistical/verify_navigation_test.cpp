@@ -20,7 +20,7 @@ TEST(VerifyNavigation, WithEachOtherSensorTheyKnowItToo) {
 
 TEST(VerifyNavigation, EachOtherSensorTakesAwayTheDriftThatItCan) {
   const Table table = aids_table({});
-  EXPECT_EQ(table.rows.size(), 9U);
+  EXPECT_EQ(table.rows.size(), 12U);
   EXPECT_TRUE(table.held()) << to_text(table);
 }
 

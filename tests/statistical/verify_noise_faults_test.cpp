@@ -262,10 +262,15 @@ TEST(PlantedFaults, HonestyRowsSeeSensorsThatAreWorseThanTheFiltersAreTold) {
       nullptr, {{"sensors two and three times as bad", [&] { return Tables{honesty_table(10, {}, worse)}; }}});
 }
 
+bool has_aids(const scenario::LoadedScenario& scenario) {
+  return !scenario.barometers.empty() || !scenario.odometers.empty() || !scenario.magnetometers.empty() ||
+         !scenario.headings.empty();
+}
+
 /// The drives without another sensor stay as they are.
 Subjects imus_beside_aids(double factor) {
   return with_simulation(simulation_of([factor](scenario::LoadedScenario& scenario) {
-    if (scenario.barometers.empty() && scenario.odometers.empty() && scenario.magnetometers.empty()) return;
+    if (!has_aids(scenario)) return;
     for (scenario::LoadedImu& imu : scenario.imus) scale(imu.errors, factor);
   }));
 }
@@ -285,14 +290,15 @@ TEST(PlantedFaults, RowsOfOtherSensorsSeeDriftsThatAreTooSmall) {
     }
     for (scenario::LoadedOdometer& odometer : scenario.odometers) odometer.errors = {};
     for (scenario::LoadedMagnetometer& magnetometer : scenario.magnetometers) magnetometer.errors = {};
-    if (scenario.barometers.empty() && scenario.odometers.empty() && scenario.magnetometers.empty()) return;
+    for (scenario::LoadedHeading& heading : scenario.headings) heading.errors = {};
+    if (!has_aids(scenario)) return;
     for (scenario::LoadedImu& imu : scenario.imus) scale(imu.errors, 0.0);
     for (scenario::LoadedGnss& gnss : scenario.gnss) gnss.errors.position_sigma_ned_m *= 1e-3;
   }));
   OutageRuns five_outages;
   five_outages.duration_s = 700.0;
   const Table table = aids_table(five_outages, perfect);
-  ASSERT_EQ(table.rows.size(), 9U);
+  ASSERT_EQ(table.rows.size(), 12U);
   for (const Row& row : table.rows) EXPECT_FALSE(row.held) << to_text(table);
 }
 
@@ -303,6 +309,7 @@ TEST(PlantedFaults, HonestyRowsWithAnotherSensorSeeWhenItIsWorseThanTheFiltersAr
     for (scenario::LoadedBarometer& barometer : scenario.barometers) barometer.errors.white_sigma_pa *= 4.0;
     for (scenario::LoadedOdometer& odometer : scenario.odometers) odometer.errors.noise_m_per_sqrt_m *= 4.0;
     for (scenario::LoadedMagnetometer& magnetometer : scenario.magnetometers) magnetometer.errors.white_sigma_nt *= 4.0;
+    for (scenario::LoadedHeading& heading : scenario.headings) heading.errors.relative_sigma_ned_m *= 4.0;
   });
   const Subjects worse = with_simulation(simulation_with_fixes(
       [](GnssFix& fix) {

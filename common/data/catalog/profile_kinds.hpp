@@ -3,6 +3,7 @@
 #include "inslab/data/profiles/barometer_error_profile.hpp"
 #include "inslab/data/profiles/fault_profile.hpp"
 #include "inslab/data/profiles/gnss_error_profile.hpp"
+#include "inslab/data/profiles/heading_error_profile.hpp"
 #include "inslab/data/profiles/imu_error_profile.hpp"
 #include "inslab/data/profiles/installation_profile.hpp"
 #include "inslab/data/profiles/magnetometer_error_profile.hpp"
@@ -16,7 +17,7 @@ namespace inslab::catalog {
 
 /// In the order of ProfileKind, whose enumerators have the names.
 using ProfileKinds = Types<ImuErrorProfile, VibrationProfile, InstallationProfile, GnssErrorProfile, FaultProfile,
-                           MagnetometerErrorProfile, BarometerErrorProfile, OdometerErrorProfile>;
+                           MagnetometerErrorProfile, BarometerErrorProfile, OdometerErrorProfile, HeadingErrorProfile>;
 
 /// What a kind of profile is called besides its name.
 struct ProfileWords {
@@ -63,6 +64,14 @@ inline constexpr ProfileWords kWords<BarometerErrorProfile>{"barometer", "Barome
 template <>
 inline constexpr ProfileWords kWords<OdometerErrorProfile>{"odometer", "Odometer errors", "odometer error profile",
                                                            "an",       "odometer",        "how one odometer errs"};
+
+template <>
+inline constexpr ProfileWords kWords<HeadingErrorProfile>{"heading",
+                                                          "Two-antenna heading errors",
+                                                          "heading error profile",
+                                                          "a",
+                                                          "heading",
+                                                          "how one receiver with two antennas errs"};
 
 namespace detail {
 template <class... Profile>

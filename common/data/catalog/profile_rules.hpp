@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "inslab/data/catalog/any_profile.hpp"
+#include "inslab/data/catalog/correlation_rule.hpp"
 #include "inslab/data/catalog/fault_rules.hpp"
+#include "inslab/data/catalog/receiver_rules.hpp"
 #include "inslab/data/catalog/sensor_kinds.hpp"
 #include "inslab/foundation/fields/limits.hpp"
 #include "inslab/foundation/fields/violation.hpp"
@@ -16,6 +18,7 @@
 namespace inslab::catalog {
 
 inline constexpr double kMaxLeverArmM = 1000.0;
+inline constexpr double kMinBaselineM = 0.1;
 inline constexpr double kMaxMotionM = 0.05;     ///< of a mount against the vehicle
 inline constexpr double kMaxMotionDeg = 2.0;    ///< the same
 inline constexpr double kMaxMotionHz = 2000.0;  ///< the same
@@ -34,46 +37,6 @@ inline std::optional<Violation> fade_violation(const ProfileRequest& request) {
   if (request.fade_s == 0.0) return std::nullopt;
   return Violation{Rule::OnlyVibrationFades, "request.fade_s",
                    "is " + std::to_string(request.fade_s) + "; only vibration fades"};
-}
-
-inline std::string element(const std::string& path, int index) { return path + "[" + std::to_string(index) + "]"; }
-
-template <class Sigmas>
-std::optional<Violation> correlation_violation(const std::string& path, const char* quantity, const Sigmas& sigma,
-                                               const Sigmas& correlation_time_s) {
-  for (int axis = 0; axis < static_cast<int>(sigma.size()); ++axis) {
-    if (sigma[axis] != 0.0 && !(correlation_time_s[axis] > 0.0)) {
-      return Violation{Rule::CorrelationTime, element(path, axis),
-                       std::string("is not above 0 where ") + quantity + " is"};
-    }
-  }
-  return std::nullopt;
-}
-
-/// `path` ends before the field's name, such as "lesser_solutions[1].".
-inline std::optional<Violation> solution_violation(const std::string& path, const SolutionErrors& errors) {
-  if (auto broken = correlation_violation(path + "position_gm_correlation_time_s", "position_gm_sigma_ned_m",
-                                          errors.position_gm_sigma_ned_m, errors.position_gm_correlation_time_s)) {
-    return broken;
-  }
-  return correlation_violation(path + "velocity_gm_correlation_time_s", "velocity_gm_sigma_ned_m_per_s",
-                               errors.velocity_gm_sigma_ned_m_per_s, errors.velocity_gm_correlation_time_s);
-}
-
-inline std::optional<Violation> ladder_violation(const GnssErrorProfile& profile) {
-  for (std::size_t i = 0; i < profile.lesser_solutions.size(); ++i) {
-    const LesserSolution& solution = profile.lesser_solutions[i];
-    const std::string path = "lesser_solutions[" + std::to_string(i) + "].";
-    const FixType better =
-        i + 1 < profile.lesser_solutions.size() ? profile.lesser_solutions[i + 1].fix_type : profile.fix_type;
-    if (!(solution.fix_type < better)) {
-      return Violation{Rule::SolutionsAscend, path + "fix_type",
-                       "is " + std::string(enum_name(solution.fix_type)) + "; expected a worse one than " +
-                           std::string(enum_name(better)) + ", which comes next"};
-    }
-    if (auto broken = solution_violation(path, solution)) return broken;
-  }
-  return std::nullopt;
 }
 
 inline std::optional<Violation> nonlinearity_violation(const std::string& path, const char* full_scale_name,
@@ -142,12 +105,6 @@ std::optional<Violation> in_order_violation(const std::string& path, const std::
     }
   }
   return std::nullopt;
-}
-
-inline std::optional<Violation> correlation_violation(const char* path, const char* quantity, double sigma,
-                                                      double correlation_time_s) {
-  if (sigma == 0.0 || correlation_time_s > 0.0) return std::nullopt;
-  return Violation{Rule::CorrelationTime, path, std::string("is not above 0 where ") + quantity + " is"};
 }
 
 /// Of the clock that every kind of sensor has.
@@ -251,12 +208,33 @@ inline std::optional<Violation> violation(const VibrationProfile& profile) {
   return profile.domain == VibrationDomain::Motion ? detail::mount_violation(profile) : std::nullopt;
 }
 
+namespace detail {
+
+inline std::optional<Violation> arm_violation(const char* path, const Vector3& arm_v_m) {
+  if (arm_v_m.norm() <= kMaxLeverArmM) return std::nullopt;
+  return Violation{Rule::LeverArmLength, path,
+                   "is " + std::to_string(arm_v_m.norm()) + " m long; a lever arm has at most 1000 m"};
+}
+
+inline std::optional<Violation> baseline_violation(const InstallationProfile& profile) {
+  if (profile.target.kind != SensorKind::Heading) {
+    return zero_violation(Rule::BaselineLength, "second_lever_arm_v_m", profile.second_lever_arm_v_m,
+                          "is not 0; a two-antenna heading alone has a second arm");
+  }
+  const double length_m = (profile.second_lever_arm_v_m - profile.lever_arm_v_m).norm();
+  if (length_m >= kMinBaselineM) return std::nullopt;
+  return Violation{Rule::BaselineLength, "second_lever_arm_v_m",
+                   "is " + number_text(length_m) + " m from lever_arm_v_m; two antennas stand at least " +
+                       number_text(kMinBaselineM) + " m apart"};
+}
+
+}  // namespace detail
+
 inline std::optional<Violation> violation(const InstallationProfile& profile) {
   if (auto broken = detail::fade_violation(profile.request)) return broken;
-  if (!(profile.lever_arm_v_m.norm() <= kMaxLeverArmM)) {
-    return Violation{Rule::LeverArmLength, "lever_arm_v_m",
-                     "is " + std::to_string(profile.lever_arm_v_m.norm()) + " m long; a lever arm has at most 1000 m"};
-  }
+  if (auto broken = detail::arm_violation("lever_arm_v_m", profile.lever_arm_v_m)) return broken;
+  if (auto broken = detail::arm_violation("second_lever_arm_v_m", profile.second_lever_arm_v_m)) return broken;
+  if (auto broken = detail::baseline_violation(profile)) return broken;
   if (has_axes(profile.target.kind)) return std::nullopt;
   return detail::zero_violation(
       Rule::AntennaMounting, "mounting_rpy_deg", profile.mounting_rpy_deg,
@@ -267,9 +245,7 @@ inline std::optional<Violation> violation(const GnssErrorProfile& profile) {
   if (auto broken = detail::target_violation(profile)) return broken;
   if (auto broken = detail::fade_violation(profile.request)) return broken;
   if (auto broken = detail::time_tag_violation(profile.time_tag)) return broken;
-  if (profile.fix_type == FixType::None) {
-    return Violation{Rule::FixTypeGiven, "fix_type", "is none; a receiver without a fix is the fault 'outage'"};
-  }
+  if (auto broken = detail::fix_type_violation(profile)) return broken;
   if (auto broken = detail::solution_violation("", profile)) return broken;
   if (auto broken = detail::recording_violation(profile.recorded_error)) return broken;
   return detail::ladder_violation(profile);
@@ -327,6 +303,15 @@ inline std::optional<Violation> violation(const OdometerErrorProfile& profile) {
   if (profile.counts_per_revolution == std::floor(profile.counts_per_revolution)) return std::nullopt;
   return Violation{Rule::WholeCounts, "counts_per_revolution",
                    "is " + number_text(profile.counts_per_revolution) + "; expected a whole number"};
+}
+
+inline std::optional<Violation> violation(const HeadingErrorProfile& profile) {
+  if (auto broken = detail::target_violation(profile)) return broken;
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::time_tag_violation(profile.time_tag)) return broken;
+  if (auto broken = detail::fix_type_violation(profile)) return broken;
+  if (auto broken = detail::solution_violation("", profile)) return broken;
+  return detail::ladder_violation(profile);
 }
 
 /// The first limit or rule that a profile of any kind breaks.

@@ -6,6 +6,7 @@
 
 #include "inslab/data/catalog/profile_kinds.hpp"
 #include "inslab/data/samples/air_pressure.hpp"
+#include "inslab/data/samples/baseline_heading.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_sample.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
@@ -111,8 +112,24 @@ struct Odometer {
   static constexpr const char* mountings = "odometer_";
 };
 
+struct Heading {
+  static constexpr SensorKind kind = SensorKind::Heading;
+  static constexpr std::string_view name = "heading";
+  static constexpr const char* singular = "two-antenna heading";
+  static constexpr const char* plural = "two-antenna headings";
+  static constexpr const char* service = "inslab-heading";
+  static constexpr const char* service_title = "two-antenna heading";
+  static constexpr const char* purpose = "Turns the truth into what one receiver with two antennas says of its heading";
+  static constexpr std::tuple streams{Stream<BaselineHeading>{"heading", Audience::App, 10.0}};
+  using Profiles = Types<HeadingErrorProfile, InstallationProfile, FaultProfile>;
+  static constexpr bool has_axes = false;
+  static constexpr bool sets_the_pace = false;
+  static constexpr bool in_every_set = false;
+  static constexpr const char* mountings = "heading_";
+};
+
 /// In the order of SensorKind, whose enumerators have the names.
-using SensorKinds = Types<Imu, Gnss, Magnetometer, Barometer, Odometer>;
+using SensorKinds = Types<Imu, Gnss, Magnetometer, Barometer, Odometer, Heading>;
 
 namespace detail {
 template <class... Kind>

@@ -34,6 +34,7 @@ INSLAB_WIRE_TYPE(GnssFix, "gnss.idl");
 INSLAB_WIRE_TYPE(MagneticField, "magnetometer.idl");
 INSLAB_WIRE_TYPE(AirPressure, "barometer.idl");
 INSLAB_WIRE_TYPE(WheelTravel, "odometer.idl");
+INSLAB_WIRE_TYPE(BaselineHeading, "heading.idl");
 INSLAB_WIRE_TYPE(NavSolution, "nav.idl");
 INSLAB_WIRE_TYPE(ImuErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(VibrationProfile, "profile.idl");
@@ -43,6 +44,7 @@ INSLAB_WIRE_TYPE(FaultProfile, "profile.idl");
 INSLAB_WIRE_TYPE(MagnetometerErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(BarometerErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(OdometerErrorProfile, "profile.idl");
+INSLAB_WIRE_TYPE(HeadingErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(ProfileAck, "control.idl");
 INSLAB_WIRE_TYPE(Installation, "control.idl");
 INSLAB_WIRE_TYPE(SimCommand, "control.idl");
@@ -70,6 +72,7 @@ INSLAB_BLOCK_TYPE(GnssFix, "GnssBlock");
 INSLAB_BLOCK_TYPE(MagneticField, "MagneticFieldBlock");
 INSLAB_BLOCK_TYPE(AirPressure, "AirPressureBlock");
 INSLAB_BLOCK_TYPE(WheelTravel, "WheelTravelBlock");
+INSLAB_BLOCK_TYPE(BaselineHeading, "BaselineHeadingBlock");
 INSLAB_BLOCK_TYPE(NavSolution, "NavBlock");
 
 #undef INSLAB_BLOCK_TYPE

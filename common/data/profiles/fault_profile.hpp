@@ -54,6 +54,8 @@ struct FaultProfile {
   FixType wrong_fix_type = FixType::None;                ///< gnss: what fixes claim to be; none: what they are
   Vector3 position_noise_burst_ned_m = Vector3::Zero();  ///< gnss
   CommonFaults common;                                   ///< every kind
+  Vector3 wrong_fix_ned_m = Vector3::Zero();             ///< heading
+  bool heading_outage = false;                           ///< heading: no signals while on
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -155,6 +157,15 @@ struct FaultProfile {
               .in(0.0, 1e5),
           self.position_noise_burst_ned_m);
     CommonFaults::fields(self.common, visit);
+    visit(Field("wrong_fix_ned_m", "heading: by so much the second antenna is taken to be elsewhere while on")
+              .only_for("heading")
+              .appended()
+              .in(-100.0, 100.0),
+          self.wrong_fix_ned_m);
+    visit(Field("heading_outage", "heading: no signals while on; then it climbs its ladder")
+              .only_for("heading")
+              .appended(),
+          self.heading_outage);
   }
 };
 

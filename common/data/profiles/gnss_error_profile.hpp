@@ -1,6 +1,7 @@
 #pragma once
 
 #include "inslab/data/profiles/recorded_fix_error.hpp"
+#include "inslab/data/profiles/solution_rung.hpp"
 #include "inslab/data/profiles/time_tag_errors.hpp"
 #include "inslab/data/requests/profile_request.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
@@ -62,18 +63,10 @@ struct SolutionErrors {
 };
 
 /// A solution worse than the profile's own, on the ladder that the receiver climbs after it lost its signals.
-struct LesserSolution : SolutionErrors {
-  FixType fix_type = FixType::None;
-  double lasts_s = 0.0;
-  double mean_time_between_falls_s = 0.0;
-
+struct LesserSolution : SolutionRung, SolutionErrors {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
-    visit(Field("fix_type", "none: no fix").required(), self.fix_type);
-    visit(Field("lasts_s", "until the next better solution").in(0.0, 1e6).required(), self.lasts_s);
-    visit(Field("mean_time_between_falls_s", "mean of the exponential time between falls to it from a better; 0: never")
-              .in(0.0, 1e7),
-          self.mean_time_between_falls_s);
+    SolutionRung::rung_fields(self, visit);
     SolutionErrors::error_fields(self, visit);
   }
 };

@@ -13,8 +13,9 @@ struct InstallationProfile {
   ProfileRequest request;
   std::string name;
   std::string source;
-  Vector3 lever_arm_v_m = Vector3::Zero();     ///< vehicle reference point to IMU centre or antenna phase centre
-  Vector3 mounting_rpy_deg = Vector3::Zero();  ///< Z-Y-X roll, pitch, yaw of C_vb; zero for an antenna
+  Vector3 lever_arm_v_m = Vector3::Zero();         ///< vehicle reference point to IMU centre or antenna phase centre
+  Vector3 mounting_rpy_deg = Vector3::Zero();      ///< Z-Y-X roll, pitch, yaw of C_vb; zero for an antenna
+  Vector3 second_lever_arm_v_m = Vector3::Zero();  ///< heading: the same of the second antenna; else zero
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -25,6 +26,13 @@ struct InstallationProfile {
     visit(Field("mounting_rpy_deg", "roll, pitch, yaw of the IMU's axes in the vehicle's; zero for an antenna")
               .in(-360.0, 360.0),
           self.mounting_rpy_deg);
+    visit(Field("second_lever_arm_v_m",
+                "heading: of the second antenna, from the vehicle's reference point; the baseline leads there from the "
+                "first")
+              .only_for("heading")
+              .appended()
+              .in(-1000.0, 1000.0),
+          self.second_lever_arm_v_m);
   }
 };
 

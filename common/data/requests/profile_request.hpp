@@ -5,7 +5,7 @@
 namespace inslab {
 inline namespace samples {
 
-enum class SensorKind : std::uint32_t { Imu, Gnss, Magnetometer, Barometer, Odometer };
+enum class SensorKind : std::uint32_t { Imu, Gnss, Magnetometer, Barometer, Odometer, Heading };
 enum class ProfileKind : std::uint32_t {
   ImuError,
   Vibration,
@@ -15,6 +15,7 @@ enum class ProfileKind : std::uint32_t {
   MagnetometerError,
   BarometerError,
   OdometerError,
+  HeadingError,
 };
 enum class Continuity : std::uint32_t { Keep, Reset, Redraw };
 
@@ -22,15 +23,16 @@ template <>
 struct EnumNames<SensorKind> {
   static constexpr std::string_view type = "SensorKind";
   static constexpr std::string_view prefix = "SENSOR_";
-  static constexpr std::array<std::string_view, 5> values{"imu", "gnss", "magnetometer", "barometer", "odometer"};
+  static constexpr std::array<std::string_view, 6> values{"imu",       "gnss",     "magnetometer",
+                                                          "barometer", "odometer", "heading"};
 };
 template <>
 struct EnumNames<ProfileKind> {
   static constexpr std::string_view type = "ProfileKind";
   static constexpr std::string_view prefix = "PROFILE_";
-  static constexpr std::array<std::string_view, 8> values{"imu_error",       "vibration",     "installation",
-                                                          "gnss_error",      "fault",         "magnetometer_error",
-                                                          "barometer_error", "odometer_error"};
+  static constexpr std::array<std::string_view, 9> values{"imu_error",       "vibration",      "installation",
+                                                          "gnss_error",      "fault",          "magnetometer_error",
+                                                          "barometer_error", "odometer_error", "heading_error"};
 };
 template <>
 struct EnumNames<Continuity> {
@@ -77,7 +79,8 @@ struct ProfileRequest {
 /// The fields that begin every profile: whom it is for, and the request. Wire only; a profile file has none of it.
 template <class Self, class Visitor>
 void profile_head_fields(Self& self, Visitor& visit) {
-  visit(Field("target_kind", "imu, gnss, magnetometer, barometer or odometer").key().wire_only(), self.target.kind);
+  visit(Field("target_kind", "imu, gnss, magnetometer, barometer, odometer or heading").key().wire_only(),
+        self.target.kind);
   visit(Field("target_number", "the sensor's number").key().wire_only(), self.target.number);
   visit(Field("request").wire_only(), self.request);
   visit(Field("name", "a word for the log").at_most(64), self.name);

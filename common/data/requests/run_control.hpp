@@ -90,6 +90,7 @@ struct Installation {
   SensorAddress target;
   Vector3 lever_arm_v_m = Vector3::Zero();
   Vector3 mounting_rpy_deg = Vector3::Zero();
+  Vector3 second_lever_arm_v_m = Vector3::Zero();  ///< of the second antenna, where there are two
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -97,6 +98,7 @@ struct Installation {
     visit(Field("target_number").key(), self.target.number);
     visit(Field("lever_arm_v_m"), self.lever_arm_v_m);
     visit(Field("mounting_rpy_deg"), self.mounting_rpy_deg);
+    visit(Field("second_lever_arm_v_m").appended(), self.second_lever_arm_v_m);
   }
 };
 

@@ -29,6 +29,10 @@ struct NestedName<LesserSolution> {
   static constexpr std::string_view value = "LesserSolution";
 };
 template <>
+struct NestedName<LesserBaseline> {
+  static constexpr std::string_view value = "LesserBaseline";
+};
+template <>
 struct NestedName<LinearSinusoid> {
   static constexpr std::string_view value = "LinearSinusoid";
 };
@@ -208,7 +212,7 @@ std::string profile_idl() {
   });
 
   std::string text =
-      "// Inslab wire types, part 6 of 12: the profiles that can be swapped while a run goes on. A request and its "
+      "// Inslab wire types, part 6 of 13: the profiles that can be swapped while a run goes on. A request and its "
       "entry in\n"
       "// the journal have the same type. What is not wanted stays zero; a list that is not wanted stays empty.\n"
       "// Derived from the parameter declarations in common/data/profiles by 'inslab reference idl/profile.idl'.\n"
@@ -228,7 +232,7 @@ std::string block_idl() {
                " {\n    sequence<" + name_in_idl<Sample>() + ", " + std::to_string(Block<Sample>::kMaxSamples) +
                "> samples;\n  };\n";
   });
-  return "// Inslab wire types, part 9 of 12: many samples of a stream in one message, for lockstep alone. Sequence "
+  return "// Inslab wire types, part 9 of 13: many samples of a stream in one message, for lockstep alone. Sequence "
          "numbers go on\n// from block to block as in the stream. Derived from the streams in common/data/catalog by "
          "'inslab reference\n// idl/block.idl'.\n#ifndef INSLAB_BLOCK_IDL\n#define INSLAB_BLOCK_IDL\n\n" +
          includes + "\nmodule inslab { module v4 {\n" + structs + "\n}; };\n\n#endif\n";

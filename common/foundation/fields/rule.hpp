@@ -76,6 +76,7 @@ enum class Rule : std::uint32_t {
   CorrelationTime,     ///< a Gauss-Markov process with a sigma has a correlation time
   LeverArmLength,      ///< at most 1 km
   AntennaMounting,     ///< an antenna has no axes
+  BaselineLength,      ///< two antennas stand apart; others have no second arm
   SolutionsAscend,     ///< lesser solutions go up from the worst, each worse than the profile's own
   FixTypeGiven,        ///< a receiver without any fix is a fault, not an error profile
   FaultFitsSensor,     ///< each fault is one of a kind of sensor, as an outage is one of receivers
@@ -164,6 +165,7 @@ struct EnumNames<Rule> {
                                                            "correlation_time",
                                                            "lever_arm_length",
                                                            "antenna_mounting",
+                                                           "baseline_length",
                                                            "solutions_ascend",
                                                            "fix_type_given",
                                                            "fault_fits_sensor",

@@ -1,18 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
-#include "inslab/data/profiles/barometer_error_profile.hpp"
-#include "inslab/data/profiles/fault_profile.hpp"
-#include "inslab/data/profiles/installation_profile.hpp"
 #include "inslab/data/samples/air_pressure.hpp"
-#include "inslab/data/samples/truth_state.hpp"
-#include "inslab/foundation/time/rate.hpp"
 #include "inslab/models/barometer/static_port.hpp"
 #include "inslab/models/faults/axis_faults.hpp"
-#include "inslab/models/timing/sensor_clock.hpp"
-#include "inslab/noise/random/gauss_markov.hpp"
+#include "inslab/models/sensing/instrument.hpp"
+#include "inslab/noise/random/scalar_noise.hpp"
 
 namespace inslab::barometer {
 
@@ -28,13 +22,7 @@ namespace inslab::barometer {
 /// the sensor: barometers of one rate are in the same weather. Draws depend on (seed, sensor number, k) alone.
 class BarometerModel {
  public:
-  struct Setup {
-    std::uint64_t seed = 0;
-    std::uint32_t sensor_number = 0;
-    time::Rate rate;
-    BarometerErrorProfile errors;
-    InstallationProfile installation;
-  };
+  using Setup = sensing::Setup<catalog::Barometer>;
 
   /// Throws std::invalid_argument when a profile breaks a rule of data/catalog/profile_rules.hpp.
   explicit BarometerModel(const Setup& setup);
@@ -52,10 +40,9 @@ class BarometerModel {
   /// What a model of the same setup needs to go on from here (data/state/state_stream.hpp).
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
-    visit(self.errors_, self.installation_, self.fault_);
+    visit(self.instrument_);
     if constexpr (!std::is_const_v<Self>) self.take_profiles();
-    visit(self.port_, self.clock_, self.sea_level_drift_, self.temperature_drift_, self.drift_, self.stuck_,
-          self.instant_, self.samples_);
+    visit(self.port_, self.sea_level_drift_, self.temperature_drift_, self.noise_, self.stuck_);
   }
 
  private:
@@ -67,22 +54,14 @@ class BarometerModel {
   void take_profiles();
   Noise drawn();
 
-  std::uint32_t sensor_number_;
-  time::Rate rate_;
-  BarometerErrorProfile errors_;
-  InstallationProfile installation_;
-  FaultProfile fault_;
+  sensing::Instrument<catalog::Barometer> instrument_;
   StaticPort port_;
   random::GaussMarkov sea_level_drift_;
   random::GaussMarkov temperature_drift_;
-  random::GaussMarkov drift_;  ///< of the sensor
-  random::NormalCursor white_;
+  random::ScalarNoise noise_;  ///< of the sensor's pressure
   random::NormalCursor temperature_white_;
   random::NormalCursor burst_;  ///< of a fault
-  timing::SensorClock clock_;
-  faults::AxisFaults stuck_;   ///< the pressure is its first axis
-  std::uint64_t instant_ = 0;  ///< the last one
-  std::uint64_t samples_ = 0;
+  faults::AxisFaults stuck_;    ///< the pressure is its first axis
 };
 
 }  // namespace inslab::barometer

@@ -14,7 +14,7 @@ random::Stream falls_to(FixType type, std::uint64_t seed, const std::string& rec
 
 }  // namespace
 
-SolutionLadder::SolutionLadder(const GnssErrorProfile& profile, double period_s, std::uint64_t seed,
+SolutionLadder::SolutionLadder(const LadderRungs& profile, double period_s, std::uint64_t seed,
                                const std::string& receiver)
     : period_s_(period_s),
       falls_{falls_to(FixType::None, seed, receiver), falls_to(FixType::Single, seed, receiver),
@@ -24,17 +24,17 @@ SolutionLadder::SolutionLadder(const GnssErrorProfile& profile, double period_s,
   rung_ = top();
 }
 
-void SolutionLadder::set_rungs(const GnssErrorProfile& profile) {
+void SolutionLadder::set_rungs(const LadderRungs& profile) {
   rungs_.clear();
-  for (const LesserSolution& lesser : profile.lesser_solutions) {
+  for (const SolutionRung& lesser : profile.lesser) {
     const double mean_s = lesser.mean_time_between_falls_s;
     rungs_.push_back({lesser.fix_type, time::from_seconds(lesser.lasts_s).count(),
                       mean_s > 0.0 ? -std::expm1(-period_s_ / mean_s) : 0.0});
   }
-  best_ = profile.fix_type;
+  best_ = profile.best;
 }
 
-void SolutionLadder::retune(const GnssErrorProfile& profile, Continuity continuity) {
+void SolutionLadder::retune(const LadderRungs& profile, Continuity continuity) {
   const FixType held = fix_type_of(rung_);
   set_rungs(profile);
   rung_ = top();

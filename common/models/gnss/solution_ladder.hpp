@@ -6,10 +6,22 @@
 #include <string>
 #include <vector>
 
-#include "inslab/data/profiles/gnss_error_profile.hpp"
+#include "inslab/data/profiles/solution_rung.hpp"
+#include "inslab/data/requests/profile_request.hpp"
 #include "inslab/noise/random/stream.hpp"
 
 namespace inslab::gnss {
+
+/// What a profile of a receiver says of its ladder: the rungs from the worst up, and above them its own fix type.
+struct LadderRungs {
+  std::vector<SolutionRung> lesser;
+  FixType best = FixType::None;
+
+  /// Of any profile with lesser solutions.
+  template <class Profile>
+  LadderRungs(const Profile& profile)  // NOLINT(google-explicit-constructor): a profile is its ladder too
+      : lesser(profile.lesser_solutions.begin(), profile.lesser_solutions.end()), best(profile.fix_type) {}
+};
 
 /// Which kind of solution a receiver has.
 ///
@@ -21,11 +33,11 @@ namespace inslab::gnss {
 class SolutionLadder {
  public:
   /// `receiver` is the root of the stream names, such as "gnss0".
-  SolutionLadder(const GnssErrorProfile& profile, double period_s, std::uint64_t seed, const std::string& receiver);
+  SolutionLadder(const LadderRungs& profile, double period_s, std::uint64_t seed, const std::string& receiver);
 
   /// Takes another profile between two epochs. Keep: the receiver stays with its fix type, and its time there goes on,
   /// when the new profile has that type; else, and without signals, nothing is known of it: top, or still nothing.
-  void retune(const GnssErrorProfile& profile, Continuity continuity);
+  void retune(const LadderRungs& profile, Continuity continuity);
 
   /// The rung of epoch `k` at sim time `time_ns`: an index of lesser_solutions, their number for the profile's own, or
   /// nothing when there are no signals. Epochs come in order, each once.
@@ -44,7 +56,7 @@ class SolutionLadder {
     double fall_probability;
   };
 
-  void set_rungs(const GnssErrorProfile& profile);
+  void set_rungs(const LadderRungs& profile);
   std::size_t top() const { return rungs_.size(); }
   FixType fix_type_of(std::size_t rung) const { return rung < top() ? rungs_[rung].fix_type : best_; }
 

@@ -1,18 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
-#include "inslab/data/profiles/fault_profile.hpp"
-#include "inslab/data/profiles/installation_profile.hpp"
-#include "inslab/data/profiles/magnetometer_error_profile.hpp"
 #include "inslab/data/samples/magnetic_field.hpp"
-#include "inslab/data/samples/truth_state.hpp"
 #include "inslab/foundation/time/course.hpp"
-#include "inslab/foundation/time/rate.hpp"
 #include "inslab/models/faults/axis_faults.hpp"
 #include "inslab/models/magnetometer/sensed_field.hpp"
-#include "inslab/models/timing/sensor_clock.hpp"
+#include "inslab/models/sensing/instrument.hpp"
 #include "inslab/noise/random/vector_noise.hpp"
 
 namespace inslab::magnetometer {
@@ -29,13 +23,7 @@ namespace inslab::magnetometer {
 /// field domain, J. Aerosp. Eng. 19(2) (2006), (1).
 class MagnetometerModel {
  public:
-  struct Setup {
-    std::uint64_t seed = 0;
-    std::uint32_t sensor_number = 0;
-    time::Rate rate;
-    MagnetometerErrorProfile errors;
-    InstallationProfile installation;
-  };
+  using Setup = sensing::Setup<catalog::Magnetometer>;
 
   /// Throws std::invalid_argument when a profile breaks a rule of data/catalog/profile_rules.hpp.
   explicit MagnetometerModel(const Setup& setup);
@@ -53,28 +41,21 @@ class MagnetometerModel {
   /// What a model of the same setup needs to go on from here (data/state/state_stream.hpp).
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
-    visit(self.errors_, self.installation_, self.fault_);
+    visit(self.instrument_);
     if constexpr (!std::is_const_v<Self>) self.take_profiles();
-    visit(self.noise_, self.axes_, self.clock_, self.instant_, self.samples_);
+    visit(self.noise_, self.axes_);
   }
 
  private:
   void take_profiles();
 
-  std::uint32_t sensor_number_;
-  time::Rate rate_;
+  sensing::Instrument<catalog::Magnetometer> instrument_;
   SensedField field_;
-  MagnetometerErrorProfile errors_;
-  InstallationProfile installation_;
-  FaultProfile fault_;
   Matrix3 response_ = Matrix3::Identity();  ///< I + soft iron
   time::Course<Vector3> currents_nt_{{}, Vector3::Zero()};
   random::VectorNoise noise_;
   random::VectorNoise burst_;  ///< of a fault: white alone
   faults::AxisFaults axes_;
-  timing::SensorClock clock_;
-  std::uint64_t instant_ = 0;  ///< the last one
-  std::uint64_t samples_ = 0;
 };
 
 }  // namespace inslab::magnetometer

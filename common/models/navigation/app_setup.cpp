@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "inslab/models/navigation/matching_barometer.hpp"
+#include "inslab/models/navigation/matching_heading.hpp"
 #include "inslab/models/navigation/matching_magnetometer.hpp"
 #include "inslab/models/navigation/matching_odometer.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"

@@ -132,6 +132,7 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
 inline constexpr profiles::FieldUse kInstallationUses[] = {
     profiles::handled("lever_arm_v_m"),
     profiles::handled("mounting_rpy_deg"),
+    profiles::handled("second_lever_arm_v_m"),
 };
 
 inline constexpr profiles::FieldUse kVibrationUses[] = {
@@ -220,6 +221,23 @@ inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
     profiles::left_out("time_tag.*", "time tags", "the filter takes every tag for the time of validity"),
 };
 
+inline constexpr profiles::FieldUse kHeadingErrorUses[] = {
+    profiles::handled("fix_type"),
+    profiles::handled("relative_sigma_ned_m"),
+    profiles::handled("relative_gm_sigma_ned_m"),
+    profiles::handled("relative_gm_correlation_time_s"),
+    profiles::no_error("lesser_solutions[].fix_type", "the best solution alone is used"),
+    profiles::no_error("lesser_solutions[].lasts_s", "the best solution alone is used"),
+    profiles::no_error("lesser_solutions[].mean_time_between_falls_s", "the best solution alone is used"),
+    profiles::no_error("lesser_solutions[].relative_sigma_ned_m", "the best solution alone is used"),
+    profiles::no_error("lesser_solutions[].relative_gm_sigma_ned_m", "the best solution alone is used"),
+    profiles::no_error("lesser_solutions[].relative_gm_correlation_time_s", "the best solution alone is used"),
+    profiles::left_out("mean_time_between_wrong_fixes_s", "wrong fixes", "the innovation test is there for them"),
+    profiles::left_out("wrong_fix_lasts_s", "wrong fixes", "the innovation test is there for them"),
+    profiles::left_out("wrong_fix_offset_m", "wrong fixes", "the innovation test is there for them"),
+    profiles::left_out("time_tag.*", "time tags", "the filter takes every tag for the time of validity"),
+};
+
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("", "faults", "a fault is no error that a filter is told of")};
 
@@ -232,5 +250,6 @@ constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
 constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetometerErrorUses; }
 constexpr const auto& uses_of(Tag<BarometerErrorProfile>) { return kBarometerErrorUses; }
 constexpr const auto& uses_of(Tag<OdometerErrorProfile>) { return kOdometerErrorUses; }
+constexpr const auto& uses_of(Tag<HeadingErrorProfile>) { return kHeadingErrorUses; }
 
 }  // namespace inslab::navigation::matching

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "inslab/data/samples/measured.hpp"
+#include "inslab/models/navigation/baseline_direction.hpp"
 #include "inslab/models/navigation/gnss_position.hpp"
 #include "inslab/models/navigation/gnss_velocity.hpp"
 #include "inslab/models/navigation/magnetic_vector.hpp"
@@ -25,7 +26,7 @@ namespace inslab::navigation {
 ///
 /// Kinds of one sample share its time: their gates are judged by the state before any of them, in this order.
 using MeasurementKinds = std::tuple<GnssPosition, GnssVelocity, ZeroVelocityUpdate, MagneticVector, PressureAltitude,
-                                    WheelSpeed, RollingWithoutSlide>;
+                                    WheelSpeed, RollingWithoutSlide, BaselineDirection>;
 
 namespace detail {
 template <class Variant, class Kinds>

@@ -11,7 +11,8 @@ std::optional<Violation> violation(const NavigationParameters& p) {
       {"lever_arm_b_m", p.lever_arm_b_m},
       {"barometer.lever_arm_b_m", p.barometer.lever_arm_b_m},
       {"odometer.lever_arm_b_m", p.odometer.lever_arm_b_m},
-      {"other_odometer.lever_arm_b_m", p.other_odometer.lever_arm_b_m}};
+      {"other_odometer.lever_arm_b_m", p.other_odometer.lever_arm_b_m},
+      {"heading.baseline_b_m", p.heading.baseline_b_m}};
   for (const auto& [name, arm_b_m] : arms) {
     if (arm_b_m.norm() <= catalog::kMaxLeverArmM) continue;
     return Violation{Rule::LeverArmLength, name,

@@ -6,6 +6,7 @@
 #include "inslab/foundation/fields/field.hpp"
 #include "inslab/foundation/fields/violation.hpp"
 #include "inslab/models/navigation/barometer_belief.hpp"
+#include "inslab/models/navigation/heading_belief.hpp"
 #include "inslab/models/navigation/magnetometer_belief.hpp"
 #include "inslab/models/navigation/odometer_belief.hpp"
 
@@ -88,6 +89,7 @@ struct EstimatedErrors {
   bool wheel_scale = false;
   bool other_wheel_scale = false;
   bool wheel_axis = false;
+  bool baseline_drift = false;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -106,6 +108,8 @@ struct EstimatedErrors {
     visit(
         Field("wheel_axis", "two states of the odometer: pitch and yaw of its wheel, which slide and rise are seen in"),
         self.wheel_axis);
+    visit(Field("baseline_drift", "three states of the two-antenna heading: its error that lasts"),
+          self.baseline_drift);
   }
 };
 
@@ -187,6 +191,7 @@ struct NavigationParameters {
   OdometerBelief odometer;
   OdometerBelief other_odometer;
   RollingConstraint rolling_constraint;
+  HeadingBelief heading;
   EstimatedErrors states;
   Vector3 lever_arm_b_m = Vector3::Zero();
   InitialState initial;
@@ -209,6 +214,7 @@ struct NavigationParameters {
     visit(Field("other_odometer", "of the wheel across, when the app has two"), self.other_odometer);
     visit(Field("rolling_constraint", "that the odometer's wheel neither slides aside nor leaves the road"),
           self.rolling_constraint);
+    visit(Field("heading", "of two antennas, when the app has it"), self.heading);
     visit(Field("states", "sensor errors that are estimated; position, velocity and attitude always are"), self.states);
     visit(Field("lever_arm_b_m", "from the IMU's centre to the antenna, in the IMU's axes").in(-1000.0, 1000.0),
           self.lever_arm_b_m);

@@ -43,6 +43,8 @@ Process process_of(StateBlock block, const NavigationParameters& p) {
       return wheel_scale(p.other_odometer);
     case StateBlock::WheelAxis:
       return {Vector3::Constant(units::kDeg * p.odometer.axis_sigma_deg), Vector3::Zero()};
+    case StateBlock::BaselineDrift:
+      return {p.heading.relative_drift_sigma_ned_m, p.heading.relative_drift_correlation_time_s};
     case StateBlock::Position:
     case StateBlock::Velocity:
     case StateBlock::Attitude:

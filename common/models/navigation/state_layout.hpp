@@ -29,14 +29,15 @@ enum class StateBlock : std::uint8_t {
   PressureSlope,  ///< 1: of heights, and the share of the dynamic pressure that the port shows
   WheelScale,     ///< 1, of an odometer: constant and drift
   OtherWheelScale,
-  WheelAxis,  ///< rad, pitch and yaw of the wheel against what the filter is told
+  WheelAxis,      ///< rad, pitch and yaw of the wheel against what the filter is told
+  BaselineDrift,  ///< m, n: of the second antenna of a two-antenna heading relative to the first
 };
 
 struct BlockFacts {
   std::string_view name;
   Eigen::Index size;  ///< errors
 };
-inline constexpr std::array<BlockFacts, 17> kBlocks{{{"position", 3},
+inline constexpr std::array<BlockFacts, 18> kBlocks{{{"position", 3},
                                                      {"velocity", 3},
                                                      {"attitude", 3},
                                                      {"gyro_bias", 3},
@@ -52,7 +53,8 @@ inline constexpr std::array<BlockFacts, 17> kBlocks{{{"position", 3},
                                                      {"pressure_slope", 2},
                                                      {"wheel_scale", 2},
                                                      {"other_wheel_scale", 2},
-                                                     {"wheel_axis", 2}}};
+                                                     {"wheel_axis", 2},
+                                                     {"baseline_drift", 3}}};
 inline constexpr std::array kSoftIron{StateBlock::SoftIronX, StateBlock::SoftIronY, StateBlock::SoftIronZ};
 inline constexpr std::size_t kFirstChosenBlock = 3;
 inline constexpr Eigen::Index kLargestBlock = 3;
@@ -97,7 +99,8 @@ class StateLayout {
                              chosen.pressure_slope,
                              chosen.wheel_scale,
                              chosen.other_wheel_scale,
-                             chosen.wheel_axis};
+                             chosen.wheel_axis,
+                             chosen.baseline_drift};
     static_assert(std::size(is_there) == kBlocks.size());
     for (std::size_t i = 0; i < kBlocks.size(); ++i) {
       first_[i] = is_there[i] ? size_ : kAbsent;

@@ -3,15 +3,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "inslab/data/profiles/fault_profile.hpp"
-#include "inslab/data/profiles/installation_profile.hpp"
-#include "inslab/data/profiles/odometer_error_profile.hpp"
-#include "inslab/data/samples/truth_state.hpp"
 #include "inslab/data/samples/wheel_travel.hpp"
-#include "inslab/foundation/time/rate.hpp"
 #include "inslab/models/faults/axis_faults.hpp"
 #include "inslab/models/odometer/wheel_contact.hpp"
-#include "inslab/models/timing/sensor_clock.hpp"
+#include "inslab/models/sensing/instrument.hpp"
 #include "inslab/noise/random/gauss_markov.hpp"
 #include "inslab/noise/random/random_constant.hpp"
 
@@ -28,13 +23,7 @@ namespace inslab::odometer {
 /// constant + drawn once + Gauss-Markov + warming tyre. Then faults. Draws depend on (seed, sensor number, k) alone.
 class OdometerModel {
  public:
-  struct Setup {
-    std::uint64_t seed = 0;
-    std::uint32_t sensor_number = 0;
-    time::Rate rate;
-    OdometerErrorProfile errors;
-    InstallationProfile installation;
-  };
+  using Setup = sensing::Setup<catalog::Odometer>;
 
   /// Throws std::invalid_argument when a profile breaks a rule of data/catalog/profile_rules.hpp.
   explicit OdometerModel(const Setup& setup);
@@ -53,33 +42,26 @@ class OdometerModel {
   /// What a model of the same setup needs to go on from here (data/state/state_stream.hpp).
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
-    visit(self.errors_, self.installation_, self.fault_);
+    visit(self.instrument_);
     if constexpr (!std::is_const_v<Self>) self.take_profiles();
-    visit(self.clock_, self.scale_turn_on_, self.scale_drift_, self.faulty_, self.previous_, self.turned_m_,
-          self.part_of_count_, self.samples_);
+    visit(self.scale_turn_on_, self.scale_drift_, self.faulty_, self.previous_, self.turned_m_, self.part_of_count_);
   }
 
  private:
   void take_profiles();
-  double shown_m(std::uint64_t k, double dt_s, std::int64_t sim_time_ns);
+  double shown_m(double dt_s, std::int64_t sim_time_ns);
   double counted_m(double distance_m);
 
-  std::uint32_t sensor_number_;
-  time::Rate rate_;
-  OdometerErrorProfile errors_;
-  InstallationProfile installation_;
-  FaultProfile fault_;
+  sensing::Instrument<catalog::Odometer> instrument_;
   WheelContact contact_;
   random::RandomConstant scale_turn_on_;
   random::GaussMarkov scale_drift_;
   random::NormalCursor noise_;
   random::NormalCursor burst_;  ///< of a fault
-  timing::SensorClock clock_;
-  faults::AxisFaults faulty_;  ///< the distance is its first axis
+  faults::AxisFaults faulty_;   ///< the distance is its first axis
   std::optional<TruthState> previous_;
   double turned_m_ = 0.0;  ///< in the interval that is open
   double part_of_count_;   ///< since the last whole one, 0 to 1
-  std::uint64_t samples_ = 0;
 };
 
 }  // namespace inslab::odometer

@@ -3,24 +3,14 @@
 #include "inslab/models/odometer/wheel_turn.hpp"
 
 namespace inslab::evidence {
-namespace {
-
-template <class Profile>
-Profile in_use(const LogSummary& summary, const SensorAddress& sensor, std::int64_t sim_time_ns) {
-  const catalog::AnyProfile* profile = summary.in_use(Profile::kind, sensor, sim_time_ns);
-  return profile ? std::get<Profile>(*profile) : Profile{};
-}
-
-}  // namespace
-
 double PressureExpectation::pressure_pa(const AirPressure& sample, const TruthState& vehicle,
                                         const LogSummary& summary) {
   const BarometerRevisions& now = sample.revisions;
   if (!revisions_ || revisions_->barometer_error != now.barometer_error ||
       revisions_->installation != now.installation) {
     const SensorAddress sensor{SensorKind::Barometer, sample.sensor_number};
-    port_.use(in_use<BarometerErrorProfile>(summary, sensor, sample.header.sim_time_ns));
-    port_.use(in_use<InstallationProfile>(summary, sensor, sample.header.sim_time_ns));
+    port_.use(profile_in_use<BarometerErrorProfile>(summary, sensor, sample.header.sim_time_ns));
+    port_.use(profile_in_use<InstallationProfile>(summary, sensor, sample.header.sim_time_ns));
     revisions_ = now;
   }
   return port_.air(vehicle, {}).pressure_pa;
@@ -31,9 +21,9 @@ double WayExpectation::distance_m(const WheelTravel& sample, const std::vector<c
   const OdometerRevisions& now = sample.revisions;
   if (!revisions_ || revisions_->odometer_error != now.odometer_error || revisions_->installation != now.installation) {
     const SensorAddress sensor{SensorKind::Odometer, sample.sensor_number};
-    errors_ = in_use<OdometerErrorProfile>(summary, sensor, sample.header.sim_time_ns);
+    errors_ = profile_in_use<OdometerErrorProfile>(summary, sensor, sample.header.sim_time_ns);
     errors_.scale_factor_ppm = 0.0;
-    contact_.use(in_use<InstallationProfile>(summary, sensor, sample.header.sim_time_ns));
+    contact_.use(profile_in_use<InstallationProfile>(summary, sensor, sample.header.sim_time_ns));
     revisions_ = now;
   }
   double turned_m = 0.0;

@@ -11,6 +11,13 @@
 
 namespace inslab::evidence {
 
+/// The profile of that kind which a sensor has at a sim time; the default where it has none.
+template <class Profile>
+Profile profile_in_use(const LogSummary& summary, const SensorAddress& sensor, std::int64_t sim_time_ns) {
+  const catalog::AnyProfile* profile = summary.in_use(Profile::kind, sensor, sim_time_ns);
+  return profile ? std::get<Profile>(*profile) : Profile{};
+}
+
 /// What one barometer would show under the profiles in use, without noise, offset, range and the drifts of the air. It
 /// goes on from sample to sample as the lag does.
 class PressureExpectation {

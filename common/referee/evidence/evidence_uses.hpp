@@ -155,6 +155,7 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
 inline constexpr profiles::FieldUse kInstallationUses[] = {
     profiles::handled("lever_arm_v_m"),
     profiles::left_out("mounting_rpy_deg", "mounting angles", "the arms alone are weighed"),
+    profiles::handled("second_lever_arm_v_m"),
 };
 
 inline constexpr profiles::FieldUse kVibrationUses[] = {
@@ -232,6 +233,27 @@ inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
     profiles::handled("time_tag.*"),
 };
 
+inline constexpr profiles::FieldUse kHeadingErrorUses[] = {
+    profiles::handled("fix_type"),
+    profiles::handled("relative_sigma_ned_m"),
+    profiles::handled("relative_gm_sigma_ned_m"),
+    profiles::handled("relative_gm_correlation_time_s"),
+    profiles::left_out("lesser_solutions[].fix_type", "lesser solutions", "the best solution alone is weighed"),
+    profiles::left_out("lesser_solutions[].lasts_s", "lesser solutions", "the best solution alone is weighed"),
+    profiles::left_out("lesser_solutions[].mean_time_between_falls_s", "lesser solutions",
+                       "the best solution alone is weighed"),
+    profiles::left_out("lesser_solutions[].relative_sigma_ned_m", "lesser solutions",
+                       "the best solution alone is weighed"),
+    profiles::left_out("lesser_solutions[].relative_gm_sigma_ned_m", "lesser solutions",
+                       "the best solution alone is weighed"),
+    profiles::left_out("lesser_solutions[].relative_gm_correlation_time_s", "lesser solutions",
+                       "the best solution alone is weighed"),
+    profiles::left_out("mean_time_between_wrong_fixes_s", "wrong fixes", "samples that are off as far are passed over"),
+    profiles::left_out("wrong_fix_lasts_s", "wrong fixes", "samples that are off as far are passed over"),
+    profiles::handled("wrong_fix_offset_m"),
+    profiles::handled("time_tag.*"),
+};
+
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("gyro_bias_jump_deg_per_h", "faults",
                        "a fault promises no figure; its samples and their flags show it"),
@@ -303,6 +325,8 @@ inline constexpr profiles::FieldUse kFaultUses[] = {
                        "a fault promises no figure; its samples and their flags show it"),
     profiles::left_out("channels[].noise_sigma", "faults",
                        "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("wrong_fix_ned_m", "faults", "a fault promises no figure; its samples and their flags show it"),
+    profiles::left_out("heading_outage", "faults", "a fault promises no figure; its samples and their flags show it"),
 };
 
 /// Of each kind of profile.
@@ -314,6 +338,7 @@ constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
 constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetometerErrorUses; }
 constexpr const auto& uses_of(Tag<BarometerErrorProfile>) { return kBarometerErrorUses; }
 constexpr const auto& uses_of(Tag<OdometerErrorProfile>) { return kOdometerErrorUses; }
+constexpr const auto& uses_of(Tag<HeadingErrorProfile>) { return kHeadingErrorUses; }
 
 /// Of a swapped profile.
 inline std::vector<std::string> names_left_out(const catalog::AnyProfile& profile) {

@@ -41,6 +41,7 @@ void SampleJoiner::take_part(log::LogWalk& walk) {
   walk.each<MagneticField>(of_sensor(fields_));
   walk.each<AirPressure>(of_sensor(pressures_));
   walk.each<WheelTravel>(of_sensor(travels_));
+  walk.each<BaselineHeading>(of_sensor(headings_));
 }
 
 /// Uses up what is complete; without `all` the last seconds stay, for stragglers of the other topics: what is sent
@@ -70,6 +71,10 @@ void SampleJoiner::join(bool all) {
   drain(travels_, limit_ns, [this](const Key&, const WheelTravel& sample) {
     const std::vector<const TruthState*> way = way_of(sample);
     if (!way.empty()) windows_.add(sample, way);
+  });
+  drain(headings_, limit_ns, [this](const Key& key, const BaselineHeading& sample) {
+    const auto vehicle = truths_.find({0, key.second});
+    if (vehicle != truths_.end()) windows_.add(sample, vehicle->second);
   });
   drain(imu_truths_, limit_ns, [](const Key&, const ImuTruth&) {});
   // An odometer's next interval begins in what is used up.

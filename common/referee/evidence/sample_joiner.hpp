@@ -36,6 +36,7 @@ class SampleJoiner {
   std::map<Key, MagneticField> fields_;
   std::map<Key, AirPressure> pressures_;
   std::map<Key, WheelTravel> travels_;
+  std::map<Key, BaselineHeading> headings_;
 };
 
 }  // namespace inslab::evidence

@@ -6,6 +6,8 @@
 
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/referee/evidence/arm_evidence.hpp"
+#include "inslab/referee/evidence/baseline_evidence.hpp"
 #include "inslab/referee/evidence/evidence_lines.hpp"
 #include "inslab/referee/evidence/evidence_uses.hpp"
 #include "inslab/referee/evidence/imu_promise.hpp"
@@ -56,18 +58,6 @@ EvidenceLine sigma_line(const std::string& quantity, const char* unit, double pe
                       per_unit);
   };
   return {quantity, unit, measured(before, promised_before), measured(after, promised_after)};
-}
-
-/// One line for one axis of an arm, of which the series shows the mean with the given standard error.
-EvidenceLine arm_line(const std::string& quantity, int axis, const NoiseStatistics& before,
-                      const NoiseStatistics& after, const Vector3& promised_before, const Vector3& promised_after,
-                      double error_before_m, double error_after_m) {
-  constexpr double kResolution_m = 1e-6;
-  const auto measured = [&](const NoiseStatistics& series, const Vector3& promised, double error_m) {
-    return judged(series.mean()[axis], promised[axis], 4.0 * error_m + kResolution_m);
-  };
-  return {quantity, "m", measured(before, promised_before, error_before_m),
-          measured(after, promised_after, error_after_m)};
 }
 
 class Weigher {
@@ -122,6 +112,8 @@ class Weigher {
         return barometer();
       case ProfileKind::OdometerError:
         return odometer();
+      case ProfileKind::HeadingError:
+        return baseline_noise_lines(summary_, swap_, period_s());
       case ProfileKind::Fault:
         break;
     }
@@ -139,6 +131,8 @@ class Weigher {
         return window.magnetic_nt;
       case SensorKind::Barometer:
         return window.pressure;
+      case SensorKind::Heading:
+        return window.baseline_ned_m;
       case SensorKind::Odometer:
         break;
     }
@@ -154,6 +148,8 @@ class Weigher {
         return magnetometer();
       case SensorKind::Barometer:
         return barometer();
+      case SensorKind::Heading:
+        return baseline_lines(summary_, swap_);
       case SensorKind::Odometer:
         break;
     }
@@ -172,8 +168,7 @@ class Weigher {
   }
   template <class Profile>
   Profile in_use(const SwapWindow& window) const {
-    const catalog::AnyProfile* profile = summary_.in_use(Profile::kind, swap_.ack.target, window.after_ns + 1);
-    return profile ? std::get<Profile>(*profile) : Profile{};
+    return profile_in_use<Profile>(summary_, swap_.ack.target, window.after_ns + 1);
   }
 
   bool has_recording(const SwapWindow& window) const {
@@ -237,15 +232,9 @@ class Weigher {
   }
   std::vector<EvidenceLine> arms(const std::string& name, const NoiseStatistics& before, const NoiseStatistics& after,
                                  double error_before_m, double error_after_m) const {
-    const Vector3 promised_before = in_use<InstallationProfile>(swap_.before).lever_arm_v_m;
-    const Vector3 promised_after = in_use<InstallationProfile>(swap_.after).lever_arm_v_m;
-    static constexpr const char* kAxes[] = {" forward", " right", " down"};
-    std::vector<EvidenceLine> lines;
-    for (int axis = 0; axis < 3; ++axis) {
-      lines.push_back(arm_line(name + kAxes[axis], axis, before, after, promised_before, promised_after, error_before_m,
-                               error_after_m));
-    }
-    return lines;
+    const auto arm_v_m = [this](const SwapWindow& window) { return in_use<InstallationProfile>(window).lever_arm_v_m; };
+    return arm_lines(name, {before, arm_v_m(swap_.before), error_before_m},
+                     {after, arm_v_m(swap_.after), error_after_m});
   }
 
   /// Noise, and what stands: under the true place, angles and iron that is the hard iron.

@@ -7,6 +7,8 @@
 #include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/time/rate.hpp"
+#include "inslab/models/heading/baseline.hpp"
+#include "inslab/nav/direction.hpp"
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/nav/wgs84.hpp"
 
@@ -26,12 +28,13 @@ Matrix3 C_ev(const TruthState& vehicle) {
 }
 
 /// Counts epochs, so that fixes on both sides of an outage are no neighbours.
-std::uint64_t epoch_of(const GnssFix& fix, const LogSummary& summary) {
-  for (const auto& receiver : summary.scenario.gnss) {
-    if (receiver.number != fix.sensor_number) continue;
-    return time::Rate(receiver.rate_hz).index(time::Nanoseconds(fix.header.sim_time_ns));
+template <class Kind, class Sample>
+std::uint64_t epoch_of(const Sample& sample, const LogSummary& summary) {
+  for (const auto& receiver : scenario::sensors_of<Kind>(summary.scenario)) {
+    if (receiver.number != sample.sensor_number) continue;
+    return time::Rate(receiver.rate_hz).index(time::Nanoseconds(sample.header.sim_time_ns));
   }
-  return fix.header.sequence_number;
+  return sample.header.sequence_number;
 }
 
 /// Not one of the profile's lesser solutions, whose sigmas are others.
@@ -274,7 +277,7 @@ void SwapWindowsOfLog::add(const GnssFix& fix, const TruthState& vehicle) {
   Passing& passing = found->second;
   note_first(passing, fix);
   if (!is_at_its_best(fix, summary_)) return;
-  const std::uint64_t k = epoch_of(fix, summary_);
+  const std::uint64_t k = epoch_of<catalog::Gnss>(fix, summary_);
   for_each_open(passing, fix.header.sim_time_ns, [&](SwapWindow& window) {
     const catalog::AnyProfile* installed = summary_.in_use(ProfileKind::Installation, receiver, fix.header.sim_time_ns);
     const Vector3 arm_v = installed ? std::get<InstallationProfile>(*installed).lever_arm_v_m : Vector3::Zero();
@@ -340,6 +343,28 @@ void SwapWindowsOfLog::add(const WheelTravel& sample, const std::vector<const Tr
     if (!way.empty() && way.back()->header.sim_time_ns == sample.header.sim_time_ns) {
       window.add_tag(sample.header.sequence_number, sample.header, way.back()->header);
     }
+  });
+}
+
+void SwapWindowsOfLog::add(const BaselineHeading& sample, const TruthState& vehicle) {
+  const SensorAddress sensor{SensorKind::Heading, sample.sensor_number};
+  const auto found = passing_.find(sensor_of(sensor));
+  if (found == passing_.end()) return;
+  Passing& passing = found->second;
+  note_first(passing, sample);
+  const std::int64_t now_ns = sample.header.sim_time_ns;
+  const auto errors = profile_in_use<HeadingErrorProfile>(summary_, sensor, now_ns);
+  const auto arms = profile_in_use<InstallationProfile>(summary_, sensor, now_ns);
+  if (sample.fix_type != errors.fix_type) return;
+  const SensorSite first = sensor_site(vehicle, arms.lever_arm_v_m);
+  const Vector3 baseline_s_m = nav::vector_of({sample.heading_rad, sample.pitch_rad}, sample.baseline_m);
+  const Vector3 error_m = baseline_s_m - heading::baseline_s_m(vehicle, first, arms);
+  if (errors.wrong_fix_offset_m > 0.0 && error_m.norm() > 0.5 * errors.wrong_fix_offset_m) return;
+  const std::uint64_t k = epoch_of<catalog::Heading>(sample, summary_);
+  for_each_open(passing, now_ns, [&](SwapWindow& window) {
+    window.baseline_ned_m.add(k, error_m);
+    window.baseline_v_m.add(k, vehicle.q_nv.conjugate() * (first.C_sn.transpose() * baseline_s_m));
+    window.add_tag(k, sample.header, vehicle.header);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 
+#include "inslab/data/samples/baseline_heading.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
 #include "inslab/data/samples/magnetic_field.hpp"
@@ -71,6 +72,8 @@ struct SwapWindow {
   NoiseStatistics antenna_arm_v_m;  ///< GnssFix minus the vehicle's truth, in the vehicle's axes
   NoiseStatistics magnetic_nt;      ///< MagneticField minus its MagneticExpectation
   NoiseStatistics pressure;         ///< AirPressure minus its PressureExpectation, Pa; the pressure altitude, m
+  NoiseStatistics baseline_ned_m;   ///< BaselineHeading minus the true vector under the promised arms
+  NoiseStatistics baseline_v_m;     ///< BaselineHeading in the vehicle's axes
   NoiseStatistics time_tag;         ///< tag of a sample less that of the truth, s; the truth's sim time, s
   NoiseStatistics way_m;  ///< WheelTravel minus its WayExpectation in that one's direction; the expectation's size
 };
@@ -96,6 +99,7 @@ class SwapWindowsOfLog {
   void add(const GnssFix& fix, const TruthState& vehicle);
   void add(const MagneticField& sample, const TruthState& vehicle);
   void add(const AirPressure& sample, const TruthState& vehicle);
+  void add(const BaselineHeading& sample, const TruthState& vehicle);
   /// `way`: the truth of the sample's interval, from its beginning on.
   void add(const WheelTravel& sample, const std::vector<const TruthState*>& way);
 

@@ -105,6 +105,8 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
 inline constexpr profiles::FieldUse kInstallationUses[] = {
     profiles::handled("lever_arm_v_m"),
     profiles::handled("mounting_rpy_deg"),
+    profiles::no_error("second_lever_arm_v_m",
+                       "of a two-antenna heading alone, which the filter that is predicted does not take"),
 };
 
 /// Of the sensor's domain; a moving mount is part of the true motion.
@@ -139,6 +141,9 @@ inline constexpr profiles::FieldUse kBarometerErrorUses[] = {
 inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
     profiles::left_out("", "odometers", "the filter that is predicted takes none")};
 
+inline constexpr profiles::FieldUse kHeadingErrorUses[] = {
+    profiles::left_out("", "two-antenna headings", "the filter that is predicted takes none")};
+
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("", "faults", "a fault is no error that a filter is told of")};
 
@@ -151,5 +156,6 @@ constexpr const auto& uses_of(Tag<FaultProfile>) { return kFaultUses; }
 constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetometerErrorUses; }
 constexpr const auto& uses_of(Tag<BarometerErrorProfile>) { return kBarometerErrorUses; }
 constexpr const auto& uses_of(Tag<OdometerErrorProfile>) { return kOdometerErrorUses; }
+constexpr const auto& uses_of(Tag<HeadingErrorProfile>) { return kHeadingErrorUses; }
 
 }  // namespace inslab::predict

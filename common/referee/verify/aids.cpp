@@ -17,6 +17,7 @@ constexpr double kBarometer_pa = 3.0, kBarometer_s = 1800.0;
 constexpr double kTyre_ppm = 300.0, kTyre_s = 1800.0;
 constexpr double kRoad_m_per_sqrt_m = 0.002;
 constexpr double kIron_nt = 150.0, kIron_s = 3600.0;
+constexpr double kMultipath_m = 0.0023, kMultipath_s = 100.0;
 /// A car in a town.
 constexpr double kTownSpeed_m_per_s = 10.0;
 /// Across the compass, where the catalogue's car drives.
@@ -71,6 +72,14 @@ void add_magnetometer(NavigationSetup& setup) {
   errors.soft_iron << 0.003, 0.001, 0.0, 0.001, -0.002, 0.001, 0.0, 0.001, 0.002;
 }
 
+/// As a mosaic-H has it (config/profiles/heading), always fixed.
+void add_heading(NavigationSetup& setup) {
+  HeadingErrorProfile& errors = setup.heading.emplace().errors;
+  errors.relative_sigma_ned_m = {0.0013, 0.0013, 0.0022};
+  errors.relative_gm_sigma_ned_m = {kMultipath_m, kMultipath_m, 0.0038};
+  errors.relative_gm_correlation_time_s.setConstant(kMultipath_s);
+}
+
 }  // namespace
 
 const char* name_of(Aid aid) {
@@ -81,6 +90,8 @@ const char* name_of(Aid aid) {
       return "odometer";
     case Aid::Magnetometer:
       return "magnetometer";
+    case Aid::Heading:
+      return "two antennas";
   }
   return "?";
 }
@@ -93,6 +104,8 @@ void add(Aid aid, NavigationSetup& setup) {
       return add_odometer(setup);
     case Aid::Magnetometer:
       return add_magnetometer(setup);
+    case Aid::Heading:
+      return add_heading(setup);
   }
 }
 
@@ -111,6 +124,8 @@ double own_drift(Aid aid, double outage_s) {
                         units::kPpm * way_m * moved(kTyre_ppm, kTyre_s, outage_s) / std::sqrt(3.0));
     case Aid::Magnetometer:
       return moved(kIron_nt, kIron_s, outage_s) / kHorizontalField_nt / units::kDeg;
+    case Aid::Heading:
+      return moved(kMultipath_m, kMultipath_s, outage_s) / TestedHeading{}.baseline_m / units::kDeg;
   }
   return 0.0;
 }

@@ -21,10 +21,11 @@ struct Help {
 
 constexpr double kEitherWay = 2.0;
 
-const std::array<Help, 3> kHelps{{
+const std::array<Help, 4> kHelps{{
     {Aid::Barometer, 1, "vertical m", {}},
     {Aid::Odometer, 0, "horizontal m", {1.05, 0.25, 0.25}},
     {Aid::Magnetometer, 4, "yaw deg", {}},
+    {Aid::Heading, 4, "yaw deg", {}},
 }};
 
 /// Of two that know of each other's errors nothing.
@@ -67,7 +68,8 @@ Table aids_table(const OutageRuns& runs, const Subjects& subjects) {
   }
   table.notes = {
       "The drives of the first table with a sensor that gives 10 samples a second, whose errors each filter is told. "
-      "The odometer is on a wheel that neither slides nor leaves the road, which the filter takes it for.",
+      "The odometer is on a wheel that neither slides nor leaves the road, which the filter takes it for. The two "
+      "antennas keep their signals: fixes are taken from the filter, as the thesis takes them from its file.",
       "Limits: a factor 2 either way about what the drift without the sensor and the sensor's own drift in the "
       "outage "
       "leave when they are combined as independent. Of the odometer, whose way says nothing across it, the upper one "

@@ -50,7 +50,7 @@ struct Band {
   const char* words;
 };
 constexpr Band kOfFewRows{1.96, "95 % band"};
-/// Of 72 rows in all four or so would be outside the other.
+/// Of 90 rows in all four or five would be outside the other.
 constexpr Band kOfManyRows{3.29, "99.9 % band"};
 
 Row row_of(const char* imu, const std::string& what, double mean, double degrees, double count, const Band& band) {

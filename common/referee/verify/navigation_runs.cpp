@@ -8,6 +8,7 @@
 #include "inslab/data/samples/nav_state.hpp"
 #include "inslab/foundation/units/units.hpp"
 #include "inslab/models/navigation/matching_barometer.hpp"
+#include "inslab/models/navigation/matching_heading.hpp"
 #include "inslab/models/navigation/matching_magnetometer.hpp"
 #include "inslab/models/navigation/matching_odometer.hpp"
 #include "inslab/models/navigation/matching_parameters.hpp"
@@ -146,6 +147,7 @@ class ScoringSink : public sim::RunSink {
   void magnetometer(std::size_t, const MagneticField& sample) override { aid(sample); }
   void barometer(std::size_t, const AirPressure& sample) override { aid(sample); }
   void odometer(std::size_t, const WheelTravel& sample) override { aid(sample); }
+  void heading(std::size_t, const BaselineHeading& sample) override { aid(sample); }
   void ack(const ProfileAck&) override {}
 
  private:
@@ -153,6 +155,13 @@ class ScoringSink : public sim::RunSink {
     for (Scored& filter : filters) filter.aid(sample);
   }
 };
+
+InstallationProfile heading_place(const TestedHeading& heading) {
+  auto place = catalogue_profile<InstallationProfile>(kAntennaPlace);
+  place.target = {SensorKind::Heading, 0};
+  place.second_lever_arm_v_m = place.lever_arm_v_m + Vector3(heading.baseline_m, 0.0, 0.0);
+  return place;
+}
 
 /// The other sensors of the setup.
 void add_aids(const NavigationSetup& setup, scenario::LoadedScenario& loaded) {
@@ -182,6 +191,14 @@ void add_aids(const NavigationSetup& setup, scenario::LoadedScenario& loaded) {
     odometer.errors.target = odometer.installation.target = {SensorKind::Odometer, 0};
     loaded.odometers.push_back(odometer);
   }
+  if (setup.heading) {
+    scenario::LoadedHeading heading;
+    heading.rate = rate;
+    heading.errors = setup.heading->errors;
+    heading.installation = heading_place(*setup.heading);
+    heading.errors.target = heading.installation.target;
+    loaded.headings.push_back(heading);
+  }
 }
 
 /// What the filter is told of them.
@@ -192,6 +209,7 @@ void match_aids(const NavigationSetup& setup, ref::NavigationParameters& paramet
     const auto place = catalogue_profile<InstallationProfile>(kBarometerPlace);
     ref::match(setup.barometer->believed, place, imu_place, parameters);
   }
+  if (setup.heading) ref::match(setup.heading->errors, heading_place(*setup.heading), imu_place, parameters);
   if (!setup.odometer) return;
   parameters.odometer.number = 0;
   ref::match(setup.odometer->errors, catalogue_profile<InstallationProfile>(kOdometerPlace), imu_place, parameters);

@@ -42,6 +42,12 @@ struct TestedOdometer {
   navigation::RollingConstraint constraint = {};
 };
 
+/// A receiver with two antennas on the roof, whose filter is told its errors; the baseline leads forward.
+struct TestedHeading {
+  HeadingErrorProfile errors;
+  double baseline_m = 2.0;
+};
+
 /// What a run is made of.
 struct NavigationSetup {
   std::uint64_t seed = 1;
@@ -61,6 +67,7 @@ struct NavigationSetup {
   std::optional<MagnetometerErrorProfile> magnetometer = std::nullopt;
   std::optional<TestedBarometer> barometer = std::nullopt;
   std::optional<TestedOdometer> odometer = std::nullopt;
+  std::optional<TestedHeading> heading = std::nullopt;
 };
 
 inline constexpr double kImuRate_hz = 200.0;

@@ -14,11 +14,24 @@ std::filesystem::path folder(const std::string& kind) {
   return std::filesystem::path(INSLAB_SOURCE_DIR) / "config" / "profiles" / kind;
 }
 
+/// Files of an installation begin with a word of the kind of sensor that they are for; others are for any.
+SensorKind wearer_of(const std::string& name, SensorKind usual) {
+  SensorKind kind = usual;
+  for_each(catalog::SensorKinds{}, [&](auto tag) {
+    using Kind = typename decltype(tag)::type;
+    if (name.rfind(Kind::mountings, 0) == 0) kind = Kind::kind;
+  });
+  return kind;
+}
+
 template <class Profile>
 void check_files(const std::string& kind, const std::set<std::string>& expected) {
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder(kind))) {
-    const auto profile = json::read_file<Profile>(entry.path());
+    auto profile = json::read_file<Profile>(entry.path());
+    if (Profile::kind == ProfileKind::Installation) {
+      profile.target.kind = wearer_of(entry.path().stem().string(), profile.target.kind);
+    }
     const auto broken = catalog::violation(profile);
     EXPECT_FALSE(broken.has_value()) << entry.path() << ": " << broken->path << ' ' << broken->reason;
     EXPECT_EQ(profile.name, entry.path().stem().string());
@@ -42,12 +55,17 @@ TEST(ProfileFiles, VibrationProfilesAreValid) {
 
 TEST(ProfileFiles, InstallationProfilesAreValid) {
   check_files<InstallationProfile>(
-      "installation", {"centre", "imu_trunk", "antenna_roof", "antenna_trunk", "imu_avionics_bay", "antenna_fuselage"});
+      "installation", {"centre", "imu_trunk", "antenna_roof", "antenna_trunk", "imu_avionics_bay", "antenna_fuselage",
+                       "heading_roof", "heading_across"});
 }
 
 TEST(ProfileFiles, GnssProfilesAreValid) {
   check_files<GnssErrorProfile>("gnss",
                                 {"rtk", "rtk_white", "rtk_coloured", "ppp", "dgnss", "single_point", "degraded_urban"});
+}
+
+TEST(ProfileFiles, HeadingProfilesAreValid) {
+  check_files<HeadingErrorProfile>("heading", {"mosaic_h", "zed_f9p_moving_base"});
 }
 
 /// Grows where a term is declared that the example leaves out.

@@ -55,6 +55,10 @@ struct Run {
     static const Run run("tests/data/recovery");
     return run;
   }
+  static const Run& two_antennas() {
+    static const Run run("config/scenarios/two_antennas");
+    return run;
+  }
   static const Run& odd_rates() {
     static const Run run("tests/data/odd_rates");
     return run;
@@ -145,6 +149,14 @@ TEST(ResumedSensors, ABarometerAndOdometersGoOnWithTheSameBits) {
   for (const std::size_t i : {0, 1}) {
     expect_resumes<Sensor<catalog::Odometer>>(Run::aiding(), [i](const auto& scenario) {
       return Sensor<catalog::Odometer>(scenario, scenario.odometers[i]);
+    });
+  }
+}
+
+TEST(ResumedSensors, TwoAntennaHeadingsGoOnWithTheSameBits) {
+  for (const std::size_t i : {0, 1}) {
+    expect_resumes<Sensor<catalog::Heading>>(Run::two_antennas(), [i](const auto& scenario) {
+      return Sensor<catalog::Heading>(scenario, scenario.headings[i]);
     });
   }
 }

@@ -32,6 +32,10 @@ const Run& magnetic() {
   static const Run run("config/scenarios/magnetometer");
   return run;
 }
+const Run& two_antennas() {
+  static const Run run("config/scenarios/two_antennas");
+  return run;
+}
 
 /// Every error of a clock; what it makes of each sample is its own test's matter.
 TimeTagErrors every_error() {
@@ -118,6 +122,9 @@ TEST(TimeTags, OfABarometerAreWrongAlone) {
 }
 TEST(TimeTags, OfAnOdometerAreWrongAlone) {
   expect_wrong_tags<catalog::Odometer>(aiding(), aiding().scenario.odometers[0]);
+}
+TEST(TimeTags, OfATwoAntennaHeadingAreWrongAlone) {
+  expect_wrong_tags<catalog::Heading>(two_antennas(), two_antennas().scenario.headings[0]);
 }
 TEST(TimeTags, OfAMagnetometerAreWrongAlone) {
   expect_wrong_tags<catalog::Magnetometer>(magnetic(), magnetic().scenario.magnetometers[0]);

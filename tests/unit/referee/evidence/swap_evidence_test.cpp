@@ -107,6 +107,8 @@ void break_promises(catalog::AnyProfile& profile) {
     installation->lever_arm_v_m.y() += 0.05;
   } else if (auto* gnss = std::get_if<GnssErrorProfile>(&profile)) {
     gnss->position_sigma_ned_m *= 1.5;
+  } else if (auto* heading = std::get_if<HeadingErrorProfile>(&profile)) {
+    heading->relative_sigma_ned_m *= 1.7;
   }
 }
 
@@ -114,6 +116,19 @@ TEST_F(SwapEvidenceOfDemo, FailsForEachKindWhoseProfilePromisesOtherwise) {
   const LogSummary honest = write_log();
   for (const ProfileKind kind :
        {ProfileKind::ImuError, ProfileKind::Vibration, ProfileKind::Installation, ProfileKind::GnssError}) {
+    LogSummary tampered = honest;
+    for (ProfileInUse& in_use : tampered.profiles) {
+      if (catalog::kind_of(in_use.profile) == kind) break_promises(in_use.profile);
+    }
+    EXPECT_FALSE(holds(weigh(tampered), kind)) << enum_name(kind);
+  }
+}
+
+/// Another receiver, and another place of its antennas; what a profile has of both is told from the samples alone.
+TEST_F(SwapEvidenceOfDemo, OfTwoAntennasHoldsAndFailsWhenAProfilePromisesOtherwise) {
+  const LogSummary honest = write_log(1.0, 0, "two_antennas");
+  for (const ProfileKind kind : {ProfileKind::HeadingError, ProfileKind::Installation}) {
+    EXPECT_TRUE(holds(weigh(honest), kind)) << enum_name(kind);
     LogSummary tampered = honest;
     for (ProfileInUse& in_use : tampered.profiles) {
       if (catalog::kind_of(in_use.profile) == kind) break_promises(in_use.profile);
