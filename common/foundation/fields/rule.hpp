@@ -102,7 +102,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 80> values{"readable",
+  static constexpr std::array<std::string_view, 81> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
