@@ -127,7 +127,7 @@ TEST_F(Services, KilledLoggerLeavesALogUpToTheLastSecond) {
 
 TEST_F(Services, FullDiskIsSaidAndStopsNoStream) {
   Process::Limits limits;
-  limits.file_size_bytes = 600'000;
+  limits.file_size_bytes = 1'000'000;  // what describes the streams is two fifths of that
   const auto log = logger(limits);
   const auto imu0 = injector("0");
   const auto imu3 = injector("3");

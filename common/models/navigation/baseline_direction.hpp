@@ -14,9 +14,9 @@ namespace inslab::navigation {
 ///
 ///   b_n = C_nb b_b + d,
 ///
-/// d the error of the receiver that lasts, such as multipath. The computed C_nb is (I - [phi x]) C_nb, so db_n = b_n x
-/// phi
-/// + dd; heading and pitch follow by nav::by_components(). Two rows under one gate: a wrong fix is refused.
+/// d the error of the receiver that lasts, such as multipath. The computed C_nb is (I - [phi x]) C_nb, so
+/// db_n = b_n x phi + dd; heading and pitch follow by nav::by_components(). Two rows under one gate: a wrong fix is
+/// refused.
 struct BaselineDirection {
   using Sample = BaselineHeading;
   static constexpr std::string_view name = "baseline_direction";

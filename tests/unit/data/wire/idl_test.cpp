@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -87,6 +89,19 @@ TEST(PresentName, IsThatOfTheSameTypeInAnEarlierLog) {
   EXPECT_EQ(present_name("inslab::v7::TruthState"),
             "inslab::v7::TruthState");  // read as one it would be read wrong
   EXPECT_EQ(present_name("sensor_msgs::msg::Imu"), "sensor_msgs::msg::Imu");
+}
+
+/// Whoever builds a client begins with the first page.
+TEST(TypeNames, OfTheFirstPageAreThoseOfThePresentVersion) {
+  std::ifstream file(INSLAB_SOURCE_DIR "/README.md");
+  const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::string module = std::string(catalog::kModule).substr(0, std::string(catalog::kModule).rfind("::"));
+  std::size_t names = 0;
+  for (std::size_t at = page.find("inslab::v"); at != std::string::npos; at = page.find("inslab::v", at + 1)) {
+    EXPECT_EQ(page.substr(at, module.size()), module) << page.substr(at, 40);
+    ++names;
+  }
+  EXPECT_GT(names, 10u);
 }
 
 TEST(TopicNames, AreOneForEachStreamAndKind) {

@@ -114,7 +114,7 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
 }
 
 TEST(LogTypes, KnowEveryTopicTypeAndNoOther) {
-  EXPECT_EQ(log::log_types().size(), 26u);
+  EXPECT_EQ(log::log_types().size(), 28u);
   EXPECT_NE(log::find_log_type("inslab::v4::ServiceStatus"), nullptr);
   EXPECT_EQ(log::find_log_type("inslab::v4::Nothing"), nullptr);
   EXPECT_EQ(log::find_log_type("inslab::v0::ServiceStatus"), nullptr);
