@@ -64,8 +64,8 @@ TEST(FaultRules, AFaultOfOneKindIsTakenForThatKindAloneAndItsPathIsNamed) {
 
 TEST(FaultRules, EveryKindHasChannelsAndTakesNoneOfAnother) {
   for_each(SensorKinds{}, [](auto of) {
-    for_each(SensorKinds{}, [of](auto target) {
-      using Of = typename decltype(of)::type;
+    using Of = typename decltype(of)::type;
+    for_each(SensorKinds{}, [](auto target) {
       using Target = typename decltype(target)::type;
       const std::vector<MeasuredChannel> own = measured_channels(Target::kind);
       ASSERT_FALSE(own.empty()) << Target::name << ": no field of its sample is declared as measured";
