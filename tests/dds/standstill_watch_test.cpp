@@ -20,7 +20,7 @@ int noticed_in_a_process_that_is_stopped(milliseconds stopped) {
   const pid_t child = fork();
   if (child == 0) {
     std::atomic<int> noticed{0};
-    const StandstillWatch watch(seconds(1), [&noticed] { ++noticed; });
+    const StandstillWatch watch(seconds(3), [&noticed] { ++noticed; });
     const auto end = std::chrono::steady_clock::now() + milliseconds(3000) + stopped;
     while (std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(milliseconds(20));
     _exit(noticed.load());
@@ -36,7 +36,7 @@ int noticed_in_a_process_that_is_stopped(milliseconds stopped) {
 }
 
 TEST(StandstillWatch, NoticesOnceThatItsProcessWasStopped) {
-  EXPECT_EQ(noticed_in_a_process_that_is_stopped(milliseconds(4000)), 1);
+  EXPECT_EQ(noticed_in_a_process_that_is_stopped(milliseconds(7000)), 1);
 }
 
 TEST(StandstillWatch, EndsAtOnceAndSaysNothingOfAProcessThatGoesOn) {

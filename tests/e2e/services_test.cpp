@@ -51,7 +51,7 @@ TEST_F(Services, ThatAreNotBuiltAreNamedWithWhatBuildsThem) {
               {"run", source("tests/data/short.json"), "--domain", own_domain(), "--log", folder_ / "run.mcap"});
   EXPECT_EQ(run.wait(seconds(60)), 1) << run.output();
   EXPECT_THAT(run.output(), HasSubstr(folder_ / "inslab-truth-logger" + ": No such file or directory"));
-  EXPECT_THAT(run.output(), HasSubstr("cmake --build --preset release --target inslab-truth-logger"));
+  EXPECT_THAT(run.output(), HasSubstr("cmake --build --preset release --target live_set sensors"));
 }
 
 TEST_F(Services, StartInAnyOrderAndEndTogether) {

@@ -87,8 +87,9 @@ std::vector<std::pair<std::string, pid_t>> ChildProcesses::running() const {
 pid_t ChildProcesses::spawn(const std::string& program, const std::vector<std::string>& arguments) {
   const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / program;
   if (access(path.c_str(), X_OK) != 0) {
-    throw std::runtime_error(path.string() + ": " + std::strerror(errno) +
-                             "; the run needs it: cmake --build --preset release --target " + program);
+    throw std::runtime_error(
+        path.string() + ": " + std::strerror(errno) +
+        "; the run needs it. All that runs may need: cmake --build --preset release --target live_set sensors");
   }
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 
 #include "inslab/foundation/units/units.hpp"
@@ -122,5 +125,15 @@ class DrawnRun {
   Circling truth_;
   NavigationFilter filter_;
 };
+
+/// Over 100 runs the mean of chi-square of n degrees of freedom has a standard deviation of sqrt(2 n/100); 99.9 % of
+/// honest filters are within 3.29 of them. `nees_of_run` takes the run's seed.
+inline void expect_honest_over_100_runs(int states, double (*nees_of_run)(std::uint64_t)) {
+  constexpr int kRuns = 100;
+  double sum = 0.0;
+  for (int run = 0; run < kRuns; ++run) sum += nees_of_run(static_cast<std::uint64_t>(run) + 1);
+  std::printf("mean NEES of %d states over %d runs: %.3f\n", states, kRuns, sum / kRuns);
+  EXPECT_NEAR(sum / kRuns, states, 3.29 * std::sqrt(2.0 * states / kRuns));
+}
 
 }  // namespace inslab::navigation::circling
