@@ -206,8 +206,9 @@ TEST(WaypointRules, RefuseAPathThatTurnsBackAndNameTheWaypoint) {
 }
 
 TEST(WaypointRules, RefuseAPathThatTurnsBackOnTheSpotWhereItHasNoSlope) {
-  const std::vector<Waypoint> out_and_home{waypoint(1.0, 2.0, 0.0, 0.0), waypoint(1.0, 2.01, 0.0, 5.0),
-                                           waypoint(1.0, 2.0, 0.0, 0.0)};
+  std::vector<Waypoint> out_and_home{waypoint(1.0, 2.0, 0.0, 0.0), waypoint(1.0, 2.01, 0.0, 5.0),
+                                     waypoint(1.0, 2.0, 0.0, 0.0)};
+  for (Waypoint& each : out_and_home) each.leg_speed_m_per_s = 6.0;
   const auto broken = violation(out_and_home, kNoLimit);
   ASSERT_TRUE(broken.has_value());
   EXPECT_EQ(broken->rule, Rule::WaypointTurn);
