@@ -14,11 +14,17 @@ constexpr time::Nanoseconds kNearest{10000000};
 constexpr time::Nanoseconds kFirstOfWait{100000000};
 // What a nose that follows its path may turn within kNearest: 1100 deg/s.
 constexpr double kJump_rad = 0.2;
+// Each attitude further on moves a cubic spline by 0.27 of what the one before it does: 0.27^40 is 1e-23.
+constexpr std::size_t kReach = 40;
 
 /// Chooses the instants whose attitudes the rotation spline goes through.
 class AttitudeSampler {
  public:
-  AttitudeSampler(const Path& path, AttitudeLaw& law, const JumpWords& words) : path_(path), law_(law), words_(words) {}
+  AttitudeSampler(const Path& path, AttitudeLaw& law, const JumpWords& words, std::optional<time::Nanoseconds> end)
+      : path_(path), law_(law), words_(words), end_(end) {}
+
+  /// What is kept reaches so far beyond the end that nothing after it is felt before it.
+  bool is_enough() const { return beyond_end_ >= kReach; }
 
   void add(std::size_t index) {
     index_ = index;
@@ -49,7 +55,10 @@ class AttitudeSampler {
     std::size_t piece;  ///< that leads to it
   };
 
-  void keep(time::Nanoseconds instant, const nav::Quaternion& q_ev) { knots_.push_back({instant, q_ev, index_}); }
+  void keep(time::Nanoseconds instant, const nav::Quaternion& q_ev) {
+    knots_.push_back({instant, q_ev, index_});
+    if (end_ && instant > *end_) ++beyond_end_;
+  }
 
   /// Halves each interval that is more than twice as long as one beside it; false when there is none.
   bool halve_beside_shorter() {
@@ -72,6 +81,7 @@ class AttitudeSampler {
   /// Keeps what is needed between two instants, and the second.
   void halve(const PathPiece& piece, time::Nanoseconds t0, const nav::Quaternion& q0, time::Nanoseconds t1,
              const nav::Quaternion& q1) {
+    if (is_enough()) return;
     const bool far = law_.far(piece, t0, q0, t1, q1);
     if (far && t1 - t0 > kNearest) {
       const time::Nanoseconds middle = (t0 + t1) / 2;
@@ -106,15 +116,18 @@ class AttitudeSampler {
   const Path& path_;
   AttitudeLaw& law_;
   JumpWords words_;
+  std::optional<time::Nanoseconds> end_;
+  std::size_t beyond_end_ = 0;
   std::size_t index_ = 0;  ///< of the piece that is added
   std::vector<Knot> knots_;
 };
 
 }  // namespace
 
-std::unique_ptr<const AttitudeCurve> sampled_attitude(const Path& path, AttitudeLaw& law, const JumpWords& words) {
-  AttitudeSampler attitudes(path, law, words);
-  for (std::size_t i = 0; i < path.pieces(); ++i) attitudes.add(i);
+std::unique_ptr<const AttitudeCurve> sampled_attitude(const Path& path, AttitudeLaw& law, const JumpWords& words,
+                                                      std::optional<time::Nanoseconds> end) {
+  AttitudeSampler attitudes(path, law, words, end);
+  for (std::size_t i = 0; i < path.pieces() && !attitudes.is_enough(); ++i) attitudes.add(i);
   return attitudes.take();
 }
 

@@ -40,7 +40,8 @@ class AttitudeCurve {
   nav::RotationSpline spline_;
 };
 
-/// Both curves, which last equally long, and how the vehicle heaves about the path.
+/// Both curves, and how the vehicle heaves about the path. The attitude lasts as long as the path, or beyond the last
+/// instant that is asked for.
 struct SmoothMotion {
   std::unique_ptr<const Path> path;
   std::unique_ptr<const AttitudeCurve> attitude;

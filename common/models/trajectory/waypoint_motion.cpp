@@ -91,7 +91,7 @@ SmoothMotion motion_along_waypoints(const scenario::Trajectory& trajectory, time
   const std::unique_ptr<AttitudeLaw> law = law_of(trajectory, route, gravity);
   SmoothMotion motion;
   motion.path = std::make_unique<RoutePath>(std::move(route));
-  motion.attitude = sampled_attitude(*motion.path, *law, kJumpOfRoute);
+  motion.attitude = sampled_attitude(*motion.path, *law, kJumpOfRoute, end);
   motion.heave = heave_of(trajectory.attitude_from_path);
   return motion;
 }

@@ -7,7 +7,8 @@
 namespace inslab::trajectory {
 
 /// The smooth motion along the waypoints of a trajectory, with the attitude of its vehicle class; a rotation spline
-/// goes through attitudes taken from the path. A vehicle at rest at the last waypoint stays there until `end`.
+/// goes through attitudes taken from the path. A vehicle at rest at the last waypoint stays there until `end`, the last
+/// instant that is asked for: no attitude is taken from what lies far beyond it.
 ///
 /// Nose along the track: the nose follows the line, at rest too; yaw stays as it is where the line is vertical; the
 /// vehicle banks as it turns; attitudes are 2 deg and 10 s apart at most. The other classes: attitudes so near that

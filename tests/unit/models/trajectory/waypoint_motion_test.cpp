@@ -123,6 +123,27 @@ TEST(WaypointMotion, FollowsTheGroundOverALongLeg) {
   }
 }
 
+/// A leg of 11 h in a run of 5 min: the whole of it would ask a ship's law for some 40,000 attitudes.
+TEST(WaypointMotion, TakesNoAttitudesFarBeyondTheRun) {
+  scenario::Trajectory voyage =
+      along({{60.0, 5.0, 0.0, 0.0, 10.0}, {60.02, 5.01, 0.0, 8.0, 0.0}, {63.0, 4.0, 0.0, 8.0, 0.0}});
+  voyage.attitude_from_path.vehicle_class = scenario::VehicleClass::Ship;
+  const SmoothMotion short_run = motion_along_waypoints(voyage, time::from_seconds(300.0));
+  EXPECT_LT(short_run.attitude->pieces(), 1000u);
+  EXPECT_GT(short_run.attitude->end(short_run.attitude->pieces() - 1), time::from_seconds(300.0));
+
+  SmoothModel brief(motion_along_waypoints(voyage, time::from_seconds(300.0)), "waypoint", nav::Gravity(),
+                    time::Rate(1.0), {2300, 0});
+  SmoothModel whole(motion_along_waypoints(voyage, time::from_seconds(40000.0)), "waypoint", nav::Gravity(),
+                    time::Rate(1.0), {2300, 0});
+  for (int i = 0; i < 300; ++i) {
+    const TruthState expected = whole.advance();
+    const TruthState got = brief.advance();
+    ASSERT_LT(nav::angle_between(got.q_nv, expected.q_nv), 1e-12) << i;
+    ASSERT_LT((got.omega_iv_v - expected.omega_iv_v).norm(), 1e-13) << i;
+  }
+}
+
 TEST(WaypointMotion, RefusesWaypointsThatBreakARule) {
   EXPECT_THROW(motion_along_waypoints(along({{1.0, 2.0, 0.0, 5.0, 0.0}}), time::Nanoseconds(1)), std::invalid_argument);
 }
