@@ -15,6 +15,22 @@ namespace inslab::service {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
+namespace {
+
+/// Lets callbacks serve as long as it lives; made and ended by who has the turn.
+class ServesAtOnce {
+ public:
+  explicit ServesAtOnce(bool& flag) : flag_(flag) { flag_ = true; }
+  ~ServesAtOnce() { flag_ = false; }
+  ServesAtOnce(const ServesAtOnce&) = delete;
+  ServesAtOnce& operator=(const ServesAtOnce&) = delete;
+
+ private:
+  bool& flag_;
+};
+
+}  // namespace
+
 TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, TruthConsumer& consumer)
     : context_(context),
       service_(context.service()),
@@ -38,7 +54,7 @@ TruthFollower::TruthFollower(Context& context, std::uint32_t sensor_number, Trut
                      }),
       truth_reader_(context, dds::topics::truth(context.scenario().scenario.truth_rate_hz),
                     [this](const TruthState& state, const dds::SampleOrigin&) {
-                      mailbox_.put(streams::Arrived<TruthState>{{state}, host::realtime_now().count()});
+                      hear({{state}, host::realtime_now().count()});
                     }),
       block_reader_(context, dds::topics::block(dds::topics::truth(context.scenario().scenario.truth_rate_hz)),
                     [this](const Block<TruthState>& block, const dds::SampleOrigin&) {
@@ -80,6 +96,29 @@ std::string TruthFollower::missing() const {
   if (nav_reader_ && nav_reader_->matched_writers() == 0)
     return std::string(scenario::kWaitsForApp) + "a writer of inslab/nav";
   return consumer_.missing_readers();
+}
+
+void TruthFollower::hear(streams::Arrived<TruthState> arrived) {
+  if (!serve_at_once(arrived)) mailbox_.put(std::move(arrived));
+}
+
+/// False when the worker must do it: it has the turn, something came before, the sample is not the next one, or (in
+/// lockstep) serving it could wait for acknowledgements that this thread would have to take.
+bool TruthFollower::serve_at_once(const streams::Arrived<TruthState>& arrived) {
+  const std::unique_lock<std::mutex> turn(turn_, std::try_to_lock);
+  if (!turn || !serves_at_once_ || failure_ || run_.is_lockstep() || board_.state() != ServiceState::Running)
+    return false;
+  if (!truth_.empty() || !mailbox_.empty() || arrived.samples.front().header.sequence_number != truth_.next())
+    return false;
+  try {
+    burst_ = 0;  // who is this near has no burst to pace
+    add_truth(arrived);
+    process_pending();
+  } catch (...) {
+    failure_ = std::current_exception();
+    mailbox_.put(streams::Arrived<TruthState>{});  // wakes the worker
+  }
+  return true;
 }
 
 void TruthFollower::handle(Message message) {
@@ -295,8 +334,14 @@ int TruthFollower::fail(const std::string& reason) {
 }
 
 int TruthFollower::follow() {
+  std::unique_lock<std::mutex> turn(turn_);
+  const ServesAtOnce serves_at_once(serves_at_once_);
   while (!grace_.must_stop(run_.has_begun()) && !finished()) {
-    if (auto message = mailbox_.take(milliseconds(50))) handle(std::move(*message));
+    turn.unlock();
+    auto message = mailbox_.take(milliseconds(50));
+    turn.lock();
+    if (failure_) std::rethrow_exception(failure_);
+    if (message) handle(std::move(*message));
     process_pending();
     deliver();
     watch_the_journal();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <exception>
 #include <memory>
+#include <mutex>
 #include <variant>
 #include <vector>
 
@@ -61,7 +63,9 @@ class TruthConsumer {
 
 /// Follows one run: reads truth, journal and run state, holds a truth sample back until the journal is complete for it
 /// and the outputs have room, and ends when the run has ended and its last sample is processed. Truth is processed in
-/// order, each sample once: what is missing is asked for again. Callbacks enqueue; run() is the one worker.
+/// order, each sample once: what is missing is asked for again. Callbacks enqueue; run() is the one worker. In real
+/// time the truth sample that is next, while nothing else waits, is served by the thread that brings it: to wake the
+/// worker takes longer than the model. Whoever serves has the turn; a callback never waits for it.
 ///
 /// Before the first truth sample and after each, in lockstep after each block that has been delivered, it keeps a
 /// checkpoint. Killed and started again in the same run it goes on from there: it asks for the truth since, and its
@@ -84,6 +88,8 @@ class TruthFollower {
 
   template <class Profile>
   void read_journal(Context& context);
+  void hear(streams::Arrived<TruthState> arrived);
+  bool serve_at_once(const streams::Arrived<TruthState>& arrived);
   void handle(Message message);
   void handle(const SimStatus& status);
   void obey(const catalog::AnyProfile& entry);
@@ -112,6 +118,9 @@ class TruthFollower {
   std::uint32_t sensor_number_;
   TruthConsumer& consumer_;
   host::Mailbox<Message> mailbox_;
+  std::mutex turn_;              ///< all that follows, and the consumer, belong to whoever has it
+  bool serves_at_once_ = false;  ///< while run() follows a run
+  std::exception_ptr failure_;   ///< of who served at once, for the worker to tell
   streams::RunFollower run_;
   streams::Receiver<TruthState> truth_;
   Checkpoint checkpoint_;
