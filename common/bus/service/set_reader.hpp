@@ -10,8 +10,8 @@ namespace inslab::service {
 template <class T>
 class SetReader {
  public:
-  SetReader(Context& context, const dds::Topic<T>& topic, typename dds::Reader<T>::Callback callback)
-      : reader_(context.participant(), topic, context.writers().only(topic, std::move(callback))) {}
+  SetReader(Context& context, const dds::Topic<T>& topic, const typename dds::Reader<T>::Callback& callback)
+      : reader_(context.participant(), topic, context.writers().only(topic, callback)) {}
 
   int matched_writers() const { return reader_.matched_writers(); }
 

@@ -19,7 +19,8 @@ namespace inslab::service {
 template <class Sample>
 class StreamInput {
  public:
-  StreamInput(Context& context, const dds::Topic<Sample>& topic, std::function<void(streams::Arrived<Sample>)> enqueue)
+  StreamInput(Context& context, const dds::Topic<Sample>& topic,
+              const std::function<void(streams::Arrived<Sample>)>& enqueue)
       : consumer_(context.service()),
         receiver_(topic.name),
         credits_(context.participant(), dds::topics::credit()),

@@ -203,7 +203,7 @@ ReferenceState reference_of(const State& y, Real time_s) {
 
 template <class Stepper>
 std::vector<ReferenceState> solve(const scenario::Trajectory& trajectory, const TruthState& start, Real duration_s,
-                                  Stepper stepper) {
+                                  const Stepper& stepper) {
   const RealVector start_e = earth::ecef_m(start.latitude_rad, start.longitude_rad, start.height_m);
   State y = state_at(trajectory, start);
   std::vector<ReferenceState> seconds;

@@ -17,7 +17,8 @@ namespace inslab::commands {
 
 namespace {
 
-int run(live::RunOptions options, const JudgeOutputs& outputs) {
+int run(const live::RunOptions& given, const JudgeOutputs& outputs) {
+  live::RunOptions options = given;
   scenario::LoadedScenario loaded = scenario::load(options.scenario);
   service::override_clock(options.clock, loaded);
   if (const std::string obstacle = live::obstacle_to(options, loaded); !obstacle.empty()) {
