@@ -54,8 +54,8 @@ void add_verify(CLI::App& app, std::function<int()>& action) {
     CLI::App* command = verify->add_subcommand(verification.name, verification.purpose);
     auto request = std::make_shared<study::VerifyRequest>();
     command->add_flag("--full", request->full, "all seeds instead of the preset one");
-    if (verification.takes_files) {
-      command->add_option("--files", request->files, "trajectory files with velocity and attitude to show too");
+    if (verification.files != nullptr) {
+      command->add_option("--files", request->files, verification.files);
     }
     if (verification.picture != nullptr) {
       command->add_option("--picture", request->picture, "write the curves there (SVG)");

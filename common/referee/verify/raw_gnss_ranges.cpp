@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "inslab/data/broadcast/gnss_signal.hpp"
+#include "inslab/formats/rinex/rinex_navigation.hpp"
+#include "inslab/models/satellites/group_delay.hpp"
+#include "inslab/referee/verify/raw_gnss_block.hpp"
+#include "inslab/referee/verify/simulator_log.hpp"
+
+namespace inslab::verify {
+
+namespace {
+
+namespace stdfs = std::filesystem;
+constexpr double kLight_m_per_s = broadcast::kSpeedOfLight_m_per_s;
+const satellites::Vector3 kReceiver_e_m(-481819.31349724, 5507219.95375401, 3170373.73538364);
+
+/// One row: a simulator's signal.
+struct RangeRow {
+  const char* name;
+  GnssSystem system;
+  const char* rinex;
+  const char* skydel;          ///< how its files begin
+  bool is_range_judged_alone;  ///< the clock of this system's messages is not the one in the log
+};
+
+constexpr std::array<RangeRow, 5> kSkydelRows{
+    {{"Skydel, GPS L1 C/A", GnssSystem::Gps, "1C", "L1CA", false},
+     {"Skydel, Galileo E1", GnssSystem::Galileo, "1C", "E1", false},
+     {"Skydel, Galileo E5b", GnssSystem::Galileo, "7Q", "E5b", false},
+     {"Skydel, BeiDou B1I, medium, inclined", GnssSystem::BeiDou, "2I", "B1", false},
+     {"Skydel, QZSS L1 C/A, range alone", GnssSystem::Qzss, "1C", "QZSSL1CA", true}}};
+constexpr std::array<RangeRow, 4> kSimgenRows{
+    {{"SimGEN, GPS L1 C/A", GnssSystem::Gps, "1C", "", false},
+     {"SimGEN, Galileo E1", GnssSystem::Galileo, "1C", "", false},
+     {"SimGEN, BeiDou B1I, medium, inclined", GnssSystem::BeiDou, "2I", "", false},
+     {"SimGEN, QZSS L1 C/A, range alone", GnssSystem::Qzss, "1C", "", true}}};
+
+/// What a row's signals are apart, at most.
+struct Apart {
+  int samples = 0;
+  double range_m = 0.0, rate_m_per_s = 0.0;
+};
+
+using Messages = std::map<SatelliteId, std::vector<KeplerianEphemeris>>;
+
+Messages read_messages(const std::string& folder) {
+  Messages messages;
+  for (const auto& entry : stdfs::directory_iterator(folder)) {
+    if (!entry.is_regular_file() || entry.path().extension() == ".md") continue;
+    for (const auto& record : rinex::read_navigation(entry.path().string()).keplerian) {
+      messages[record.ephemeris.satellite].push_back(record.ephemeris);
+    }
+  }
+  return messages;
+}
+
+/// The message that a simulator reckons with: the newest at the instant.
+const KeplerianEphemeris* newest(const Messages& messages, const SatelliteId& satellite, const time::GpsTime& gps) {
+  const auto found = messages.find(satellite);
+  if (found == messages.end()) return nullptr;
+  const KeplerianEphemeris* newest = nullptr;
+  for (const KeplerianEphemeris& e : found->second) {
+    const bool is_past = (gps - e.toe).count() >= 0;
+    if (is_past && (newest == nullptr || (e.toe - newest->toe).count() > 0)) newest = &e;
+  }
+  return newest != nullptr ? newest : &found->second.front();
+}
+
+void compare_range(const RangeRow& row, const SimulatedRange& logged, const KeplerianEphemeris& e,
+                   const RawGnssSubjects& subjects, Apart& apart) {
+  const time::Nanoseconds before = satellites::usual_light_time(e.sqrt_a_sqrt_m * e.sqrt_a_sqrt_m);
+  const satellites::Sight sight = subjects.sight({subjects.state(e, logged.gps + -before), before},
+                                                 {logged.gps, 0.0, kReceiver_e_m, satellites::Vector3::Zero()});
+  const double range_m = kLight_m_per_s * sight.light_time_s;
+  const double delay_s = satellites::group_delay_s(broadcast::gnss_signal(row.system, row.rinex), e);
+  const double pseudorange_m = range_m + kLight_m_per_s * (delay_s - sight.clock_s);
+  const double rate_m_per_s =
+      kLight_m_per_s * (sight.light_time_rate - sight.drift_s_per_s * (1.0 - sight.light_time_rate));
+  const double off_m = row.is_range_judged_alone ? range_m - logged.range_m : pseudorange_m - logged.pseudorange_m;
+  ++apart.samples;
+  apart.range_m = std::max(apart.range_m, std::abs(off_m));
+  apart.rate_m_per_s = std::max(apart.rate_m_per_s, std::abs(rate_m_per_s - logged.rate_m_per_s));
+}
+
+void add_row(const RangeRow& row, const std::vector<SimulatedRange>& logged, const Messages& messages,
+             const RawGnssSubjects& subjects, Table& table) {
+  constexpr double kRange_m = 0.5e-3, kRate_m_per_s = 1e-4;
+  Apart apart;
+  for (const SimulatedRange& range : logged) {
+    // One simulator's geostationary satellites of BeiDou lack their 5 deg, the other's messages are fits to another
+    // orbit.
+    if (range.satellite.system != row.system || is_beidou_geostationary(range.satellite)) continue;
+    const KeplerianEphemeris* e = newest(messages, range.satellite, range.gps);
+    if (e != nullptr) compare_range(row, range, *e, subjects, apart);
+  }
+  table.rows.push_back({{row.name, std::to_string(apart.samples), fmt::format("{:.3f}", 1000.0 * apart.range_m),
+                         fmt::format("{:.1f}", 1000.0 * kRange_m), fmt::format("{:.1e}", apart.rate_m_per_s),
+                         fmt::format("{:.0e}", kRate_m_per_s)},
+                        apart.samples > 0 && apart.range_m <= kRange_m && apart.rate_m_per_s <= kRate_m_per_s});
+}
+
+/// All files of one signal, "E1 12.csv".
+std::vector<SimulatedRange> read_skydel_signal(const std::string& folder, const RangeRow& row) {
+  std::vector<SimulatedRange> all;
+  const std::string begin = std::string(row.skydel) + " ";
+  for (const auto& entry : stdfs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.substr(0, begin.size()) != begin) continue;
+    const auto number = static_cast<std::uint8_t>(std::stoi(name.substr(begin.size())));
+    const auto ranges = read_skydel(entry.path().string(), {row.system, number}, row.rinex);
+    all.insert(all.end(), ranges.begin(), ranges.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+Table raw_gnss_ranges(const std::string& folder, const RawGnssSubjects& subjects) {
+  Table table;
+  table.title = "Pseudoranges against two commercial simulators without errors, largest difference";
+  table.columns = {"", "samples", "range, mm", "limit", "rate, m/s", "limit"};
+  const std::string simulators = folder + "/simulators/";
+  const std::string skydel = simulators + "Skydel_static_duration-4h_rate-5min_sys-GERCQIS",
+                    simgen = simulators + "Spirent-SimGEN_static_duration-4h_rate-5min_sys-GERCQI";
+  if (stdfs::exists(skydel)) {
+    const Messages messages = read_messages(skydel);
+    for (const RangeRow& row : kSkydelRows) {
+      add_row(row, read_skydel_signal(skydel + "/Iono-none_tropo-none/sat_data", row), messages, subjects, table);
+    }
+  } else {
+    table.notes.push_back("Left out: Skydel's logs are not in the folder.");
+  }
+  if (stdfs::exists(simgen)) {
+    const Messages messages = read_messages(simgen);
+    const auto logged = read_simgen(simgen + "/Iono-Klob_tropo-Saast/sat_data_V1A1.csv");
+    for (const RangeRow& row : kSimgenRows) add_row(row, logged, messages, subjects, table);
+  } else {
+    table.notes.push_back("Left out: SimGEN's log is not in the folder.");
+  }
+  table.judged = !table.rows.empty();
+  table.notes.push_back("By the messages that each broadcast, of which the newest counts.");
+  return table;
+}
+
+}  // namespace inslab::verify
