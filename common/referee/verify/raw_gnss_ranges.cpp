@@ -24,21 +24,22 @@ struct RangeRow {
   const char* name;
   GnssSystem system;
   const char* rinex;
-  const char* skydel;          ///< how its files begin
-  bool is_range_judged_alone;  ///< the clock of this system's messages is not the one in the log
+  const char* skydel;  ///< how its files begin
 };
 
-constexpr std::array<RangeRow, 5> kSkydelRows{
-    {{"Skydel, GPS L1 C/A", GnssSystem::Gps, "1C", "L1CA", false},
-     {"Skydel, Galileo E1", GnssSystem::Galileo, "1C", "E1", false},
-     {"Skydel, Galileo E5b", GnssSystem::Galileo, "7Q", "E5b", false},
-     {"Skydel, BeiDou B1I, medium, inclined", GnssSystem::BeiDou, "2I", "B1", false},
-     {"Skydel, QZSS L1 C/A, range alone", GnssSystem::Qzss, "1C", "QZSSL1CA", true}}};
-constexpr std::array<RangeRow, 4> kSimgenRows{
-    {{"SimGEN, GPS L1 C/A", GnssSystem::Gps, "1C", "", false},
-     {"SimGEN, Galileo E1", GnssSystem::Galileo, "1C", "", false},
-     {"SimGEN, BeiDou B1I, medium, inclined", GnssSystem::BeiDou, "2I", "", false},
-     {"SimGEN, QZSS L1 C/A, range alone", GnssSystem::Qzss, "1C", "", true}}};
+// Not Galileo's E5a: this simulator has one clock with both rules of delay, so its E1 and E5a do not belong together.
+constexpr std::array<RangeRow, 8> kSkydelRows{{{"Skydel, GPS L1 C/A", GnssSystem::Gps, "1C", "L1CA"},
+                                               {"Skydel, GPS L2C", GnssSystem::Gps, "2L", "L2C"},
+                                               {"Skydel, GPS L5", GnssSystem::Gps, "5Q", "L5"},
+                                               {"Skydel, Galileo E1", GnssSystem::Galileo, "1C", "E1"},
+                                               {"Skydel, Galileo E5b", GnssSystem::Galileo, "7Q", "E5b"},
+                                               {"Skydel, BeiDou B1I, medium, inclined", GnssSystem::BeiDou, "2I", "B1"},
+                                               {"Skydel, BeiDou B2I, medium, inclined", GnssSystem::BeiDou, "7I", "B2"},
+                                               {"Skydel, QZSS L1 C/A", GnssSystem::Qzss, "1C", "QZSSL1CA"}}};
+constexpr std::array<RangeRow, 4> kSimgenRows{{{"SimGEN, GPS L1 C/A", GnssSystem::Gps, "1C", ""},
+                                               {"SimGEN, Galileo E1", GnssSystem::Galileo, "1C", ""},
+                                               {"SimGEN, BeiDou B1I, medium, inclined", GnssSystem::BeiDou, "2I", ""},
+                                               {"SimGEN, QZSS L1 C/A", GnssSystem::Qzss, "1C", ""}}};
 
 /// What a row's signals are apart, at most.
 struct Apart {
@@ -81,9 +82,9 @@ void compare_range(const RangeRow& row, const SimulatedRange& logged, const Kepl
   const double pseudorange_m = range_m + kLight_m_per_s * (delay_s - sight.clock_s);
   const double rate_m_per_s =
       kLight_m_per_s * (sight.light_time_rate - sight.drift_s_per_s * (1.0 - sight.light_time_rate));
-  const double off_m = row.is_range_judged_alone ? range_m - logged.range_m : pseudorange_m - logged.pseudorange_m;
+  const double off_m = std::max(std::abs(range_m - logged.range_m), std::abs(pseudorange_m - logged.pseudorange_m));
   ++apart.samples;
-  apart.range_m = std::max(apart.range_m, std::abs(off_m));
+  apart.range_m = std::max(apart.range_m, off_m);
   apart.rate_m_per_s = std::max(apart.rate_m_per_s, std::abs(rate_m_per_s - logged.rate_m_per_s));
 }
 
@@ -143,7 +144,8 @@ Table raw_gnss_ranges(const std::string& folder, const RawGnssSubjects& subjects
     table.notes.push_back("Left out: SimGEN's log is not in the folder.");
   }
   table.judged = !table.rows.empty();
-  table.notes.push_back("By the messages that each broadcast, of which the newest counts.");
+  table.notes.push_back(
+      "Geometric ranges and pseudoranges, by the messages that each broadcast, of which the newest counts.");
   return table;
 }
 

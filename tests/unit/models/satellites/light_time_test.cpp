@@ -109,9 +109,13 @@ TEST(GroupDelay, FnavIsTheClockOfTheOtherPair) {
   inav.message = KeplerianMessage::Inav;
   inav.first_delay_s = 7e-9;
   inav.second_delay_s = 5e-9;
-  const auto& e1 = broadcast::gnss_signal(GnssSystem::Galileo, "1C");
-  const double leaves_s = group_delay_s(e1, inav) - inav.af0_s;
-  EXPECT_NEAR(leaves_s, 7e-9 - fnav_of(inav).af0_s, 1e-20);
+  const KeplerianEphemeris fnav = fnav_of(inav);
+  EXPECT_NEAR(fnav.af0_s, 2e-9, 1e-20);
+  EXPECT_NEAR(group_delay_s(broadcast::gnss_signal(GnssSystem::Galileo, "1C"), fnav), 7e-9, 1e-20);
+  for (const char* rinex : {"1C", "7Q", "5Q"}) {
+    const auto& signal = broadcast::gnss_signal(GnssSystem::Galileo, rinex);
+    EXPECT_NEAR(group_delay_s(signal, inav) - inav.af0_s, group_delay_s(signal, fnav) - fnav.af0_s, 1e-20) << rinex;
+  }
   EXPECT_EQ(fnav_of(inav).message, KeplerianMessage::Fnav);
 }
 
