@@ -39,8 +39,8 @@ SystemTime system_time(GnssSystem system, const time::GpsTime& gps) {
   return {shown.week - first, shown.time_of_week_ns};
 }
 
-time::GpsTime gps_time(GnssSystem system, const SystemTime& time) {
-  return time::GpsTime{time.week + first_week(system), time.time_of_week_ns} + behind_gps(system);
+time::GpsTime gps_time(GnssSystem system, const SystemTime& shown) {
+  return time::GpsTime{shown.week + first_week(system), shown.time_of_week_ns} + behind_gps(system);
 }
 
 GlonassTime glonass_time(const time::GpsTime& gps) {

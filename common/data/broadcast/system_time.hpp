@@ -19,7 +19,7 @@ struct SystemTime {
 SystemTime system_time(GnssSystem system, const time::GpsTime& gps);
 
 /// Undoes system_time().
-time::GpsTime gps_time(GnssSystem system, const SystemTime& time);
+time::GpsTime gps_time(GnssSystem system, const SystemTime& shown);
 
 /// The time of GLONASS, UTC + 3 h (GLONASS ICD 5.1, 3.3.3 and table 4.6). A leap second counts as the first second of
 /// what comes after it.

@@ -8,7 +8,7 @@ namespace inslab {
 inline namespace samples {
 
 /// A satellite navigation system.
-enum class GnssSystem { Gps, Glonass, Galileo, BeiDou, Qzss };
+enum class GnssSystem : std::uint32_t { Gps, Glonass, Galileo, BeiDou, Qzss };
 
 template <>
 struct EnumNames<GnssSystem> {

@@ -7,7 +7,7 @@ namespace inslab {
 inline namespace samples {
 
 /// The message that an ephemeris came in, named as in RINEX 4.00: of GPS and QZSS, of Galileo, of BeiDou.
-enum class KeplerianMessage { Lnav, Inav, Fnav, D1, D2 };
+enum class KeplerianMessage : std::uint32_t { Lnav, Inav, Fnav, D1, D2 };
 
 template <>
 struct EnumNames<KeplerianMessage> {

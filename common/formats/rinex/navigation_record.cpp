@@ -11,8 +11,8 @@ namespace inslab::rinex {
 
 namespace {
 
-constexpr std::size_t kWidth = 19;  // of a number
-constexpr double kUnknown = 9.0e8;  // and above: what writers put where they do not know
+constexpr std::size_t kNumberWidth = 19;  // of a number
+constexpr double kUnknown = 9.0e8;        // and above: what writers put where they do not know
 constexpr std::int64_t kDay_ns = 86400 * time::kNsPerSecond;
 
 // RINEX 3.05, tables A5 to A14: places of what is no number of the message's tables.
@@ -62,7 +62,7 @@ void RecordLines::refuse(std::size_t line_of_record, const std::string& why) con
 std::optional<double> RecordLines::at(int place) const {
   const auto [row, column] = line_and_column(place);
   if (row >= texts.size()) return std::nullopt;
-  const std::string_view text = field_at(texts[row], indent + column * kWidth, kWidth);
+  const std::string_view text = field_at(texts[row], indent + column * kNumberWidth, kNumberWidth);
   if (text.empty()) return std::nullopt;
   const auto number = fortran_number(text);
   if (!number) refuse(row, "has '" + std::string(text) + "' for " + place_text(place) + "; expected a number");

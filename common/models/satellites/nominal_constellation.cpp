@@ -3,18 +3,20 @@
 #include <cmath>
 
 #include "inslab/data/broadcast/system_time.hpp"
+#include "inslab/foundation/units/units.hpp"
 #include "inslab/models/satellites/kepler_orbit.hpp"
 #include "inslab/models/satellites/nominal_slots.hpp"
 #include "inslab/models/satellites/orbit_constants.hpp"
 #include "inslab/models/satellites/orbit_plane.hpp"
 #include "inslab/models/satellites/reference_time.hpp"
+#include "inslab/nav/wgs84.hpp"
 #include "inslab/noise/random/stream.hpp"
 
 namespace inslab::satellites {
 
 namespace {
 
-constexpr double kTurn_rad = 2.0 * units::kPi;
+constexpr double kFullTurn_rad = 2.0 * units::kPi;
 
 /// A satellite's own numbers, of which each has its place in one stream.
 class Drawn {
@@ -37,8 +39,8 @@ struct SlotNow {
 SlotNow slot_at(const SlotOrbits& orbits, const Slot& slot, const time::GpsTime& gps) {
   const double t_s = time::to_seconds(gps - orbits.epoch);
   const double turned_rad = (orbits.node_rate_rad_per_s - nav::wgs84::omega_e_rad_per_s) * t_s;
-  return {std::remainder((slot.node_deg - orbits.greenwich_deg) * units::kDeg + turned_rad, kTurn_rad),
-          std::remainder(slot.argument_deg * units::kDeg + orbits.argument_rate_rad_per_s * t_s, kTurn_rad)};
+  return {std::remainder((slot.node_deg - orbits.greenwich_deg) * units::kDeg + turned_rad, kFullTurn_rad),
+          std::remainder(slot.argument_deg * units::kDeg + orbits.argument_rate_rad_per_s * t_s, kFullTurn_rad)};
 }
 
 void draw_clock_and_harmonics(Drawn& drawn, KeplerianEphemeris& e) {
@@ -92,7 +94,7 @@ KeplerianEphemeris keplerian(std::uint64_t seed, const SlotOrbits& orbits, const
   e.eccentricity = orbits.is_eccentricity_drawn ? drawn.between(0.2, 1.0) * orbits.eccentricity : orbits.eccentricity;
   e.argument_of_perigee_rad =
       orbits.is_eccentricity_drawn ? drawn.within(units::kPi) : orbits.perigee_deg * units::kDeg;
-  e.m0_rad = std::remainder(now.argument_rad - e.argument_of_perigee_rad, kTurn_rad);
+  e.m0_rad = std::remainder(now.argument_rad - e.argument_of_perigee_rad, kFullTurn_rad);
   e.delta_n_rad_per_s = drawn.between(2e-9, 6e-9);
   const double kepler = orbits.argument_rate_rad_per_s - e.delta_n_rad_per_s;
   e.sqrt_a_sqrt_m = std::sqrt(std::cbrt(earth.mu_m3_per_s2 / (kepler * kepler)));
@@ -104,7 +106,7 @@ KeplerianEphemeris keplerian(std::uint64_t seed, const SlotOrbits& orbits, const
   }
   e.i0_rad = plane.inclination_rad;
   e.argument_of_perigee_rad = plane.perigee_rad;
-  e.omega0_rad = std::remainder(plane.node_rad + toes_rad, kTurn_rad);
+  e.omega0_rad = std::remainder(plane.node_rad + toes_rad, kFullTurn_rad);
   return e;
 }
 

@@ -16,7 +16,7 @@ namespace inslab::verify {
 namespace {
 
 namespace stdfs = std::filesystem;
-constexpr double kLight_m_per_s = broadcast::kSpeedOfLight_m_per_s;
+constexpr double kLightSpeed_m_per_s = broadcast::kSpeedOfLight_m_per_s;
 const satellites::Vector3 kReceiver_e_m(-481819.31349724, 5507219.95375401, 3170373.73538364);
 
 /// One row: a simulator's signal.
@@ -77,11 +77,11 @@ void compare_range(const RangeRow& row, const SimulatedRange& logged, const Kepl
   const time::Nanoseconds before = satellites::usual_light_time(e.sqrt_a_sqrt_m * e.sqrt_a_sqrt_m);
   const satellites::Sight sight = subjects.sight({subjects.state(e, logged.gps + -before), before},
                                                  {logged.gps, 0.0, kReceiver_e_m, satellites::Vector3::Zero()});
-  const double range_m = kLight_m_per_s * sight.light_time_s;
+  const double range_m = kLightSpeed_m_per_s * sight.light_time_s;
   const double delay_s = satellites::group_delay_s(broadcast::gnss_signal(row.system, row.rinex), e);
-  const double pseudorange_m = range_m + kLight_m_per_s * (delay_s - sight.clock_s);
+  const double pseudorange_m = range_m + kLightSpeed_m_per_s * (delay_s - sight.clock_s);
   const double rate_m_per_s =
-      kLight_m_per_s * (sight.light_time_rate - sight.drift_s_per_s * (1.0 - sight.light_time_rate));
+      kLightSpeed_m_per_s * (sight.light_time_rate - sight.drift_s_per_s * (1.0 - sight.light_time_rate));
   const double off_m = std::max(std::abs(range_m - logged.range_m), std::abs(pseudorange_m - logged.pseudorange_m));
   ++apart.samples;
   apart.range_m = std::max(apart.range_m, off_m);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 namespace inslab::test {
 
@@ -9,9 +10,9 @@ namespace inslab::test {
 template <class Function>
 auto five_point_derivative(Function value_at) {
   constexpr std::int64_t kStep_ns = 1'000'000'000;
-  const auto near = value_at(kStep_ns) - value_at(-kStep_ns);
-  const auto far = value_at(2 * kStep_ns) - value_at(-2 * kStep_ns);
   using Value = std::decay_t<decltype(value_at(0))>;
+  const Value near = value_at(kStep_ns) - value_at(-kStep_ns);
+  const Value far = value_at(2 * kStep_ns) - value_at(-2 * kStep_ns);
   return Value((8.0 * near - far) / 12.0);
 }
 
