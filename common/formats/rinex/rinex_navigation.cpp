@@ -156,6 +156,15 @@ class NavigationReader {
     }
   }
 
+  /// Whether there is no semi-major axis, or the state is the middle of the Earth.
+  static bool is_empty(const RecordLines& record, GnssSystem system) {
+    constexpr std::array<int, 3> kPosition{3, 7, 11};
+    constexpr int kRootOfAxis = 10;
+    const auto is_zero = [&](int place) { return record.at(place) == 0.0; };
+    return system == GnssSystem::Glonass ? std::all_of(kPosition.begin(), kPosition.end(), is_zero)
+                                         : is_zero(kRootOfAxis);
+  }
+
   void take_ephemeris(const RecordLines& record, const std::string& name, std::optional<KeplerianMessage> message) {
     constexpr std::string_view kNotSimulated = "SI";  // SBAS, NavIC
     const auto satellite = satellite_from(name, of_file_);
@@ -164,6 +173,8 @@ class NavigationReader {
     }
     if (!satellite) {
       ++file_.other_records;
+    } else if (is_empty(record, satellite->system)) {
+      ++file_.empty_records;
     } else if (satellite->system == GnssSystem::Glonass) {
       file_.glonass.push_back({glonass_from(record, *satellite), record.line});
     } else {

@@ -23,6 +23,7 @@ struct NavigationFile {
   std::vector<NavigationRecord<KeplerianEphemeris>> keplerian;
   std::vector<NavigationRecord<GlonassEphemeris>> glonass;
   std::vector<BroadcastIonosphere> ionosphere;
+  std::uint64_t empty_records = 0;  ///< all zeros: written before the message had been heard
   std::uint64_t other_records = 0;  ///< of SBAS and NavIC, of messages that are not simulated, of RINEX 4's STO and EOP
 };
 

@@ -170,6 +170,14 @@ TEST_F(RinexNavigation, WeekOfToeIsTheOneNearestToToc) {
   EXPECT_EQ(e.toe, (time::GpsTime{2243, 604784 * kSecond_ns}));
 }
 
+// Networks keep such records: a receiver had not heard the message yet.
+TEST_F(RinexNavigation, ARecordOfZerosIsCountedAndLeftOut) {
+  put(path("zero.rnx"), damaged("mixed_305.rnx", "5.153650791168e+03", "0.000000000000e+00"));
+  const NavigationFile file = read_navigation(path("zero.rnx"));
+  EXPECT_EQ(file.keplerian.size(), 5u);
+  EXPECT_EQ(file.empty_records, 1u);
+}
+
 TEST_F(RinexNavigation, ANumberThatIsNoneIsNamedByFileAndLine) {
   const std::string said = refusal(damaged("mixed_305.rnx", "4.174459597284e-09", "4.174459x97284e-09"));
   EXPECT_THAT(said, HasSubstr("damaged.rnx: line 11: has '4.174459x97284e-09' for number 6 of the record"));
