@@ -7,6 +7,8 @@
 /// a run are re-references of one record, so that no range jumps when a message changes.
 namespace inslab::satellites {
 
+class GlonassOrbit;
+
 /// The ephemeris with toe and toc at `toe`: orbit and clock at any instant are the same to 5e-7 m over five days, and
 /// across weeks. The issue counts on by one for each period of messages.
 ///
@@ -17,7 +19,6 @@ namespace inslab::satellites {
 KeplerianEphemeris re_referenced(const KeplerianEphemeris& ephemeris, const time::GpsTime& toe);
 
 /// The same of GLONASS: the orbit's state at `tb`.
-class GlonassOrbit;
 GlonassEphemeris re_referenced(GlonassOrbit& orbit, const time::GpsTime& tb);
 
 /// What of an ephemeris can be held for a whole run. Geostationary satellites of BeiDou lose OMEGAdot, idot and
