@@ -47,12 +47,15 @@ std::vector<StrayRecord> stray(const std::vector<Ephemeris>& records) {
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return comes_before(records[a], records[b]); });
   std::vector<StrayRecord> found;
-  double to_earlier_m = kNoNeighbour;
+  // Two on either side: one beside the first or the last record may itself be the stray one.
+  constexpr std::size_t kNeighbours = 2;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const double to_later_m = i + 1 < order.size() ? apart_m(records[order[i]], records[order[i + 1]]) : kNoNeighbour;
-    const double off_m = std::min(to_earlier_m, to_later_m);
+    double off_m = kNoNeighbour;
+    for (std::size_t step = 1; step <= kNeighbours; ++step) {
+      if (i >= step) off_m = std::min(off_m, apart_m(records[order[i - step]], records[order[i]]));
+      if (i + step < order.size()) off_m = std::min(off_m, apart_m(records[order[i]], records[order[i + step]]));
+    }
     if (off_m > kMostApart_m && off_m < kNoNeighbour) found.push_back({order[i], off_m});
-    to_earlier_m = to_later_m;
   }
   return found;
 }

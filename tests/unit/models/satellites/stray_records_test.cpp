@@ -47,6 +47,13 @@ TEST(StrayRecords, OneWithoutNeighboursIsNone) {
   EXPECT_THAT(stray_records(records), IsEmpty());
 }
 
+TEST(StrayRecords, OfTwoAloneNobodyKnowsWhich) {
+  auto records = five_messages();
+  records.resize(6);
+  records[0].m0_rad += 4.5e-5;
+  EXPECT_EQ(stray_records(records).size(), 2u);
+}
+
 TEST(StrayRecords, GlonassAlike) {
   const auto first = nominal_constellation(1, kStart).glonass[5];
   GlonassOrbit orbit(first);
