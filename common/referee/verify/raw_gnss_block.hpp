@@ -22,12 +22,12 @@ RawGnssSubjects product_satellites();
 /// the mixed file of 2023-01-08 with GFZ's multi-GNSS orbits, in `folder`.
 Table raw_gnss_orbits(const std::string& folder, const RawGnssSubjects& subjects = product_satellites());
 
-/// Pseudoranges and their rates against logs of two commercial simulators without errors, in `folder`, by the messages
-/// that each of them broadcast.
+/// Pseudoranges and their rates against logs of a commercial simulator without errors, in `folder`, by the messages
+/// that it broadcast.
 Table raw_gnss_ranges(const std::string& folder, const RawGnssSubjects& subjects = product_satellites());
 
-/// `inslab verify raw_gnss --files FOLDER`: both tables. Of what is not in the folder the rows are left out, and a note
-/// says so; without a folder all are.
+/// `inslab verify raw_gnss --files FOLDER`: both tables. Of what is not in the folder the rows are left out, and the
+/// table names them; without a folder all are.
 std::vector<Table> raw_gnss_tables(const std::string& folder);
 
 }  // namespace inslab::verify

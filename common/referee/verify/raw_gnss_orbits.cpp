@@ -197,18 +197,17 @@ Table raw_gnss_orbits(const std::string& folder, const RawGnssSubjects& subjects
   if (std::filesystem::exists(folder + "/brdc1820.10n")) {
     add_2010(folder, subjects, table);
   } else {
-    table.notes.push_back("Left out: brdc1820.10n and igs15904.sp3 are not in the folder.");
+    table.left_out.emplace_back("orbits of 2010-07-01 (brdc1820.10n, igs15904.sp3)");
   }
   if (std::filesystem::exists(folder + "/simulators/BRDC_20230080000")) {
     add_2023(folder, subjects, table);
   } else {
-    table.notes.push_back("Left out: simulators/BRDC_20230080000 is not in the folder.");
+    table.left_out.emplace_back("orbits of 2023-01-08 (simulators/BRDC_20230080000)");
   }
   table.judged = !table.rows.empty();
   table.notes.push_back(
-      "Records within 2 h (2010), 1 h (2023), 15 min (GLONASS). Precise positions are of the centre of mass, 0.7 to 2 "
-      "m "
-      "from the antenna that is broadcast. Clocks: 2010 less the mean of each epoch, 2023 less that of each "
+      "Records within 2 h (2010), 1 h (2023), 15 min (GLONASS). Precise positions are of the centre of mass, "
+      "0.7 to 2 m from the antenna that is broadcast. Clocks: 2010 less the mean of each epoch, 2023 less that of each "
       "satellite.");
   return table;
 }

@@ -36,10 +36,6 @@ constexpr std::array<RangeRow, 8> kSkydelRows{{{"Skydel, GPS L1 C/A", GnssSystem
                                                {"Skydel, BeiDou B1I, medium, inclined", GnssSystem::BeiDou, "2I", "B1"},
                                                {"Skydel, BeiDou B2I, medium, inclined", GnssSystem::BeiDou, "7I", "B2"},
                                                {"Skydel, QZSS L1 C/A", GnssSystem::Qzss, "1C", "QZSSL1CA"}}};
-constexpr std::array<RangeRow, 4> kSimgenRows{{{"SimGEN, GPS L1 C/A", GnssSystem::Gps, "1C", ""},
-                                               {"SimGEN, Galileo E1", GnssSystem::Galileo, "1C", ""},
-                                               {"SimGEN, BeiDou B1I, medium, inclined", GnssSystem::BeiDou, "2I", ""},
-                                               {"SimGEN, QZSS L1 C/A", GnssSystem::Qzss, "1C", ""}}};
 
 /// What a row's signals are apart, at most.
 struct Apart {
@@ -93,8 +89,7 @@ void add_row(const RangeRow& row, const std::vector<SimulatedRange>& logged, con
   constexpr double kRange_m = 0.5e-3, kRate_m_per_s = 1e-4;
   Apart apart;
   for (const SimulatedRange& range : logged) {
-    // One simulator's geostationary satellites of BeiDou lack their 5 deg, the other's messages are fits to another
-    // orbit.
+    // The simulator's geostationary satellites of BeiDou lack their 5 deg.
     if (range.satellite.system != row.system || is_beidou_geostationary(range.satellite)) continue;
     const KeplerianEphemeris* e = newest(messages, range.satellite, range.gps);
     if (e != nullptr) compare_range(row, range, *e, subjects, apart);
@@ -123,29 +118,21 @@ std::vector<SimulatedRange> read_skydel_signal(const std::string& folder, const 
 
 Table raw_gnss_ranges(const std::string& folder, const RawGnssSubjects& subjects) {
   Table table;
-  table.title = "Pseudoranges against two commercial simulators without errors, largest difference";
+  table.title = "Pseudoranges against a commercial simulator without errors, largest difference";
   table.columns = {"", "samples", "range, mm", "limit", "rate, m/s", "limit"};
   const std::string simulators = folder + "/simulators/";
-  const std::string skydel = simulators + "Skydel_static_duration-4h_rate-5min_sys-GERCQIS",
-                    simgen = simulators + "Spirent-SimGEN_static_duration-4h_rate-5min_sys-GERCQI";
+  const std::string skydel = simulators + "Skydel_static_duration-4h_rate-5min_sys-GERCQIS";
   if (stdfs::exists(skydel)) {
     const Messages messages = read_messages(skydel);
     for (const RangeRow& row : kSkydelRows) {
       add_row(row, read_skydel_signal(skydel + "/Iono-none_tropo-none/sat_data", row), messages, subjects, table);
     }
   } else {
-    table.notes.push_back("Left out: Skydel's logs are not in the folder.");
-  }
-  if (stdfs::exists(simgen)) {
-    const Messages messages = read_messages(simgen);
-    const auto logged = read_simgen(simgen + "/Iono-Klob_tropo-Saast/sat_data_V1A1.csv");
-    for (const RangeRow& row : kSimgenRows) add_row(row, logged, messages, subjects, table);
-  } else {
-    table.notes.push_back("Left out: SimGEN's log is not in the folder.");
+    table.left_out.emplace_back("ranges of Skydel (its logs in simulators)");
   }
   table.judged = !table.rows.empty();
   table.notes.push_back(
-      "Geometric ranges and pseudoranges, by the messages that each broadcast, of which the newest counts.");
+      "Geometric ranges and pseudoranges, by the messages that it broadcast, of which the newest counts.");
   return table;
 }
 

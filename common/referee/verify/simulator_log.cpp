@@ -11,8 +11,6 @@ namespace inslab::verify {
 
 namespace {
 
-constexpr std::int64_t kMillisecond_ns = 1'000'000;
-
 /// Lines of comma-separated values below a line of their names.
 class NamedColumns {
  public:
@@ -63,17 +61,6 @@ class NamedColumns {
   std::vector<std::string> names_;
 };
 
-/// How SimGEN names the systems, and the signal that its group A is of.
-struct SimgenSystem {
-  std::string_view name;
-  GnssSystem system;
-  const char* rinex;
-};
-constexpr std::array<SimgenSystem, 4> kSimgenSystems{{{"GPS", GnssSystem::Gps, "1C"},
-                                                      {"GALILEO", GnssSystem::Galileo, "1C"},
-                                                      {"BeiDou", GnssSystem::BeiDou, "2I"},
-                                                      {"Quasi-Zenith", GnssSystem::Qzss, "1C"}}};
-
 }  // namespace
 
 std::vector<SimulatedRange> read_skydel(const std::string& path, const SatelliteId& satellite,
@@ -88,26 +75,6 @@ std::vector<SimulatedRange> read_skydel(const std::string& path, const Satellite
                       columns.number("Range (m)"),
                       columns.number("PSR (m)"),
                       columns.number("PSR Change Rate (m/s)")});
-  }
-  return ranges;
-}
-
-std::vector<SimulatedRange> read_simgen(const std::string& path) {
-  // The scenario begins at 09:59:00 of this day; the log counts from there.
-  constexpr time::GpsTime kStart{2244, (9 * 3600 + 59 * 60) * time::kNsPerSecond};
-  NamedColumns columns(path, "Time_ms");
-  std::vector<SimulatedRange> ranges;
-  while (columns.next()) {
-    for (const SimgenSystem& known : kSimgenSystems) {
-      if (columns.text("Sat_type") != known.name) continue;
-      const double air_s = columns.number("Iono_delay Group A") + columns.number("Tropo_delay");
-      ranges.push_back({{known.system, static_cast<std::uint8_t>(columns.number("Sat_ID"))},
-                        known.rinex,
-                        kStart + time::Nanoseconds(columns.nanoseconds("Time_ms", kMillisecond_ns)),
-                        columns.number("Range"),
-                        columns.number("P-Range Group A") - broadcast::kSpeedOfLight_m_per_s * air_s,
-                        columns.number("P-R_rate")});
-    }
   }
   return ranges;
 }

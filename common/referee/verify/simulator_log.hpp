@@ -6,7 +6,7 @@
 #include "inslab/data/samples/gnss_system.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
-/// Logs of two commercial simulators: what each told its receiver at an instant.
+/// Logs of a commercial simulator: what it told its receiver at an instant.
 namespace inslab::verify {
 
 struct SimulatedRange {
@@ -21,9 +21,5 @@ struct SimulatedRange {
 /// A file of Skydel's logger, of one signal and one satellite, such as "E1 12.csv". Throws files::ReadError.
 std::vector<SimulatedRange> read_skydel(const std::string& path, const SatelliteId& satellite,
                                         const std::string& rinex);
-
-/// A log of SimGEN: the first signal of each system there. Delays of the atmosphere are taken off. Throws
-/// files::ReadError.
-std::vector<SimulatedRange> read_simgen(const std::string& path);
 
 }  // namespace inslab::verify

@@ -52,7 +52,7 @@ const std::vector<Verification>& verifications() {
        verify::propagation_picture},
       {"vibration", "Increments, coning, sculling and spectra of vibration",
        [](const VerifyRequest& request) { return verify::vibration_tables(request.full); }},
-      {"raw_gnss", "Broadcast orbits and ranges against precise orbits and two commercial simulators",
+      {"raw_gnss", "Broadcast orbits and ranges against precise orbits and a commercial simulator",
        [](const VerifyRequest& request) {
          return verify::raw_gnss_tables(request.files.empty() ? std::string() : request.files.front());
        },

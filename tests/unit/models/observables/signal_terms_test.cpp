@@ -68,6 +68,17 @@ TEST(SignalTerms, DopplerIsPositiveWhenComingNearer) {
   EXPECT_NEAR(observed(s, kL1_hz).doppler_hz, 300.006 / kC * kL1_hz, 1e-9);
 }
 
+// The ratio of the frequencies of sender and receiver is the product of clocks and geometry, here written out. Of a
+// satellite's usual drift, 5e-12, the product with the rate is nothing; of one that runs away by 1e-6 it is 5 mHz.
+TEST(SignalTerms, DopplerHoldsTheProductsOfTheRates) {
+  SignalTerms s;
+  s.light_time_rate = 3e-6;
+  s.receiver_drift = 2e-6;
+  s.satellite_drift = 1e-6;
+  const long double ratio = (1.0L + 1e-6L) * (1.0L - 3e-6L) / (1.0L + 2e-6L);
+  EXPECT_NEAR(observed(s, kL1_hz).doppler_hz, static_cast<double>(-1575.42e6L * (1.0L - ratio)), 1e-9);
+}
+
 /// A turn of 250 m/s about a point on the ground with 0.05 rad/s, in e.
 satellites::AntennaState turning_antenna(const time::GpsTime& gps, double rest_s, double t_s) {
   constexpr double kRate = 0.05, kRadius_m = 5000.0;

@@ -57,6 +57,24 @@ TEST(KeplerOrbit, CircleOverThePoles) {
   }
 }
 
+// A quarter of a circle from the node in the plane of reference, which lies 5 deg askew: R_X(-5 deg) of
+// BDS-SIS-ICD-B1I, section 5.2.4, takes (0, a, 0) to (0, a cos 5, a sin 5), and the Earth turns under it by R_Z.
+TEST(KeplerOrbit, PlaneOfBeiDousGeostationarySatellitesIsAskew) {
+  KeplerianEphemeris e = polar_circle(GnssSystem::BeiDou);
+  e.satellite.number = 59;
+  e.i0_rad = 0.0;
+  e.m0_rad = units::kPi / 2.0;
+  e.omega0_rad = 7.292115e-5 * (100'000.0 - 14.0);  // its node at the first axis
+  const Vector3 askew(0.0, 25e6 * 0.99619469809174555, 25e6 * 0.087155742747658174);
+  EXPECT_LT((kepler_state(e, e.toe).r_e_m - askew).norm(), 1e-7);
+  // 100 s later: on its circle by n t, still in the plane askew, seen from an Earth turned by w t.
+  const double on_rad = 100.0 * std::sqrt(3.986004418e14 / std::pow(25e6, 3)), turned_rad = 100.0 * 7.292115e-5;
+  const double x_m = -25e6 * std::sin(on_rad), y_m = askew.y() * std::cos(on_rad);
+  const Vector3 later(x_m * std::cos(turned_rad) + y_m * std::sin(turned_rad),
+                      y_m * std::cos(turned_rad) - x_m * std::sin(turned_rad), askew.z() * std::cos(on_rad));
+  EXPECT_LT((kepler_state(e, e.toe + std::chrono::seconds(100)).r_e_m - later).norm(), 1e-7);
+}
+
 // Harmonics are sines and cosines of twice the argument of latitude, here 30 deg: 1/2 and sqrt(3)/2.
 TEST(KeplerOrbit, HarmonicsActOnRadiusLatitudeAndInclination) {
   KeplerianEphemeris e = polar_circle(GnssSystem::Gps);
