@@ -18,8 +18,9 @@ struct Table {
   std::string title;
   std::vector<std::string> columns;
   std::vector<Row> rows;
-  std::vector<std::string> notes;  ///< printed under the table: the reference used, what a column means
-  bool judged = true;              ///< false: figures to look at, no row passes or fails
+  std::vector<std::string> notes;          ///< printed under the table: the reference used, what a column means
+  bool judged = true;                      ///< false: figures to look at, no row passes or fails
+  std::vector<std::string> left_out = {};  ///< rows for which there are no data here, said in the verdict
 
   /// Whether every row held, known misses aside; a judged table without rows has shown nothing.
   bool held() const;

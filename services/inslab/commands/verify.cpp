@@ -1,8 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "inslab/foundation/files/output_file.hpp"
 #include "inslab/foundation/host/exit_code.hpp"
@@ -16,18 +18,22 @@ namespace {
 
 int verify_one(const study::Verification& verification, const study::VerifyRequest& request) {
   bool held = true;
-  std::size_t misses = 0;
+  std::size_t misses = 0, rows = 0;
+  std::vector<std::string> left_out;
   for (const verify::Table& table : study::tables_of(verification, request)) {
     terminal::tell("{}\n", verify::to_text(table));
     held = held && table.held();
     misses += table.misses();
+    rows += table.rows.size();
+    left_out.insert(left_out.end(), table.left_out.begin(), table.left_out.end());
   }
   if (!request.picture.empty()) {
     const std::string bytes = tables::drawn(verification.picture(), tables::PictureFormat::Svg);
     files::write_file(request.picture, bytes);
   }
-  std::string verdict = held ? "every row held" : "NOT every row held";
+  std::string verdict = !held ? "NOT every row held" : rows > 0 ? "every row held" : "no row was judged";
   if (misses > 0) verdict += fmt::format(", but for {} known to miss (docs/verification.md)", misses);
+  if (!left_out.empty()) verdict += fmt::format("; left out for lack of data: {}", fmt::join(left_out, ", "));
   terminal::tell("{}: {}\n", verification.name, verdict);
   return held ? host::kOk : host::kFailed;
 }
@@ -54,8 +60,8 @@ void add_verify(CLI::App& app, std::function<int()>& action) {
     CLI::App* command = verify->add_subcommand(verification.name, verification.purpose);
     auto request = std::make_shared<study::VerifyRequest>();
     command->add_flag("--full", request->full, "all seeds instead of the preset one");
-    if (verification.takes_files) {
-      command->add_option("--files", request->files, "trajectory files with velocity and attitude to show too");
+    if (verification.files != nullptr) {
+      command->add_option("--files", request->files, verification.files);
     }
     if (verification.picture != nullptr) {
       command->add_option("--picture", request->picture, "write the curves there (SVG)");

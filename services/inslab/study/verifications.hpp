@@ -25,7 +25,7 @@ struct Verification {
   const char* name;
   const char* purpose;
   std::vector<verify::Table> (*run)(const VerifyRequest& request);
-  bool takes_files = false;
+  const char* files = nullptr;  ///< what --files takes; null: the block has no such option
   tables::Picture (*picture)() = nullptr;
   verify::Table (*over_dds)(const service::NetworkOptions& network, const verify::OutageTimes& outages) = nullptr;
 };
