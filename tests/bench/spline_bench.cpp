@@ -49,7 +49,7 @@ void Waypoints(benchmark::State& state) {
   trajectory.source = scenario::TrajectorySource::Waypoints;
   for (int k = 0; k < 200; ++k)
     trajectory.waypoints.push_back({30.0 + 0.002 * (k % 2), 114.0 + 0.004 * k, 20.0, 15.0, 0.0});
-  drive(state, trajectory::motion_along_waypoints(trajectory, time::Nanoseconds(0)));
+  drive(state, trajectory::motion_along_waypoints(trajectory, std::chrono::hours(24)));
 }
 
 /// Rows to curves, once for a file: linear in the rows.

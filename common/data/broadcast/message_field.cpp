@@ -27,8 +27,17 @@ std::size_t family(KeplerianMessage message) {
 
 constexpr std::array<std::int64_t, 3> kReferenceUnits_s{16, 60, 8};
 
-// A row of members that are plain numbers.
-#define INSLAB_OF(Message, member) [](Message& message) -> double& { return message.member; }
+/// A member that is a plain number.
+template <class Message, double Message::*member>
+double& of(Message& message) {
+  return message.*member;
+}
+
+/// One axis of a member that is a vector.
+template <class Message, samples::Vector3 Message::*member, int axis>
+double& axis_of(Message& message) {
+  return (message.*member)[axis];
+}
 
 std::vector<MessageField<Kepler>> make_keplerian_fields() {
   const std::vector<Coding> angle{twos(32, -31), twos(32, -31), twos(32, -31)},
@@ -38,44 +47,50 @@ std::vector<MessageField<Kepler>> make_keplerian_fields() {
       lifted{twos(16, -5), twos(16, -5), twos(18, -6)};
   const Coding tenth_of_ns{10, true, 1e-10};
   return {
-      {"af0_s", INSLAB_OF(Kepler, af0_s), 0, 1.0, 1.0, false, {twos(22, -31), twos(31, -34), twos(24, -33)}},
+      {"af0_s", of<Kepler, &Kepler::af0_s>, 0, 1.0, 1.0, false, {twos(22, -31), twos(31, -34), twos(24, -33)}},
       {"af1_s_per_s",
-       INSLAB_OF(Kepler, af1_s_per_s),
+       of<Kepler, &Kepler::af1_s_per_s>,
        1,
        1.0,
        1.0,
        false,
        {twos(16, -43), twos(21, -46), twos(22, -50)}},
       {"af2_s_per_s2",
-       INSLAB_OF(Kepler, af2_s_per_s2),
+       of<Kepler, &Kepler::af2_s_per_s2>,
        2,
        1.0,
        1.0,
        false,
        {twos(8, -55), twos(6, -59), twos(11, -66)}},
-      {"crs_m", INSLAB_OF(Kepler, crs_m), 4, 1.0, 1.0, false, lifted},
-      {"delta_n_rad_per_s", INSLAB_OF(Kepler, delta_n_rad_per_s), 5, 1.0, kSemicircle, false, rate_16},
-      {"m0_rad", INSLAB_OF(Kepler, m0_rad), 6, 1.0, kSemicircle, true, angle},
-      {"cuc_rad", INSLAB_OF(Kepler, cuc_rad), 7, 1.0, 1.0, false, turned},
-      {"eccentricity", INSLAB_OF(Kepler, eccentricity), 8, 1.0, 1.0, false, shape},
-      {"cus_rad", INSLAB_OF(Kepler, cus_rad), 9, 1.0, 1.0, false, turned},
-      {"sqrt_a_sqrt_m", INSLAB_OF(Kepler, sqrt_a_sqrt_m), 10, 1.0, 1.0, false, root},
-      {"cic_rad", INSLAB_OF(Kepler, cic_rad), 12, 1.0, 1.0, false, turned},
-      {"omega0_rad", INSLAB_OF(Kepler, omega0_rad), 13, 1.0, kSemicircle, true, angle},
-      {"cis_rad", INSLAB_OF(Kepler, cis_rad), 14, 1.0, 1.0, false, turned},
-      {"i0_rad", INSLAB_OF(Kepler, i0_rad), 15, 1.0, kSemicircle, true, angle},
-      {"crc_m", INSLAB_OF(Kepler, crc_m), 16, 1.0, 1.0, false, lifted},
-      {"argument_of_perigee_rad", INSLAB_OF(Kepler, argument_of_perigee_rad), 17, 1.0, kSemicircle, true, angle},
-      {"omega_dot_rad_per_s", INSLAB_OF(Kepler, omega_dot_rad_per_s), 18, 1.0, kSemicircle, false, rate_24},
-      {"i_dot_rad_per_s", INSLAB_OF(Kepler, i_dot_rad_per_s), 19, 1.0, kSemicircle, false, rate_14},
+      {"crs_m", of<Kepler, &Kepler::crs_m>, 4, 1.0, 1.0, false, lifted},
+      {"delta_n_rad_per_s", of<Kepler, &Kepler::delta_n_rad_per_s>, 5, 1.0, kSemicircle, false, rate_16},
+      {"m0_rad", of<Kepler, &Kepler::m0_rad>, 6, 1.0, kSemicircle, true, angle},
+      {"cuc_rad", of<Kepler, &Kepler::cuc_rad>, 7, 1.0, 1.0, false, turned},
+      {"eccentricity", of<Kepler, &Kepler::eccentricity>, 8, 1.0, 1.0, false, shape},
+      {"cus_rad", of<Kepler, &Kepler::cus_rad>, 9, 1.0, 1.0, false, turned},
+      {"sqrt_a_sqrt_m", of<Kepler, &Kepler::sqrt_a_sqrt_m>, 10, 1.0, 1.0, false, root},
+      {"cic_rad", of<Kepler, &Kepler::cic_rad>, 12, 1.0, 1.0, false, turned},
+      {"omega0_rad", of<Kepler, &Kepler::omega0_rad>, 13, 1.0, kSemicircle, true, angle},
+      {"cis_rad", of<Kepler, &Kepler::cis_rad>, 14, 1.0, 1.0, false, turned},
+      {"i0_rad", of<Kepler, &Kepler::i0_rad>, 15, 1.0, kSemicircle, true, angle},
+      {"crc_m", of<Kepler, &Kepler::crc_m>, 16, 1.0, 1.0, false, lifted},
+      {"argument_of_perigee_rad", of<Kepler, &Kepler::argument_of_perigee_rad>, 17, 1.0, kSemicircle, true, angle},
+      {"omega_dot_rad_per_s", of<Kepler, &Kepler::omega_dot_rad_per_s>, 18, 1.0, kSemicircle, false, rate_24},
+      {"i_dot_rad_per_s", of<Kepler, &Kepler::i_dot_rad_per_s>, 19, 1.0, kSemicircle, false, rate_14},
       {"first_delay_s",
-       INSLAB_OF(Kepler, first_delay_s),
+       of<Kepler, &Kepler::first_delay_s>,
        25,
        1.0,
        1.0,
        false,
        {twos(8, -31), twos(10, -32), tenth_of_ns}},
-      {"second_delay_s", INSLAB_OF(Kepler, second_delay_s), 26, 1.0, 1.0, false, {kAbsent, twos(10, -32), tenth_of_ns}},
+      {"second_delay_s",
+       of<Kepler, &Kepler::second_delay_s>,
+       26,
+       1.0,
+       1.0,
+       false,
+       {kAbsent, twos(10, -32), tenth_of_ns}},
   };
 }
 
@@ -83,22 +98,20 @@ std::vector<MessageField<Glonass>> make_glonass_fields() {
   // Kilometres on the air and in RINEX alike; RINEX has the clock's offset with the other sign.
   const std::vector<Coding> position{twos(27, -11)}, velocity{twos(24, -20)}, acceleration{twos(5, -30)};
   return {
-      {"tau_s", INSLAB_OF(Glonass, tau_s), 0, -1.0, 1.0, false, {twos(22, -30)}},
-      {"gamma", INSLAB_OF(Glonass, gamma), 1, 1.0, 1.0, false, {twos(11, -40)}},
-      {"x_e_m", INSLAB_OF(Glonass, r_e_m.x()), 3, kKm, kKm, false, position},
-      {"vx_e_m_per_s", INSLAB_OF(Glonass, v_e_m_per_s.x()), 4, kKm, kKm, false, velocity},
-      {"ax_e_m_per_s2", INSLAB_OF(Glonass, lunisolar_e_m_per_s2.x()), 5, kKm, kKm, false, acceleration},
-      {"y_e_m", INSLAB_OF(Glonass, r_e_m.y()), 7, kKm, kKm, false, position},
-      {"vy_e_m_per_s", INSLAB_OF(Glonass, v_e_m_per_s.y()), 8, kKm, kKm, false, velocity},
-      {"ay_e_m_per_s2", INSLAB_OF(Glonass, lunisolar_e_m_per_s2.y()), 9, kKm, kKm, false, acceleration},
-      {"z_e_m", INSLAB_OF(Glonass, r_e_m.z()), 11, kKm, kKm, false, position},
-      {"vz_e_m_per_s", INSLAB_OF(Glonass, v_e_m_per_s.z()), 12, kKm, kKm, false, velocity},
-      {"az_e_m_per_s2", INSLAB_OF(Glonass, lunisolar_e_m_per_s2.z()), 13, kKm, kKm, false, acceleration},
-      {"delta_tau_s", INSLAB_OF(Glonass, delta_tau_s), 16, 1.0, 1.0, false, {twos(5, -30)}},
+      {"tau_s", of<Glonass, &Glonass::tau_s>, 0, -1.0, 1.0, false, {twos(22, -30)}},
+      {"gamma", of<Glonass, &Glonass::gamma>, 1, 1.0, 1.0, false, {twos(11, -40)}},
+      {"x_e_m", axis_of<Glonass, &Glonass::r_e_m, 0>, 3, kKm, kKm, false, position},
+      {"vx_e_m_per_s", axis_of<Glonass, &Glonass::v_e_m_per_s, 0>, 4, kKm, kKm, false, velocity},
+      {"ax_e_m_per_s2", axis_of<Glonass, &Glonass::lunisolar_e_m_per_s2, 0>, 5, kKm, kKm, false, acceleration},
+      {"y_e_m", axis_of<Glonass, &Glonass::r_e_m, 1>, 7, kKm, kKm, false, position},
+      {"vy_e_m_per_s", axis_of<Glonass, &Glonass::v_e_m_per_s, 1>, 8, kKm, kKm, false, velocity},
+      {"ay_e_m_per_s2", axis_of<Glonass, &Glonass::lunisolar_e_m_per_s2, 1>, 9, kKm, kKm, false, acceleration},
+      {"z_e_m", axis_of<Glonass, &Glonass::r_e_m, 2>, 11, kKm, kKm, false, position},
+      {"vz_e_m_per_s", axis_of<Glonass, &Glonass::v_e_m_per_s, 2>, 12, kKm, kKm, false, velocity},
+      {"az_e_m_per_s2", axis_of<Glonass, &Glonass::lunisolar_e_m_per_s2, 2>, 13, kKm, kKm, false, acceleration},
+      {"delta_tau_s", of<Glonass, &Glonass::delta_tau_s>, 16, 1.0, 1.0, false, {twos(5, -30)}},
   };
 }
-
-#undef INSLAB_OF
 
 /// The number that the bits of `value` stand for, in the unit of the member.
 template <class Message>
