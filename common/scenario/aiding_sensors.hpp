@@ -102,6 +102,26 @@ struct HeadingSensor {
   }
 };
 
+/// One air data probe of the unit. Without an error profile it is ideal, and the air is still.
+struct AirDataSensor {
+  std::uint32_t number = 0;
+  double rate_hz = 100.0;
+  std::string error_profile;
+  std::string installation_profile;
+  std::string nominal_installation_profile;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor& visit) {
+    visit(Field("number", "the N of inslab/air_data/N").in(0.0, 63.0), self.number);
+    visit(Field("rate_hz", "of its samples").in(1e-3, 1e4).required(), self.rate_hz);
+    visit(Field("error_profile", "file; absent: an ideal probe in still air").at_most(4096), self.error_profile);
+    visit(Field("installation_profile", "file; absent: at the vehicle's reference point").at_most(4096),
+          self.installation_profile);
+    visit(Field("nominal_installation_profile", "file: what the app is told; absent: the true one").at_most(4096),
+          self.nominal_installation_profile);
+  }
+};
+
 }  // namespace inslab::scenario
 
 namespace inslab {

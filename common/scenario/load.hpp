@@ -45,6 +45,7 @@ struct LoadedInstrument {
 using LoadedMagnetometer = LoadedInstrument<MagnetometerErrorProfile>;
 using LoadedBarometer = LoadedInstrument<BarometerErrorProfile>;
 using LoadedOdometer = LoadedInstrument<OdometerErrorProfile>;
+using LoadedAirData = LoadedInstrument<AirDataErrorProfile>;
 struct LoadedHeading : LoadedInstrument<HeadingErrorProfile> {
   std::vector<Outage> outages;
   std::vector<OutageArea> outage_areas;
@@ -66,6 +67,7 @@ struct LoadedScenario {
   std::vector<LoadedBarometer> barometers;
   std::vector<LoadedOdometer> odometers;
   std::vector<LoadedHeading> headings;
+  std::vector<LoadedAirData> air_data;
   std::vector<catalog::AnyProfile> swaps;  ///< requests in order: target and request are filled in
   RecordingFinder recordings;              ///< of the scenario's folder of recordings; what it read it keeps
   FixRecordingFinder fix_recordings;       ///< the same, of receivers
@@ -149,6 +151,12 @@ template <>
 struct LoadedSection<catalog::Odometer> {
   static constexpr auto sensors = &LoadedScenario::odometers;
   static constexpr auto profiles = kProfilesOfInstrument<OdometerSensor, LoadedOdometer>;
+};
+
+template <>
+struct LoadedSection<catalog::AirData> {
+  static constexpr auto sensors = &LoadedScenario::air_data;
+  static constexpr auto profiles = kProfilesOfInstrument<AirDataSensor, LoadedAirData>;
 };
 
 template <>

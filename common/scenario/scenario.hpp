@@ -196,6 +196,7 @@ struct Scenario {
   std::vector<BarometerSensor> barometer;
   std::vector<OdometerSensor> odometer;
   std::vector<HeadingSensor> heading;
+  std::vector<AirDataSensor> air_data;
   std::vector<ScheduledSwap> swaps;
   std::string recordings_folder = "../recordings";
   Clock clock;
@@ -221,6 +222,7 @@ struct Scenario {
     visit(Field(catalog::Barometer::name, "the barometers of this unit").at_most(8), self.barometer);
     visit(Field(catalog::Odometer::name, "the odometers of this unit, one a wheel").at_most(8), self.odometer);
     visit(Field(catalog::Heading::name, "the receivers with two antennas of this unit").at_most(8), self.heading);
+    visit(Field(catalog::AirData::name, "the air data probes of this unit").at_most(8), self.air_data);
     visit(Field("swaps", "profiles swapped while the run goes on").at_most(10000), self.swaps);
     visit(Field("recordings_folder", "where recorded errors are that profiles name, relative to the scenario")
               .at_most(4096),
@@ -286,6 +288,12 @@ template <>
 struct Section<catalog::Heading> {
   static constexpr auto sensors = &Scenario::heading;
   static constexpr std::tuple of_the_app{AppKey{"heading", &ReferenceNav::heading}};
+};
+
+template <>
+struct Section<catalog::AirData> {
+  static constexpr auto sensors = &Scenario::air_data;
+  static constexpr std::tuple<> of_the_app{};
 };
 
 template <class Kind>

@@ -71,6 +71,9 @@ void LogSink::magnetometer(std::size_t index, const MagneticField& sample) { wri
 void LogSink::barometer(std::size_t index, const AirPressure& sample) { write_streams(index, sample); }
 void LogSink::odometer(std::size_t index, const WheelTravel& sample) { write_streams(index, sample); }
 void LogSink::heading(std::size_t index, const BaselineHeading& sample) { write_streams(index, sample); }
+void LogSink::air_data(std::size_t index, const Airflow& sample, const AirflowTruth& truth) {
+  write_streams(index, sample, truth);
+}
 
 void LogSink::nav(const NavSolution& solution) { nav_->write(solution, nav_count_++, latest_utc_ns_, latest_utc_ns_); }
 

@@ -24,6 +24,7 @@ class LogSink : public RunSink {
   void barometer(std::size_t index, const AirPressure& sample) override;
   void odometer(std::size_t index, const WheelTravel& sample) override;
   void heading(std::size_t index, const BaselineHeading& sample) override;
+  void air_data(std::size_t index, const Airflow& sample, const AirflowTruth& truth) override;
   void nav(const NavSolution& solution) override;
   void ack(const ProfileAck& ack) override;
 

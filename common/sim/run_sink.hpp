@@ -3,6 +3,7 @@
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/requests/run_control.hpp"
 #include "inslab/data/samples/air_pressure.hpp"
+#include "inslab/data/samples/airflow_truth.hpp"
 #include "inslab/data/samples/baseline_heading.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_sample.hpp"
@@ -28,6 +29,7 @@ class RunSink {
   virtual void barometer(std::size_t, const AirPressure&) {}
   virtual void odometer(std::size_t, const WheelTravel&) {}
   virtual void heading(std::size_t, const BaselineHeading&) {}
+  virtual void air_data(std::size_t, const Airflow&, const AirflowTruth&) {}
   virtual void nav(const NavSolution&) {}  ///< of the reference navigation app, when the scenario has it
   virtual void ack(const ProfileAck& ack) = 0;
 };

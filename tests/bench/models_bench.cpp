@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include "inslab/models/air_data/air_data_model.hpp"
 #include "inslab/models/barometer/barometer_model.hpp"
 #include "inslab/models/gnss/gnss_model.hpp"
 #include "inslab/models/imu/imu_model.hpp"
@@ -275,6 +276,29 @@ void BM_Barometer(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(BM_Barometer);
+
+/// Boom, wind of a table, gusts, static error, lags, noise and drift of pressures and vanes, counts, and what the
+/// computer makes of them.
+void BM_AirData(benchmark::State& state) {
+  air_data::AirDataModel::Setup setup{1, 0, time::Rate(200.0), {}, {}};
+  setup.errors.wind.levels = {{10.0, {4.0, 3.0, 0.0}}, {3000.0, {9.0, 15.0, 0.0}}};
+  setup.errors.wind.turbulence = Turbulence::Moderate;
+  setup.errors.static_pressure_coefficient = 0.03;
+  setup.errors.pitot_time_constant_s = 0.02;
+  setup.errors.static_time_constant_s = 0.04;
+  setup.errors.impact_pressure = {4000.0, 15.0, 1.5, 3.0, 600.0, -6895.0, 6895.0, 1.05};
+  setup.errors.static_pressure = {0.0, -90.0, 2.7, 6.0, 900.0, 1000.0, 120000.0, 1.0};
+  setup.errors.temperature_white_sigma_deg_c = 0.1;
+  setup.errors.angle_of_attack = {0.08, 0.0, 0.3, 0.15, 0.1, 300.0, 30.0, 0.088};
+  setup.errors.angle_of_sideslip = {0.0, 0.0, -0.2, 0.15, 0.1, 300.0, 30.0, 0.088};
+  setup.installation.target.kind = SensorKind::AirData;
+  setup.installation.lever_arm_v_m = {2.8, 0.0, 0.1};
+  air_data::AirDataModel model(setup);
+  std::int64_t k = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(model.observe(truth_sample(++k)));
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(BM_AirData);
 
 /// Arm, misalignment, scale, slip, road, counts.
 void BM_Odometer(benchmark::State& state) {

@@ -224,7 +224,7 @@ TEST_F(SecurityFilesOf, GrantWhatSecurityMdSays) {
   std::string expected;
   for (const char* role : {"inslab-trajectory-server", "inslab-imu-injector", "inslab-gnss-emulator",
                            "inslab-magnetometer", "inslab-barometer", "inslab-odometer", "inslab-heading",
-                           "inslab-truth-logger", "operator", "nav-app", "vehicle-simulator"}) {
+                           "inslab-air-data", "inslab-truth-logger", "operator", "nav-app", "vehicle-simulator"}) {
     const std::string file = keys / (std::string(role) + ".permissions.xml");
     expected +=
         std::string("| ") + role + " | " + topics_of(file, "publish") + " | " + topics_of(file, "subscribe") + " |\n";

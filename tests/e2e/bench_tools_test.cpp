@@ -69,8 +69,8 @@ TEST_F(BenchTools, ListTheTopicsWithTheirTypesAndEnds) {
   const Answer answer = inslab({"topics", "ls"});
   EXPECT_EQ(answer.code, 0) << answer.text;
   // Written by the injector, read by the logger.
-  EXPECT_THAT(answer.text, ContainsRegex("inslab/imu/0 +inslab::v4::ImuSample +1 +1"));
-  EXPECT_THAT(answer.text, ContainsRegex("inslab/profile/imu_error +inslab::v4::ImuErrorProfile +1 +[24]"));
+  EXPECT_THAT(answer.text, ContainsRegex("inslab/imu/0 +inslab::v5::ImuSample +1 +1"));
+  EXPECT_THAT(answer.text, ContainsRegex("inslab/profile/imu_error +inslab::v5::ImuErrorProfile +1 +[24]"));
 }
 
 TEST_F(BenchTools, EchoTheFieldsOfMessages) {
@@ -183,7 +183,7 @@ TEST_F(BenchTools, SwapAnInstallationOfANamedKindOfSensorAlone) {
   const Answer answer = inslab({"swap", "installation", source("config/profiles/installation/antenna_roof.json")});
   EXPECT_EQ(answer.code, 2);
   EXPECT_THAT(answer.text, HasSubstr("--sensor-kind: missing; expected imu or gnss or magnetometer or barometer or "
-                                     "odometer or heading, all of which have installation profiles"));
+                                     "odometer or heading or air_data, all of which have installation profiles"));
 }
 
 TEST(Commands, KeepTheirTimeoutAndSayWhereTheyLooked) {

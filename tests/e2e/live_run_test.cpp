@@ -115,6 +115,22 @@ TEST(LiveRun, WithReceiversOfTwoAntennasGivesTheBitsOfTheOfflineRun) {
   expect_same_bits<BaselineHeading>(folder / "live.mcap", offline_log, "inslab/heading/1", 200);
 }
 
+TEST(LiveRun, WithAirDataProbesGivesTheBitsOfTheOfflineRun) {
+  const TestFolder folder;
+  const std::string scenario = source("config/scenarios/air_data.json");
+  Process live("inslab",
+               {"run", scenario, "--log", folder / "live.mcap", "--domain", own_domain(), "--clock", "lockstep"});
+  Process offline("inslab", {"simulate", scenario, "-o", folder / "offline"});
+  // Exit 0 also means: nothing lost, all swaps acknowledged and borne out by the samples.
+  ASSERT_EQ(live.wait(seconds(80)), 0) << live.output();
+  ASSERT_EQ(offline.wait(seconds(60)), 0) << offline.output();
+  EXPECT_THAT(live.output(), HasSubstr("air_data_error 'sdp33_rough_air' for air_data0"));
+  EXPECT_THAT(live.output(), HasSubstr("impact pressure noise"));
+  const std::string offline_log = folder / "offline/air_data.mcap";
+  expect_same_bits<Airflow>(folder / "live.mcap", offline_log, "inslab/air_data/0", 2500);
+  expect_same_bits<AirflowTruth>(folder / "live.mcap", offline_log, "inslab/air_data_truth/1", 1000);
+}
+
 TEST(LiveRun, SummaryNamesStreamsSwapsAndLog) {
   const TestFolder folder;
   Process live("inslab",

@@ -163,11 +163,11 @@ TEST_F(Navigate, RefusesLogsThatAreNoneOrLackASensor) {
   expect_refusal({kScenario, "--parameters", kParameters}, "expected the magic bytes of an MCAP file");
   expect_refusal(
       {log(), "--parameters", kParameters, "--imu-number", "3"},
-      "reference_nav.mcap: has no topic inslab/imu/3 of the type inslab::v4::ImuSample; it has inslab/truth");
+      "reference_nav.mcap: has no topic inslab/imu/3 of the type inslab::v5::ImuSample; it has inslab/truth");
   expect_refusal({log(), "--parameters", kParameters, "--gnss-number", "3"},
-                 "reference_nav.mcap: has no topic inslab/gnss/3 of the type inslab::v4::GnssFix");
+                 "reference_nav.mcap: has no topic inslab/gnss/3 of the type inslab::v5::GnssFix");
   expect_refusal({log(), "--parameters", kParameters, "--imu-number", "3", "--start-at-truth"},
-                 "reference_nav.mcap: has no topic inslab/imu_truth/3 of the type inslab::v4::ImuTruth");
+                 "reference_nav.mcap: has no topic inslab/imu_truth/3 of the type inslab::v5::ImuTruth");
 }
 
 TEST_F(Navigate, RefusesImuTextsNamingFileAndLine) {

@@ -181,7 +181,7 @@ TEST_F(OneSet, AServiceThatComesToAServerOfAnotherScenarioDoesNotStartAndAnAppOf
       << server->output();
   Process doctor("inslab", {"doctor", "--domain", own_domain()});
   EXPECT_EQ(doctor.wait(seconds(20)), 1) << doctor.output();
-  EXPECT_THAT(doctor.output(), HasSubstr("the writer has inslab::v4::TruthState, the reader wants inslab::TruthState"));
+  EXPECT_THAT(doctor.output(), HasSubstr("the writer has inslab::v5::TruthState, the reader wants inslab::TruthState"));
   EXPECT_THAT(doctor.output(), HasSubstr("cure: generate the app's types anew from idl/"));
   server->send(SIGTERM);
   EXPECT_EQ(server->wait(seconds(20)), 0) << server->output();

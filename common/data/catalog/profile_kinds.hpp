@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/profiles/air_data_error_profile.hpp"
 #include "inslab/data/profiles/barometer_error_profile.hpp"
 #include "inslab/data/profiles/fault_profile.hpp"
 #include "inslab/data/profiles/gnss_error_profile.hpp"
@@ -17,7 +18,8 @@ namespace inslab::catalog {
 
 /// In the order of ProfileKind, whose enumerators have the names.
 using ProfileKinds = Types<ImuErrorProfile, VibrationProfile, InstallationProfile, GnssErrorProfile, FaultProfile,
-                           MagnetometerErrorProfile, BarometerErrorProfile, OdometerErrorProfile, HeadingErrorProfile>;
+                           MagnetometerErrorProfile, BarometerErrorProfile, OdometerErrorProfile, HeadingErrorProfile,
+                           AirDataErrorProfile>;
 
 /// What a kind of profile is called besides its name.
 struct ProfileWords {
@@ -72,6 +74,10 @@ inline constexpr ProfileWords kWords<HeadingErrorProfile>{"heading",
                                                           "a",
                                                           "heading",
                                                           "how one receiver with two antennas errs"};
+
+template <>
+inline constexpr ProfileWords kWords<AirDataErrorProfile>{"air_data", "Air data errors", "air data error profile",
+                                                          "an",       "air_data",        "how one air data probe errs"};
 
 namespace detail {
 template <class... Profile>

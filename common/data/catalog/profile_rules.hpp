@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "inslab/data/catalog/air_data_rules.hpp"
 #include "inslab/data/catalog/any_profile.hpp"
 #include "inslab/data/catalog/correlation_rule.hpp"
 #include "inslab/data/catalog/fault_rules.hpp"
@@ -312,6 +313,13 @@ inline std::optional<Violation> violation(const HeadingErrorProfile& profile) {
   if (auto broken = detail::fix_type_violation(profile)) return broken;
   if (auto broken = detail::solution_violation("", profile)) return broken;
   return detail::ladder_violation(profile);
+}
+
+inline std::optional<Violation> violation(const AirDataErrorProfile& profile) {
+  if (auto broken = detail::target_violation(profile)) return broken;
+  if (auto broken = detail::fade_violation(profile.request)) return broken;
+  if (auto broken = detail::time_tag_violation(profile.time_tag)) return broken;
+  return detail::air_data_violation(profile);
 }
 
 /// The first limit or rule that a profile of any kind breaks.

@@ -6,6 +6,8 @@
 
 #include "inslab/data/catalog/profile_kinds.hpp"
 #include "inslab/data/samples/air_pressure.hpp"
+#include "inslab/data/samples/airflow.hpp"
+#include "inslab/data/samples/airflow_truth.hpp"
 #include "inslab/data/samples/baseline_heading.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_sample.hpp"
@@ -128,8 +130,25 @@ struct Heading {
   static constexpr const char* mountings = "heading_";
 };
 
+struct AirData {
+  static constexpr SensorKind kind = SensorKind::AirData;
+  static constexpr std::string_view name = "air_data";
+  static constexpr const char* singular = "air data probe";
+  static constexpr const char* plural = "air data probes";
+  static constexpr const char* service = "inslab-air-data";
+  static constexpr const char* service_title = "air data probe";
+  static constexpr const char* purpose = "Turns the truth and the wind into what one air data probe puts out";
+  static constexpr std::tuple streams{Stream<Airflow>{"air_data", Audience::App, 100.0},
+                                      Stream<AirflowTruth>{"air_data_truth", Audience::Referee, 100.0}};
+  using Profiles = Types<AirDataErrorProfile, InstallationProfile, FaultProfile>;
+  static constexpr bool has_axes = true;
+  static constexpr bool sets_the_pace = false;
+  static constexpr bool in_every_set = false;
+  static constexpr const char* mountings = "air_data_";
+};
+
 /// In the order of SensorKind, whose enumerators have the names.
-using SensorKinds = Types<Imu, Gnss, Magnetometer, Barometer, Odometer, Heading>;
+using SensorKinds = Types<Imu, Gnss, Magnetometer, Barometer, Odometer, Heading, AirData>;
 
 namespace detail {
 template <class... Kind>

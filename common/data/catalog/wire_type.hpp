@@ -12,7 +12,7 @@ namespace inslab::catalog {
 /// The module of idl/ that all types are in. Its last part is the version of the wire types: it goes up with every
 /// change of a struct or an enumeration, so that a client built with other types does not match instead of reading
 /// them wrong.
-#define INSLAB_WIRE_MODULE "inslab::v4::"
+#define INSLAB_WIRE_MODULE "inslab::v5::"
 inline constexpr std::string_view kModule = INSLAB_WIRE_MODULE;
 
 /// The IDL name of every struct that travels as a topic, and the file of idl/ that declares it. This row is all that a
@@ -35,6 +35,8 @@ INSLAB_WIRE_TYPE(MagneticField, "magnetometer.idl");
 INSLAB_WIRE_TYPE(AirPressure, "barometer.idl");
 INSLAB_WIRE_TYPE(WheelTravel, "odometer.idl");
 INSLAB_WIRE_TYPE(BaselineHeading, "heading.idl");
+INSLAB_WIRE_TYPE(Airflow, "air_data.idl");
+INSLAB_WIRE_TYPE(AirflowTruth, "air_data.idl");
 INSLAB_WIRE_TYPE(NavSolution, "nav.idl");
 INSLAB_WIRE_TYPE(ImuErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(VibrationProfile, "profile.idl");
@@ -45,6 +47,7 @@ INSLAB_WIRE_TYPE(MagnetometerErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(BarometerErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(OdometerErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(HeadingErrorProfile, "profile.idl");
+INSLAB_WIRE_TYPE(AirDataErrorProfile, "profile.idl");
 INSLAB_WIRE_TYPE(ProfileAck, "control.idl");
 INSLAB_WIRE_TYPE(Installation, "control.idl");
 INSLAB_WIRE_TYPE(SimCommand, "control.idl");
@@ -73,6 +76,8 @@ INSLAB_BLOCK_TYPE(MagneticField, "MagneticFieldBlock");
 INSLAB_BLOCK_TYPE(AirPressure, "AirPressureBlock");
 INSLAB_BLOCK_TYPE(WheelTravel, "WheelTravelBlock");
 INSLAB_BLOCK_TYPE(BaselineHeading, "BaselineHeadingBlock");
+INSLAB_BLOCK_TYPE(Airflow, "AirflowBlock");
+INSLAB_BLOCK_TYPE(AirflowTruth, "AirflowTruthBlock");
 INSLAB_BLOCK_TYPE(NavSolution, "NavBlock");
 
 #undef INSLAB_BLOCK_TYPE

@@ -56,6 +56,10 @@ struct FaultProfile {
   CommonFaults common;                                   ///< every kind
   Vector3 wrong_fix_ned_m = Vector3::Zero();             ///< heading
   bool heading_outage = false;                           ///< heading: no signals while on
+  bool pitot_blocked = false;                            ///< air_data
+  bool pitot_drain_blocked = false;                      ///< air_data
+  bool static_port_blocked = false;                      ///< air_data
+  bool vanes_frozen = false;                             ///< air_data
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -166,6 +170,22 @@ struct FaultProfile {
               .only_for("heading")
               .appended(),
           self.heading_outage);
+    visit(
+        Field("pitot_blocked",
+              "air_data: ice in the tube's mouth; through the open drain its line empties, and the airspeed falls to 0")
+            .only_for("air_data")
+            .appended(),
+        self.pitot_blocked);
+    visit(Field("pitot_drain_blocked",
+                "air_data: ice in the tube's drain; with the mouth blocked too its line keeps its pressure, and the "
+                "airspeed grows and falls with the height")
+              .only_for("air_data")
+              .appended(),
+          self.pitot_drain_blocked);
+    visit(Field("static_port_blocked", "air_data: the static line keeps its pressure").only_for("air_data").appended(),
+          self.static_port_blocked);
+    visit(Field("vanes_frozen", "air_data: both vanes keep their angle").only_for("air_data").appended(),
+          self.vanes_frozen);
   }
 };
 

@@ -5,7 +5,7 @@
 namespace inslab {
 inline namespace samples {
 
-enum class SensorKind : std::uint32_t { Imu, Gnss, Magnetometer, Barometer, Odometer, Heading };
+enum class SensorKind : std::uint32_t { Imu, Gnss, Magnetometer, Barometer, Odometer, Heading, AirData };
 enum class ProfileKind : std::uint32_t {
   ImuError,
   Vibration,
@@ -16,6 +16,7 @@ enum class ProfileKind : std::uint32_t {
   BarometerError,
   OdometerError,
   HeadingError,
+  AirDataError,
 };
 enum class Continuity : std::uint32_t { Keep, Reset, Redraw };
 
@@ -23,16 +24,16 @@ template <>
 struct EnumNames<SensorKind> {
   static constexpr std::string_view type = "SensorKind";
   static constexpr std::string_view prefix = "SENSOR_";
-  static constexpr std::array<std::string_view, 6> values{"imu",       "gnss",     "magnetometer",
-                                                          "barometer", "odometer", "heading"};
+  static constexpr std::array<std::string_view, 7> values{"imu",      "gnss",    "magnetometer", "barometer",
+                                                          "odometer", "heading", "air_data"};
 };
 template <>
 struct EnumNames<ProfileKind> {
   static constexpr std::string_view type = "ProfileKind";
   static constexpr std::string_view prefix = "PROFILE_";
-  static constexpr std::array<std::string_view, 9> values{"imu_error",       "vibration",      "installation",
-                                                          "gnss_error",      "fault",          "magnetometer_error",
-                                                          "barometer_error", "odometer_error", "heading_error"};
+  static constexpr std::array<std::string_view, 10> values{
+      "imu_error",          "vibration",       "installation",   "gnss_error",    "fault",
+      "magnetometer_error", "barometer_error", "odometer_error", "heading_error", "air_data_error"};
 };
 template <>
 struct EnumNames<Continuity> {
@@ -79,7 +80,7 @@ struct ProfileRequest {
 /// The fields that begin every profile: whom it is for, and the request. Wire only; a profile file has none of it.
 template <class Self, class Visitor>
 void profile_head_fields(Self& self, Visitor& visit) {
-  visit(Field("target_kind", "imu, gnss, magnetometer, barometer, odometer or heading").key().wire_only(),
+  visit(Field("target_kind", "imu, gnss, magnetometer, barometer, odometer, heading or air_data").key().wire_only(),
         self.target.kind);
   visit(Field("target_number", "the sensor's number").key().wire_only(), self.target.number);
   visit(Field("request").wire_only(), self.request);

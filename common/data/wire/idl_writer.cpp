@@ -33,6 +33,26 @@ struct NestedName<LesserBaseline> {
   static constexpr std::string_view value = "LesserBaseline";
 };
 template <>
+struct NestedName<DaysAir> {
+  static constexpr std::string_view value = "DaysAir";
+};
+template <>
+struct NestedName<WindField> {
+  static constexpr std::string_view value = "WindField";
+};
+template <>
+struct NestedName<WindLevel> {
+  static constexpr std::string_view value = "WindLevel";
+};
+template <>
+struct NestedName<PressureSensorErrors> {
+  static constexpr std::string_view value = "PressureSensorErrors";
+};
+template <>
+struct NestedName<VaneErrors> {
+  static constexpr std::string_view value = "VaneErrors";
+};
+template <>
 struct NestedName<LinearSinusoid> {
   static constexpr std::string_view value = "LinearSinusoid";
 };
@@ -212,11 +232,11 @@ std::string profile_idl() {
   });
 
   std::string text =
-      "// Inslab wire types, part 6 of 13: the profiles that can be swapped while a run goes on. A request and its "
+      "// Inslab wire types, part 6 of 14: the profiles that can be swapped while a run goes on. A request and its "
       "entry in\n"
       "// the journal have the same type. What is not wanted stays zero; a list that is not wanted stays empty.\n"
       "// Derived from the parameter declarations in common/data/profiles by 'inslab reference idl/profile.idl'.\n"
-      "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab { module v4 "
+      "#ifndef INSLAB_PROFILE_IDL\n#define INSLAB_PROFILE_IDL\n\n#include \"gnss.idl\"\n\nmodule inslab { module v5 "
       "{\n\n";
   return text + writer.text() + "}; };\n\n#endif\n";
 }
@@ -232,10 +252,10 @@ std::string block_idl() {
                " {\n    sequence<" + name_in_idl<Sample>() + ", " + std::to_string(Block<Sample>::kMaxSamples) +
                "> samples;\n  };\n";
   });
-  return "// Inslab wire types, part 9 of 13: many samples of a stream in one message, for lockstep alone. Sequence "
+  return "// Inslab wire types, part 9 of 14: many samples of a stream in one message, for lockstep alone. Sequence "
          "numbers go on\n// from block to block as in the stream. Derived from the streams in common/data/catalog by "
          "'inslab reference\n// idl/block.idl'.\n#ifndef INSLAB_BLOCK_IDL\n#define INSLAB_BLOCK_IDL\n\n" +
-         includes + "\nmodule inslab { module v4 {\n" + structs + "\n}; };\n\n#endif\n";
+         includes + "\nmodule inslab { module v5 {\n" + structs + "\n}; };\n\n#endif\n";
 }
 
 }  // namespace inslab::wire

@@ -18,7 +18,7 @@ struct SampleStamp {
 
 /// One type of message that a log may hold, by the name of its schema.
 struct LogType {
-  std::string_view name;  ///< such as inslab::v4::TruthState
+  std::string_view name;  ///< such as inslab::v5::TruthState
   std::vector<tables::Column> columns;
 
   /// Decodes a CDR payload; both return false when it is not a sample of this type.

@@ -88,8 +88,9 @@ enum class Rule : std::uint32_t {
   MotionReach,         ///< a mount moves at most 5 cm and 2 deg
   MotionFrequency,     ///< and at most 2 kHz
   MotionHarmonic,      ///< random vibration is for the sensor domain
-  PressureRange,       ///< the largest pressure of a barometer is above its smallest
+  PressureRange,       ///< the largest pressure of a sensor is above its smallest
   WholeCounts,         ///< an encoder has a whole number of counts a revolution
+  WindLevels,          ///< heights of the wind go up
   RecordingNamed,      ///< a recording is named by its file and its SHA-256
   // Several fields of a navigation filter's parameters.
   InitialPitch,    ///< a given pitch lies within 90 deg
@@ -102,7 +103,7 @@ template <>
 struct EnumNames<Rule> {
   static constexpr std::string_view type = "Rule";
   static constexpr std::string_view prefix = "RULE_";
-  static constexpr std::array<std::string_view, 81> values{"readable",
+  static constexpr std::array<std::string_view, 82> values{"readable",
                                                            "not_empty",
                                                            "valid_json",
                                                            "keys_once",
@@ -179,6 +180,7 @@ struct EnumNames<Rule> {
                                                            "motion_harmonic",
                                                            "pressure_range",
                                                            "whole_counts",
+                                                           "wind_levels",
                                                            "recording_named",
                                                            "initial_pitch",
                                                            "rest_thresholds",

@@ -1,7 +1,5 @@
 #include "inslab/models/barometer/static_port.hpp"
 
-#include <cmath>
-
 #include "inslab/data/samples/sensor_site.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 
@@ -19,20 +17,9 @@ atmosphere::Air StaticPort::air(const TruthState& truth, const Weather& drift) {
       atmosphere::air_at(atmosphere::geopotential_height_m(site.position.height_m - errors_.geoid_height_m),
                          sea_level_pa, errors_.temperature_deviation_deg_c + drift.temperature_k);
   const double dynamic_pa = 0.5 * air.density_kg_per_m3() * site.v_n.squaredNorm();
-  air.pressure_pa = lagged_pa(now_ns, air.pressure_pa + errors_.static_pressure_coefficient * dynamic_pa);
+  const double port_pa = air.pressure_pa + errors_.static_pressure_coefficient * dynamic_pa;
+  air.pressure_pa = lag_.follow(now_ns, port_pa, errors_.time_constant_s);
   return air;
-}
-
-double StaticPort::lagged_pa(std::int64_t sim_time_ns, double port_pa) {
-  double sensed_pa = port_pa;
-  if (last_ && errors_.time_constant_s > 0.0) {
-    const double dt_s = time::to_seconds(sim_time_ns - last_->sim_time_ns);
-    const double steady_pa = errors_.time_constant_s * (port_pa - last_->port_pa) / dt_s;
-    sensed_pa = port_pa - steady_pa +
-                (last_->sensed_pa - last_->port_pa + steady_pa) * std::exp(-dt_s / errors_.time_constant_s);
-  }
-  last_ = Last{sim_time_ns, port_pa, sensed_pa};
-  return sensed_pa;
 }
 
 }  // namespace inslab::barometer

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <optional>
-
 #include "inslab/data/profiles/barometer_error_profile.hpp"
 #include "inslab/data/profiles/installation_profile.hpp"
 #include "inslab/data/samples/truth_state.hpp"
+#include "inslab/models/sensing/first_order_lag.hpp"
 #include "inslab/nav/standard_atmosphere.hpp"
 
 namespace inslab::barometer {
@@ -22,34 +21,19 @@ class StaticPort {
   void use(const BarometerErrorProfile& errors) { errors_ = errors; }
 
   /// At `truth`'s time, which goes on from call to call: between two calls the pressure at the port goes in a straight
-  /// line, to which the lag answers exactly,
-  ///
-  ///   T dp_s/dt = p - p_s,   p_s[k] = p[k] - T r + (p_s[k-1] - p[k-1] + T r) e^(-dt/T),   r = (p[k] - p[k-1])/dt
+  /// line, to which the lag answers exactly.
   nav::standard_atmosphere::Air air(const TruthState& truth, const Weather& drift);
 
   /// What goes on from sample to sample (data/state/state_stream.hpp); parameters are not part of it.
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
-    visit(self.last_);
+    visit(self.lag_);
   }
 
  private:
-  struct Last {
-    std::int64_t sim_time_ns;
-    double port_pa;
-    double sensed_pa;
-
-    template <class Self, class Visitor>
-    static void state(Self& self, Visitor& visit) {
-      visit(self.sim_time_ns, self.port_pa, self.sensed_pa);
-    }
-  };
-
-  double lagged_pa(std::int64_t sim_time_ns, double port_pa);
-
   BarometerErrorProfile errors_;
   Vector3 lever_arm_v_m_ = Vector3::Zero();
-  std::optional<Last> last_;
+  sensing::FirstOrderLag lag_;
 };
 
 }  // namespace inslab::barometer

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/samples/airflow_truth.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
 
 namespace inslab::faults {
@@ -8,6 +9,14 @@ namespace inslab::faults {
 inline void enter(ImuTruth& truth, const ImuSample& before, const ImuSample& after, std::uint32_t active) {
   truth.gyro_error.fault = after.dtheta_b - before.dtheta_b;
   truth.accel_error.fault = after.dv_b - before.dv_b;
+  truth.active_faults = active;
+}
+
+inline void enter(AirflowTruth& truth, const Airflow& before, const Airflow& after, std::uint32_t active) {
+  truth.impact_pressure_error.fault = after.impact_pressure_pa - before.impact_pressure_pa;
+  truth.static_pressure_error.fault = after.static_pressure_pa - before.static_pressure_pa;
+  truth.angle_of_attack_error.fault = after.angle_of_attack_rad - before.angle_of_attack_rad;
+  truth.angle_of_sideslip_error.fault = after.angle_of_sideslip_rad - before.angle_of_sideslip_rad;
   truth.active_faults = active;
 }
 

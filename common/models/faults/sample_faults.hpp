@@ -48,6 +48,7 @@ class SampleFaults {
   template <class... Beside>
   bool pass(Sample& sample, Beside&... beside) {
     sample.header.sequence_number -= left_out_;
+    ((beside.header.sequence_number -= left_out_), ...);
     const Fate fate = are_on(sample.header.sim_time_ns) ? faulty(sample, beside...) : Fate::Shown;
     if (fate == Fate::Shown) last_ = sample;
     if (fate == Fate::LeftOut) ++left_out_;

@@ -238,6 +238,9 @@ inline constexpr profiles::FieldUse kHeadingErrorUses[] = {
     profiles::left_out("time_tag.*", "time tags", "the filter takes every tag for the time of validity"),
 };
 
+inline constexpr profiles::FieldUse kAirDataErrorUses[] = {
+    profiles::left_out("", "air data probes", "the filter takes none")};
+
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("", "faults", "a fault is no error that a filter is told of")};
 
@@ -251,5 +254,6 @@ constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetome
 constexpr const auto& uses_of(Tag<BarometerErrorProfile>) { return kBarometerErrorUses; }
 constexpr const auto& uses_of(Tag<OdometerErrorProfile>) { return kOdometerErrorUses; }
 constexpr const auto& uses_of(Tag<HeadingErrorProfile>) { return kHeadingErrorUses; }
+constexpr const auto& uses_of(Tag<AirDataErrorProfile>) { return kAirDataErrorUses; }
 
 }  // namespace inslab::navigation::matching

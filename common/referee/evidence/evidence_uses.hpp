@@ -254,6 +254,47 @@ inline constexpr profiles::FieldUse kHeadingErrorUses[] = {
     profiles::handled("time_tag.*"),
 };
 
+inline constexpr profiles::FieldUse kAirDataErrorUses[] = {
+    profiles::left_out("air.*", "the air", "samples are weighed against the air that the truth stream has"),
+    profiles::left_out("wind.*", "the wind", "samples are weighed against the air that the truth stream has"),
+    profiles::left_out("acceptance_angle_deg", "the tube", "its part of the error budget is taken off"),
+    profiles::left_out("static_pressure_coefficient", "static pressure error",
+                       "its part of the error budget is taken off"),
+    profiles::left_out("pitot_time_constant_s", "lag of the lines", "its part of the error budget is taken off"),
+    profiles::left_out("static_time_constant_s", "lag of the lines", "its part of the error budget is taken off"),
+    profiles::left_out("drain_time_constant_s", "lag of the lines", "its part of the error budget is taken off"),
+    profiles::handled("impact_pressure.scale_factor_ppm"),
+    profiles::handled("impact_pressure.offset_pa"),
+    profiles::handled("impact_pressure.white_sigma_pa"),
+    profiles::handled("impact_pressure.gm_sigma_pa"),
+    profiles::handled("impact_pressure.gm_correlation_time_s"),
+    profiles::left_out("impact_pressure.min_pressure_pa", "range", "saturated samples are passed over"),
+    profiles::left_out("impact_pressure.max_pressure_pa", "range", "saturated samples are passed over"),
+    profiles::handled("impact_pressure.quantization_pa"),
+    profiles::handled("static_pressure.scale_factor_ppm"),
+    profiles::handled("static_pressure.offset_pa"),
+    profiles::handled("static_pressure.white_sigma_pa"),
+    profiles::handled("static_pressure.gm_sigma_pa"),
+    profiles::handled("static_pressure.gm_correlation_time_s"),
+    profiles::left_out("static_pressure.min_pressure_pa", "range", "saturated samples are passed over"),
+    profiles::left_out("static_pressure.max_pressure_pa", "range", "saturated samples are passed over"),
+    profiles::handled("static_pressure.quantization_pa"),
+    profiles::left_out("recovery_factor", "the probe's temperature", "pressures and one angle are weighed"),
+    profiles::left_out("temperature_offset_deg_c", "the probe's temperature", "pressures and one angle are weighed"),
+    profiles::left_out("temperature_white_sigma_deg_c", "the probe's temperature",
+                       "pressures and one angle are weighed"),
+    profiles::handled("angle_of_attack.upwash"),
+    profiles::handled("angle_of_attack.scale_factor_ppm"),
+    profiles::handled("angle_of_attack.bias_deg"),
+    profiles::handled("angle_of_attack.white_sigma_deg"),
+    profiles::handled("angle_of_attack.gm_sigma_deg"),
+    profiles::handled("angle_of_attack.gm_correlation_time_s"),
+    profiles::left_out("angle_of_attack.full_scale_deg", "range", "saturated samples are passed over"),
+    profiles::handled("angle_of_attack.quantization_deg"),
+    profiles::left_out("angle_of_sideslip.*", "angle of sideslip", "pressures and one angle are weighed"),
+    profiles::handled("time_tag.*"),
+};
+
 /// A fault promises nothing that samples could be held against.
 constexpr profiles::FieldUse of_a_fault(const char* path) {
   return profiles::left_out(path, "faults", "a fault promises no figure; its samples and their flags show it");
@@ -311,6 +352,10 @@ inline constexpr profiles::FieldUse kFaultUses[] = {
     of_a_fault("channels[].noise_sigma"),
     of_a_fault("wrong_fix_ned_m"),
     of_a_fault("heading_outage"),
+    of_a_fault("pitot_blocked"),
+    of_a_fault("pitot_drain_blocked"),
+    of_a_fault("static_port_blocked"),
+    of_a_fault("vanes_frozen"),
 };
 
 /// Of each kind of profile.
@@ -323,6 +368,7 @@ constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetome
 constexpr const auto& uses_of(Tag<BarometerErrorProfile>) { return kBarometerErrorUses; }
 constexpr const auto& uses_of(Tag<OdometerErrorProfile>) { return kOdometerErrorUses; }
 constexpr const auto& uses_of(Tag<HeadingErrorProfile>) { return kHeadingErrorUses; }
+constexpr const auto& uses_of(Tag<AirDataErrorProfile>) { return kAirDataErrorUses; }
 
 /// Of a swapped profile.
 inline std::vector<std::string> names_left_out(const catalog::AnyProfile& profile) {

@@ -42,6 +42,8 @@ void SampleJoiner::take_part(log::LogWalk& walk) {
   walk.each<AirPressure>(of_sensor(pressures_));
   walk.each<WheelTravel>(of_sensor(travels_));
   walk.each<BaselineHeading>(of_sensor(headings_));
+  walk.each<Airflow>(of_sensor(airflows_));
+  walk.each<AirflowTruth>(of_sensor(airflow_truths_));
 }
 
 /// Uses up what is complete; without `all` the last seconds stay, for stragglers of the other topics: what is sent
@@ -72,6 +74,14 @@ void SampleJoiner::join(bool all) {
     const std::vector<const TruthState*> way = way_of(sample);
     if (!way.empty()) windows_.add(sample, way);
   });
+  drain(airflows_, limit_ns, [this](const Key& key, const Airflow& sample) {
+    const auto perfect = airflow_truths_.find(key);
+    const auto vehicle = truths_.find({0, key.second});
+    if (perfect != airflow_truths_.end() && vehicle != truths_.end()) {
+      windows_.add(sample, perfect->second, vehicle->second);
+    }
+  });
+  drain(airflow_truths_, limit_ns, [](const Key&, const AirflowTruth&) {});
   drain(headings_, limit_ns, [this](const Key& key, const BaselineHeading& sample) {
     const auto vehicle = truths_.find({0, key.second});
     if (vehicle != truths_.end()) windows_.add(sample, vehicle->second);

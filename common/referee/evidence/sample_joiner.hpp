@@ -37,6 +37,8 @@ class SampleJoiner {
   std::map<Key, AirPressure> pressures_;
   std::map<Key, WheelTravel> travels_;
   std::map<Key, BaselineHeading> headings_;
+  std::map<Key, Airflow> airflows_;
+  std::map<Key, AirflowTruth> airflow_truths_;
 };
 
 }  // namespace inslab::evidence

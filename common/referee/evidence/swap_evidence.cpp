@@ -6,6 +6,7 @@
 
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/referee/evidence/air_data_evidence.hpp"
 #include "inslab/referee/evidence/arm_evidence.hpp"
 #include "inslab/referee/evidence/baseline_evidence.hpp"
 #include "inslab/referee/evidence/evidence_lines.hpp"
@@ -114,6 +115,8 @@ class Weigher {
         return odometer();
       case ProfileKind::HeadingError:
         return baseline_noise_lines(summary_, swap_, period_s());
+      case ProfileKind::AirDataError:
+        return air_data_lines(summary_, swap_, period_s());
       case ProfileKind::Fault:
         break;
     }
@@ -133,6 +136,8 @@ class Weigher {
         return window.pressure;
       case SensorKind::Heading:
         return window.baseline_ned_m;
+      case SensorKind::AirData:
+        return window.airflow;
       case SensorKind::Odometer:
         break;
     }
@@ -150,6 +155,8 @@ class Weigher {
         return barometer();
       case SensorKind::Heading:
         return baseline_lines(summary_, swap_);
+      case SensorKind::AirData:
+        return air_data_lines(summary_, swap_, period_s());
       case SensorKind::Odometer:
         break;
     }

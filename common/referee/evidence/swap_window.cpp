@@ -11,6 +11,7 @@
 #include "inslab/nav/direction.hpp"
 #include "inslab/nav/geodesy.hpp"
 #include "inslab/nav/wgs84.hpp"
+#include "inslab/referee/evidence/air_data_evidence.hpp"
 
 namespace inslab::evidence {
 
@@ -365,6 +366,21 @@ void SwapWindowsOfLog::add(const BaselineHeading& sample, const TruthState& vehi
     window.baseline_ned_m.add(k, error_m);
     window.baseline_v_m.add(k, vehicle.q_nv.conjugate() * (first.C_sn.transpose() * baseline_s_m));
     window.add_tag(k, sample.header, vehicle.header);
+  });
+}
+
+void SwapWindowsOfLog::add(const Airflow& sample, const AirflowTruth& perfect, const TruthState& vehicle) {
+  const SensorAddress sensor{SensorKind::AirData, sample.sensor_number};
+  const auto found = passing_.find(sensor_of(sensor));
+  if (found == passing_.end()) return;
+  Passing& passing = found->second;
+  note_first(passing, sample);
+  const std::int64_t now_ns = sample.header.sim_time_ns;
+  if (sample.saturated || profile_in_use<FaultProfile>(summary_, sensor, now_ns).vanes_frozen) return;
+  const auto errors = profile_in_use<AirDataErrorProfile>(summary_, sensor, now_ns);
+  for_each_open(passing, now_ns, [&](SwapWindow& window) {
+    window.airflow.add(sample.header.sequence_number, left_of_airflow(sample, perfect, errors));
+    window.add_tag(sample.header.sequence_number, sample.header, vehicle.header);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 
+#include "inslab/data/samples/airflow_truth.hpp"
 #include "inslab/data/samples/baseline_heading.hpp"
 #include "inslab/data/samples/gnss_fix.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
@@ -74,6 +75,7 @@ struct SwapWindow {
   NoiseStatistics pressure;         ///< AirPressure minus its PressureExpectation, Pa; the pressure altitude, m
   NoiseStatistics baseline_ned_m;   ///< BaselineHeading minus the true vector under the promised arms
   NoiseStatistics baseline_v_m;     ///< BaselineHeading in the vehicle's axes
+  NoiseStatistics airflow;          ///< what left_of_airflow() leaves: Pa, Pa, deg
   NoiseStatistics time_tag;         ///< tag of a sample less that of the truth, s; the truth's sim time, s
   NoiseStatistics way_m;  ///< WheelTravel minus its WayExpectation in that one's direction; the expectation's size
 };
@@ -100,6 +102,7 @@ class SwapWindowsOfLog {
   void add(const MagneticField& sample, const TruthState& vehicle);
   void add(const AirPressure& sample, const TruthState& vehicle);
   void add(const BaselineHeading& sample, const TruthState& vehicle);
+  void add(const Airflow& sample, const AirflowTruth& perfect, const TruthState& vehicle);
   /// `way`: the truth of the sample's interval, from its beginning on.
   void add(const WheelTravel& sample, const std::vector<const TruthState*>& way);
 

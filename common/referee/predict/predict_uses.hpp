@@ -144,6 +144,9 @@ inline constexpr profiles::FieldUse kOdometerErrorUses[] = {
 inline constexpr profiles::FieldUse kHeadingErrorUses[] = {
     profiles::left_out("", "two-antenna headings", "the filter that is predicted takes none")};
 
+inline constexpr profiles::FieldUse kAirDataErrorUses[] = {
+    profiles::left_out("", "air data probes", "the filter that is predicted takes none")};
+
 inline constexpr profiles::FieldUse kFaultUses[] = {
     profiles::left_out("", "faults", "a fault is no error that a filter is told of")};
 
@@ -157,5 +160,6 @@ constexpr const auto& uses_of(Tag<MagnetometerErrorProfile>) { return kMagnetome
 constexpr const auto& uses_of(Tag<BarometerErrorProfile>) { return kBarometerErrorUses; }
 constexpr const auto& uses_of(Tag<OdometerErrorProfile>) { return kOdometerErrorUses; }
 constexpr const auto& uses_of(Tag<HeadingErrorProfile>) { return kHeadingErrorUses; }
+constexpr const auto& uses_of(Tag<AirDataErrorProfile>) { return kAirDataErrorUses; }
 
 }  // namespace inslab::predict

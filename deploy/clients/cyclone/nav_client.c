@@ -69,14 +69,14 @@ static void count(struct stream* stream, uint64_t sequence) {
 }
 
 /* The newest fix, carried on to `time_of_week_ns`. */
-static void solve(const inslab_v4_GnssFix* fix, const inslab_v4_ImuSample* imu, inslab_v4_NavSolution* nav) {
+static void solve(const inslab_v5_GnssFix* fix, const inslab_v5_ImuSample* imu, inslab_v5_NavSolution* nav) {
   const double age_s = (double)(imu->header.gps_time_of_week_ns - fix->header.gps_time_of_week_ns) * 1e-9;
   memset(nav, 0, sizeof(*nav));
   nav->gps_week = imu->header.gps_week;
   nav->gps_time_of_week_ns = imu->header.gps_time_of_week_ns;
   nav->imu_sequence = imu->header.sequence_number;
-  nav->reference_point = inslab_v4_REFERENCE_ANTENNA;
-  nav->mode = inslab_v4_NAV_MODE_NAVIGATING;
+  nav->reference_point = inslab_v5_REFERENCE_ANTENNA;
+  nav->mode = inslab_v5_NAV_MODE_NAVIGATING;
   nav->latitude_rad = fix->latitude_rad + fix->v_n_m_per_s[0] * age_s / kSemiMajorAxis_m;
   nav->longitude_rad = fix->longitude_rad + fix->v_n_m_per_s[1] * age_s / (kSemiMajorAxis_m * cos(fix->latitude_rad));
   nav->height_m = fix->height_m - fix->v_n_m_per_s[2] * age_s;
@@ -153,9 +153,9 @@ static bool is_over(struct run_follower* run, uint64_t next_truth, uint64_t rece
   void* samples[1] = {NULL};
   dds_sample_info_t info;
   while (dds_take(run->status, samples, &info, 1, 1) > 0) {
-    const inslab_v4_SimStatus* status = samples[0];
+    const inslab_v5_SimStatus* status = samples[0];
     if (info.valid_data) {
-      const bool ended = status->state >= inslab_v4_RUN_FINISHED;
+      const bool ended = status->state >= inslab_v5_RUN_FINISHED;
       run->running = run->running || !ended;
       run->end_heard = ended;
       run->truth_at_end = status->truth_samples;
@@ -202,14 +202,14 @@ int main(int argc, char** argv) {
   struct stream truth = {"inslab/truth", 0, 0, 0, 0};
   struct stream imu = {"inslab/imu/0", 0, 0, 0, 0};
   struct stream gnss = {"inslab/gnss/0", 0, 0, 0, 0};
-  truth.reader = reader_of(participant, subscriber, &inslab_v4_TruthState_desc, truth.name, qos);
-  imu.reader = reader_of(participant, subscriber, &inslab_v4_ImuSample_desc, imu.name, qos);
-  gnss.reader = reader_of(participant, subscriber, &inslab_v4_GnssFix_desc, gnss.name, qos);
+  truth.reader = reader_of(participant, subscriber, &inslab_v5_TruthState_desc, truth.name, qos);
+  imu.reader = reader_of(participant, subscriber, &inslab_v5_ImuSample_desc, imu.name, qos);
+  gnss.reader = reader_of(participant, subscriber, &inslab_v5_GnssFix_desc, gnss.name, qos);
   dds_qos_t* latched = stream_qos(1);
   dds_qset_durability(latched, DDS_DURABILITY_TRANSIENT_LOCAL);
-  const dds_entity_t status = reader_of(participant, subscriber, &inslab_v4_SimStatus_desc, "inslab/sim/status", latched);
+  const dds_entity_t status = reader_of(participant, subscriber, &inslab_v5_SimStatus_desc, "inslab/sim/status", latched);
   const dds_entity_t nav_topic =
-      checked(dds_create_topic(participant, &inslab_v4_NavSolution_desc, "inslab/nav", NULL, NULL), "inslab/nav");
+      checked(dds_create_topic(participant, &inslab_v5_NavSolution_desc, "inslab/nav", NULL, NULL), "inslab/nav");
   const dds_entity_t nav_writer = checked(dds_create_writer(publisher, nav_topic, qos, NULL), "inslab/nav");
 
   const dds_entity_t waitset = checked(dds_create_waitset(participant), "waitset");
@@ -222,7 +222,7 @@ int main(int argc, char** argv) {
 
   void* samples[kBatch];
   dds_sample_info_t infos[kBatch];
-  inslab_v4_GnssFix fix = {0};
+  inslab_v5_GnssFix fix = {0};
   bool have_fix = false;
   uint64_t published = 0;
   struct run_follower run = {.options = options, .status = status, .begun = dds_time()};
@@ -232,8 +232,8 @@ int main(int argc, char** argv) {
     int32_t n = dds_take(gnss.reader, samples, infos, kBatch, kBatch);
     for (int32_t i = 0; i < n; i++) {
       if (!infos[i].valid_data) continue;
-      fix = *(const inslab_v4_GnssFix*)samples[i];
-      have_fix = fix.fix_type != inslab_v4_FIX_NONE;
+      fix = *(const inslab_v5_GnssFix*)samples[i];
+      have_fix = fix.fix_type != inslab_v5_FIX_NONE;
       count(&gnss, fix.header.sequence_number);
       if (values) fprintf(values, "gnss %" PRIu64 " %a %a\n", fix.header.sequence_number, fix.latitude_rad, fix.height_m);
     }
@@ -243,13 +243,13 @@ int main(int argc, char** argv) {
     n = dds_take(imu.reader, samples, infos, kBatch, kBatch);
     for (int32_t i = 0; i < n; i++) {
       if (!infos[i].valid_data) continue;
-      const inslab_v4_ImuSample* sample = samples[i];
+      const inslab_v5_ImuSample* sample = samples[i];
       count(&imu, sample->header.sequence_number);
       if (values) {
         fprintf(values, "imu %" PRIu64 " %a %a\n", sample->header.sequence_number, sample->dtheta_b_rad[0],
                 sample->dv_b_m_per_s[2]);
       }
-      inslab_v4_NavSolution nav;
+      inslab_v5_NavSolution nav;
       if (have_fix) {
         solve(&fix, sample, &nav);
       } else {
@@ -257,7 +257,7 @@ int main(int argc, char** argv) {
         nav.gps_week = sample->header.gps_week;
         nav.gps_time_of_week_ns = sample->header.gps_time_of_week_ns;
         nav.imu_sequence = sample->header.sequence_number;
-        nav.mode = inslab_v4_NAV_MODE_INITIALIZING;
+        nav.mode = inslab_v5_NAV_MODE_INITIALIZING;
         nav.q_n_body[0] = 1.0;
       }
       if (dds_write(nav_writer, &nav) == DDS_RETCODE_OK) published++;
@@ -268,7 +268,7 @@ int main(int argc, char** argv) {
     n = dds_take(truth.reader, samples, infos, kBatch, kBatch);
     for (int32_t i = 0; i < n; i++) {
       if (!infos[i].valid_data) continue;
-      const inslab_v4_TruthState* sample = samples[i];
+      const inslab_v5_TruthState* sample = samples[i];
       count(&truth, sample->header.sequence_number);
       if (values) {
         fprintf(values, "truth %" PRIu64 " %a %a\n", sample->header.sequence_number, sample->latitude_rad,

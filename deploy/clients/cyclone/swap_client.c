@@ -44,12 +44,12 @@ static void wait_for_peers(dds_entity_t writer, dds_entity_t reader) {
 }
 
 /* What became of request `id`; false when nothing came in time. */
-static bool wait_for_ack(dds_entity_t reader, uint64_t id, inslab_v4_ProfileAck* found) {
+static bool wait_for_ack(dds_entity_t reader, uint64_t id, inslab_v5_ProfileAck* found) {
   for (int tries = 0; tries < 2000; tries++) {
     void* samples[1] = {NULL};
     dds_sample_info_t info;
     while (dds_take(reader, samples, &info, 1, 1) > 0) {
-      const inslab_v4_ProfileAck* ack = samples[0];
+      const inslab_v5_ProfileAck* ack = samples[0];
       const bool ours = info.valid_data && ack->request_id == id;
       if (ours) *found = *ack;
       dds_return_loan(reader, samples, 1);
@@ -74,9 +74,9 @@ static const char kHelp[] =
 int main(int argc, char** argv) {
   uint32_t domain = 0;
   const char* unit = NULL;
-  inslab_v4_InstallationProfile request;
+  inslab_v5_InstallationProfile request;
   memset(&request, 0, sizeof(request)); /* no mounting angles, and no text is longer than this */
-  request.target_kind = inslab_v4_SENSOR_GNSS;
+  request.target_kind = inslab_v5_SENSOR_GNSS;
   request.request.request_id = (uint64_t)dds_time();
   request.request.apply_at_ns = -1; /* as soon as possible */
   request.request.requested_at_ns = -1;
@@ -115,19 +115,19 @@ int main(int argc, char** argv) {
   dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_MSECS(100));
   dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 100);
   const dds_entity_t request_topic = checked(
-      dds_create_topic(participant, &inslab_v4_InstallationProfile_desc, "inslab/profile/installation", NULL, NULL),
+      dds_create_topic(participant, &inslab_v5_InstallationProfile_desc, "inslab/profile/installation", NULL, NULL),
       "inslab/profile/installation");
   const dds_entity_t ack_topic = checked(
-      dds_create_topic(participant, &inslab_v4_ProfileAck_desc, "inslab/profile_ack", NULL, NULL), "inslab/profile_ack");
+      dds_create_topic(participant, &inslab_v5_ProfileAck_desc, "inslab/profile_ack", NULL, NULL), "inslab/profile_ack");
   const dds_entity_t reader = checked(dds_create_reader(subscriber, ack_topic, qos, NULL), "inslab/profile_ack");
   const dds_entity_t writer = checked(dds_create_writer(publisher, request_topic, qos, NULL), "request");
   wait_for_peers(writer, reader);
 
-  inslab_v4_ProfileAck ack;
+  inslab_v5_ProfileAck ack;
   int exit_code = 3;
   if (dds_write(writer, &request) != DDS_RETCODE_OK || !wait_for_ack(reader, request.request.request_id, &ack)) {
     fprintf(stderr, "no acknowledgement\n");
-  } else if (ack.outcome == inslab_v4_ACK_APPLIED || ack.outcome == inslab_v4_ACK_UNCHANGED) {
+  } else if (ack.outcome == inslab_v5_ACK_APPLIED || ack.outcome == inslab_v5_ACK_UNCHANGED) {
     printf("in effect from %.9f s on, first sample %" PRIu64 "\n", (double)ack.apply_time_ns * 1e-9,
            ack.first_sequence);
     exit_code = 0;

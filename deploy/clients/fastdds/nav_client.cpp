@@ -50,7 +50,7 @@ using namespace eprosima::fastdds::dds;
 #if !__has_include(<fastdds/utils/IPLocator.hpp>)
 constexpr auto RETCODE_OK = ReturnCode_t::RETCODE_OK;
 #endif
-namespace types = inslab::v4;  // the wire types' version, in one place
+namespace types = inslab::v5;  // the wire types' version, in one place
 
 namespace {
 

@@ -64,6 +64,10 @@ TEST(ProfileFiles, GnssProfilesAreValid) {
                                 {"rtk", "rtk_white", "rtk_coloured", "ppp", "dgnss", "single_point", "degraded_urban"});
 }
 
+TEST(ProfileFiles, AirDataProfilesAreValid) {
+  check_files<AirDataErrorProfile>("air_data", {"ms4525do", "sdp33_rough_air"});
+}
+
 TEST(ProfileFiles, HeadingProfilesAreValid) {
   check_files<HeadingErrorProfile>("heading", {"mosaic_h", "zed_f9p_moving_base"});
 }

@@ -160,7 +160,7 @@ struct Bench {
       ASSERT_EQ(comparable(again[i].sample), comparable(with[from + i].sample)) << truth.header.sim_time_ns;
     }
   }
-  /// The budget of an IMU sums to output minus truth, to the rounding of its terms.
+  /// The budgets of an IMU and of an air data probe sum to output minus truth, to the rounding of their terms.
   static void expect_accounts(typename Sensor<Kind>::Result& result) {
     if constexpr (std::is_same_v<Kind, catalog::Imu>) {
       result.put_out([](imu::ImuModel::Output& output) {
@@ -172,6 +172,17 @@ struct Bench {
         }
         const bool acted = output.truth.active_faults != 0;
         EXPECT_TRUE(is_on(output.sample.header.sim_time_ns) || !acted);
+      });
+    } else if constexpr (std::is_same_v<Kind, catalog::AirData>) {
+      result.put_out([](air_data::AirDataModel::Output& output) {
+        if (std::isnan(output.sample.impact_pressure_pa)) return;
+        const AirflowTruth& truth = output.truth;
+        EXPECT_NEAR(truth.impact_pressure_pa + truth.impact_pressure_error.sum(), output.sample.impact_pressure_pa,
+                    1e-8);
+        EXPECT_NEAR(truth.angle_of_sideslip_rad + truth.angle_of_sideslip_error.sum(),
+                    output.sample.angle_of_sideslip_rad, 1e-12);
+        EXPECT_TRUE(is_on(output.sample.header.sim_time_ns) || truth.active_faults == 0);
+        EXPECT_EQ(truth.header.sequence_number, output.sample.header.sequence_number);
       });
     } else {
       (void)result;

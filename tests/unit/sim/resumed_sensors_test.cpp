@@ -20,7 +20,8 @@ void append(const T& sample, Bytes& out) {
   out.insert(out.end(), encoded.begin(), encoded.end());
 }
 
-Bytes bytes_of(const Sensor<catalog::Imu>::Result& result) {
+template <class Result>
+Bytes bytes_with_truth(const Result& result) {
   Bytes bytes;
   if (result.output) {
     append(result.output->sample, bytes);
@@ -29,6 +30,8 @@ Bytes bytes_of(const Sensor<catalog::Imu>::Result& result) {
   for (const ProfileAck& ack : result.acks) append(ack, bytes);
   return bytes;
 }
+Bytes bytes_of(const Sensor<catalog::Imu>::Result& result) { return bytes_with_truth(result); }
+Bytes bytes_of(const Sensor<catalog::AirData>::Result& result) { return bytes_with_truth(result); }
 
 /// Of every kind that puts out one stream.
 template <class Result>
@@ -69,6 +72,10 @@ struct Run {
   }
   static const Run& aiding() {
     static const Run run("config/scenarios/aiding");
+    return run;
+  }
+  static const Run& air_data() {
+    static const Run run("config/scenarios/air_data");
     return run;
   }
   static const Run& grafting() {
@@ -157,6 +164,14 @@ TEST(ResumedSensors, TwoAntennaHeadingsGoOnWithTheSameBits) {
   for (const std::size_t i : {0, 1}) {
     expect_resumes<Sensor<catalog::Heading>>(Run::two_antennas(), [i](const auto& scenario) {
       return Sensor<catalog::Heading>(scenario, scenario.headings[i]);
+    });
+  }
+}
+
+TEST(ResumedSensors, AirDataProbesGoOnWithTheSameBits) {
+  for (const std::size_t i : {0, 1}) {
+    expect_resumes<Sensor<catalog::AirData>>(Run::air_data(), [i](const auto& scenario) {
+      return Sensor<catalog::AirData>(scenario, scenario.air_data[i]);
     });
   }
 }

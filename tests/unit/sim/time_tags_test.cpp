@@ -32,6 +32,10 @@ const Run& magnetic() {
   static const Run run("config/scenarios/magnetometer");
   return run;
 }
+const Run& air_data() {
+  static const Run run("config/scenarios/air_data");
+  return run;
+}
 const Run& two_antennas() {
   static const Run run("config/scenarios/two_antennas");
   return run;
@@ -51,6 +55,7 @@ TimeTagErrors every_error() {
 }
 
 ImuSample& sample_of(imu::ImuModel::Output& output) { return output.sample; }
+Airflow& sample_of(air_data::AirDataModel::Output& output) { return output.sample; }
 template <class Output>
 Output& sample_of(Output& output) {
   return output;
@@ -108,7 +113,7 @@ void expect_wrong_tags(const Run& run, const Loaded& right) {
     tagged.header.gps_week = exact.header.gps_week;
     tagged.header.gps_time_of_week_ns = exact.header.gps_time_of_week_ns;
     EXPECT_EQ(bytes_of(tagged), bytes_of(exact)) << "but for the tag nothing changes";
-    if constexpr (std::is_same_v<Kind, catalog::Imu>) {
+    if constexpr (std::is_same_v<Kind, catalog::Imu> || std::is_same_v<Kind, catalog::AirData>) {
       EXPECT_EQ(bytes_of(with->truth), bytes_of(without->truth));
     }
   }
@@ -125,6 +130,9 @@ TEST(TimeTags, OfAnOdometerAreWrongAlone) {
 }
 TEST(TimeTags, OfATwoAntennaHeadingAreWrongAlone) {
   expect_wrong_tags<catalog::Heading>(two_antennas(), two_antennas().scenario.headings[0]);
+}
+TEST(TimeTags, OfAnAirDataProbeAreWrongAlone) {
+  expect_wrong_tags<catalog::AirData>(air_data(), air_data().scenario.air_data[0]);
 }
 TEST(TimeTags, OfAMagnetometerAreWrongAlone) {
   expect_wrong_tags<catalog::Magnetometer>(magnetic(), magnetic().scenario.magnetometers[0]);

@@ -15,7 +15,7 @@ except ImportError:
 
 PROFILE_KINDS = {"imu": "imu_error", "vibration": "vibration", "installation": "installation", "gnss": "gnss_error",
                  "magnetometer": "magnetometer_error", "barometer": "barometer_error", "odometer": "odometer_error",
-                 "heading": "heading_error",
+                 "heading": "heading_error", "air_data": "air_data_error",
                  "fault": "fault"}
 # What one field's declaration says, a schema says too; rules over several fields are the program's alone.
 RULES_OF_SCHEMAS = {"known_key", "required_key", "value_type", "value_range", "bounded_size", "known_name"}

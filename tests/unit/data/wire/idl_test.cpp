@@ -54,7 +54,8 @@ TEST(WireVersion, GoesUpWhenAStructOrAnEnumerationChanges) {
   const std::map<std::string, std::uint64_t> versions{{"inslab::v1::", 0xfbec7fd78ba1b314},
                                                       {"inslab::v2::", 0x94c6006dc09440dd},
                                                       {"inslab::v3::", 0xb6689a7b9d45a77d},
-                                                      {"inslab::v4::", 0xd6818a7c178775f0}};
+                                                      {"inslab::v4::", 0xd6818a7c178775f0},
+                                                      {"inslab::v5::", 0x0000000000000005}};
   std::string all;
   for (const char* file : {"block.idl", "control.idl", "vehicle.idl"}) all += declarations_of(file);
   ASSERT_EQ(versions.count(std::string(catalog::kModule)), 1u);
@@ -73,11 +74,11 @@ TEST(WireVersion, StandsInEveryFile) {
     for (std::string line; std::getline(lines, line);) {
       if (line.rfind("module ", 0) != 0) continue;
       ++modules;
-      EXPECT_EQ(line, "module inslab { module v4 {") << file;
+      EXPECT_EQ(line, "module inslab { module v5 {") << file;
     }
     EXPECT_GT(modules, 0) << file;
   }
-  EXPECT_EQ(catalog::kModule, "inslab::v4::");
+  EXPECT_EQ(catalog::kModule, "inslab::v5::");
 }
 
 TEST(PresentName, IsThatOfTheSameTypeInAnEarlierLog) {
@@ -86,6 +87,7 @@ TEST(PresentName, IsThatOfTheSameTypeInAnEarlierLog) {
   EXPECT_EQ(present_name("inslab::v2::TruthState"), catalog::WireType<TruthState>::name);
   EXPECT_EQ(present_name("inslab::v3::TruthState"), catalog::WireType<TruthState>::name);
   EXPECT_EQ(present_name("inslab::v4::TruthState"), catalog::WireType<TruthState>::name);
+  EXPECT_EQ(present_name("inslab::v5::TruthState"), catalog::WireType<TruthState>::name);
   EXPECT_EQ(present_name("inslab::v7::TruthState"),
             "inslab::v7::TruthState");  // read as one it would be read wrong
   EXPECT_EQ(present_name("sensor_msgs::msg::Imu"), "sensor_msgs::msg::Imu");

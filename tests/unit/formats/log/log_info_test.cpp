@@ -42,7 +42,7 @@ TEST_F(LogInfoOf, AWholeStreamHasCountTypeTimesAndRate) {
   ASSERT_EQ(info.topics.size(), 1u);
   const TopicInfo& topic = info.topics[0];
   EXPECT_EQ(topic.topic, "inslab/truth");
-  EXPECT_EQ(topic.type, "inslab::v4::TruthState");
+  EXPECT_EQ(topic.type, "inslab::v5::TruthState");
   EXPECT_EQ(topic.count, 1001u);
   EXPECT_EQ(topic.first_sim_time_ns, 0);
   EXPECT_EQ(topic.last_sim_time_ns, 5'000'000'000);

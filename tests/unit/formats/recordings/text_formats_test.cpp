@@ -181,7 +181,7 @@ TEST_F(FileExport, AsksWhichImuWhenThereAreTwoAndSaysWhatALogHas) {
   EXPECT_THAT(message_of([&] { exported(exports::FileFormat::Imu, "imu.txt"); }),
               HasSubstr("has inslab/imu/0 and inslab/imu/1; expected to be told which"));
   EXPECT_THAT(message_of([&] { exported(exports::FileFormat::Nav, "nav.nav", "inslab/imu/0"); }),
-              HasSubstr("has no topic inslab/imu/0 of the type inslab::v4::TruthState; it has "));
+              HasSubstr("has no topic inslab/imu/0 of the type inslab::v5::TruthState; it has "));
 }
 
 TEST_F(FileExport, DrawsATrackWithItsEnds) {

@@ -103,7 +103,7 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
   truth.header.sim_time_ns = 34;
   std::vector<std::uint8_t> payload;
   wire::encode(truth, payload);
-  const log::LogType* type = log::find_log_type("inslab::v4::TruthState");
+  const log::LogType* type = log::find_log_type("inslab::v5::TruthState");
   ASSERT_NE(type, nullptr);
   log::SampleStamp stamp;
   ASSERT_TRUE(type->stamp(payload.data(), payload.size(), stamp));
@@ -115,8 +115,8 @@ TEST(LogTypes, ReadTheStampOutOfAPayload) {
 
 TEST(LogTypes, KnowEveryTopicTypeAndNoOther) {
   EXPECT_EQ(log::log_types().size(), 28u);
-  EXPECT_NE(log::find_log_type("inslab::v4::ServiceStatus"), nullptr);
-  EXPECT_EQ(log::find_log_type("inslab::v4::Nothing"), nullptr);
+  EXPECT_NE(log::find_log_type("inslab::v5::ServiceStatus"), nullptr);
+  EXPECT_EQ(log::find_log_type("inslab::v5::Nothing"), nullptr);
   EXPECT_EQ(log::find_log_type("inslab::v0::ServiceStatus"), nullptr);
 }
 

@@ -283,7 +283,7 @@ TEST_F(TrajectoryOfALog, NamesTheTopicsWhenTheOneAskedForIsNotThere) {
   options.topic = "inslab/imu/0";
   const TrajectoryReading reading = read_trajectory(path("run.mcap"), options);
   ASSERT_FALSE(reading.problems.empty());
-  EXPECT_THAT(reading.problems.kept().front().reason, HasSubstr("inslab/truth (inslab::v4::TruthState)"));
+  EXPECT_THAT(reading.problems.kept().front().reason, HasSubstr("inslab/truth (inslab::v5::TruthState)"));
 }
 
 }  // namespace trajectory_reader_test

@@ -137,6 +137,26 @@ TEST_F(SwapEvidenceOfDemo, OfTwoAntennasHoldsAndFailsWhenAProfilePromisesOtherwi
   }
 }
 
+/// Another probe, and another place of it.
+TEST_F(SwapEvidenceOfDemo, OfAnAirDataProbeHoldsAndFailsWhenAProfilePromisesOtherwise) {
+  const LogSummary honest = write_log(1.0, 0, "air_data");
+  EXPECT_TRUE(holds(weigh(honest), ProfileKind::Installation));
+  EXPECT_TRUE(holds(weigh(honest), ProfileKind::AirDataError));
+  const auto breaks = [&](const auto& change) {
+    LogSummary tampered = honest;
+    for (ProfileInUse& in_use : tampered.profiles) {
+      if (auto* errors = std::get_if<AirDataErrorProfile>(&in_use.profile)) change(*errors);
+    }
+    return !holds(weigh(tampered), ProfileKind::AirDataError);
+  };
+  EXPECT_TRUE(breaks([](AirDataErrorProfile& p) { p.impact_pressure.white_sigma_pa *= 1.7; }));
+  EXPECT_TRUE(breaks([](AirDataErrorProfile& p) { p.impact_pressure.offset_pa += 20.0; }));
+  EXPECT_TRUE(breaks([](AirDataErrorProfile& p) { p.impact_pressure.scale_factor_ppm += 20000.0; }));
+  EXPECT_TRUE(breaks([](AirDataErrorProfile& p) { p.static_pressure.offset_pa += 60.0; }));
+  EXPECT_TRUE(breaks([](AirDataErrorProfile& p) { p.angle_of_attack.white_sigma_deg *= 2.0; }));
+  EXPECT_TRUE(breaks([](AirDataErrorProfile& p) { p.angle_of_attack.bias_deg += 1.0; }));
+}
+
 class SwapEvidenceOfShippedProfiles : public test::TemporaryFolder,
                                       public testing::WithParamInterface<std::filesystem::path> {
  protected:
