@@ -36,12 +36,14 @@ inline std::vector<ServiceKey> required_services(const LoadedScenario& scenario)
   return services;
 }
 
-/// Our consumers of a stream of sensor `number`: the logger, and the reference navigation app where it navigates by it.
-template <class Kind>
-std::vector<ServiceKey> stream_consumers(const Scenario& scenario, catalog::Audience audience, std::uint32_t number) {
+/// Our consumers of a stream of sensor `number`: the logger, and the reference navigation app where it navigates by it,
+/// which is by the first stream of a kind.
+template <class Sample>
+std::vector<ServiceKey> stream_consumers(const Scenario& scenario, std::uint32_t number) {
+  using Kind = catalog::SourceOf<Sample>;
   std::vector<ServiceKey> services{{catalog::kTruthLogger, 0u}};
   const auto& app = scenario.reference_nav;
-  if (audience == catalog::Audience::App && app && is_of_the_app<Kind>(*app, number)) {
+  if (std::is_same_v<Sample, catalog::FirstSampleOf<Kind>> && app && is_of_the_app<Kind>(*app, number)) {
     services.emplace_back(catalog::kReferenceNav, 0u);
   }
   return services;

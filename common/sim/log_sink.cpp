@@ -67,6 +67,9 @@ void LogSink::imu(std::size_t index, const ImuSample& sample, const ImuTruth& tr
 }
 
 void LogSink::gnss(std::size_t index, const GnssFix& fix) { write_streams(index, fix); }
+void LogSink::pulse(std::size_t index, const PulsePerSecond& sample, const PulseTruth& truth) {
+  write_streams(index, sample, truth);
+}
 void LogSink::magnetometer(std::size_t index, const MagneticField& sample) { write_streams(index, sample); }
 void LogSink::barometer(std::size_t index, const AirPressure& sample) { write_streams(index, sample); }
 void LogSink::odometer(std::size_t index, const WheelTravel& sample) { write_streams(index, sample); }

@@ -20,6 +20,7 @@ class LogSink : public RunSink {
   void truth(const TruthState& truth) override;
   void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) override;
   void gnss(std::size_t index, const GnssFix& fix) override;
+  void pulse(std::size_t index, const PulsePerSecond& sample, const PulseTruth& truth) override;
   void magnetometer(std::size_t index, const MagneticField& sample) override;
   void barometer(std::size_t index, const AirPressure& sample) override;
   void odometer(std::size_t index, const WheelTravel& sample) override;

@@ -61,7 +61,8 @@ void OfflineRun::process(const TruthState& truth) {
     result.put_out([&](auto& output) {
       using Wiring = SensorModel<Kind>;
       Wiring::hand(sink_, i, output);
-      if constexpr (scenario::is_navigated_by<Kind>) {
+      constexpr bool is_beside = std::is_same_v<std::decay_t<decltype(output)>, Beside<Kind>>;
+      if constexpr (scenario::is_navigated_by<Kind> && !is_beside) {
         const auto& sample = std::get<0>(Wiring::samples(output));
         if (navigator_ && scenario::is_of_the_app<Kind>(*app_, sample.sensor_number)) navigator_->add(sample);
       }

@@ -10,6 +10,7 @@
 #include "inslab/data/samples/imu_truth.hpp"
 #include "inslab/data/samples/magnetic_field.hpp"
 #include "inslab/data/samples/nav_solution.hpp"
+#include "inslab/data/samples/pulse_per_second.hpp"
 #include "inslab/data/samples/truth_state.hpp"
 #include "inslab/data/samples/vehicle_state.hpp"
 #include "inslab/data/samples/wheel_travel.hpp"
@@ -25,6 +26,7 @@ class RunSink {
   virtual void truth(const TruthState& truth) = 0;
   virtual void imu(std::size_t index, const ImuSample& sample, const ImuTruth& truth) = 0;
   virtual void gnss(std::size_t index, const GnssFix& fix) = 0;
+  virtual void pulse(std::size_t, const PulsePerSecond&, const PulseTruth&) {}
   virtual void magnetometer(std::size_t, const MagneticField&) {}
   virtual void barometer(std::size_t, const AirPressure&) {}
   virtual void odometer(std::size_t, const WheelTravel&) {}

@@ -21,8 +21,32 @@ namespace inslab::sim {
 ///   static std::optional<Output> process(model, truth)
 ///   static auto samples(output)                          references to the samples, in the order of the kind's streams
 ///   static void hand(sink, index, output)                to who takes what an offline run puts out
+///
+/// and, of a kind that has samples at times of their own, as a receiver has pulses:
+///
+///   using Beside                                         one of them, with the samples of its streams
+///   static std::optional<Beside> beside(model, truth)    asked for before process()
+///   samples(beside), hand(sink, index, beside)           as of an output
 template <class Kind>
 struct SensorModel;
+
+namespace detail {
+struct NothingBeside {};
+template <class Wiring, class = void>
+struct BesideOf {
+  using type = NothingBeside;
+};
+template <class Wiring>
+struct BesideOf<Wiring, std::void_t<typename Wiring::Beside>> {
+  using type = typename Wiring::Beside;
+};
+}  // namespace detail
+
+/// What a kind of sensor has at times of its own, and whether it has such.
+template <class Kind>
+using Beside = typename detail::BesideOf<SensorModel<Kind>>::type;
+template <class Kind>
+inline constexpr bool has_beside = !std::is_same_v<Beside<Kind>, detail::NothingBeside>;
 
 /// One sensor that obeys the journal: truth and journal entries in, samples and acknowledgements out. Knows no bus and
 /// no clock; the live service and the one-process runner drive the same class.
@@ -33,6 +57,7 @@ class Sensor {
   using Output = typename Wiring::Output;
   struct Result {
     std::vector<Output> late;  ///< of samples before this one, that were held back and come now: before `output`
+    std::optional<sim::Beside<Kind>> beside;  ///< before `output`
     std::optional<Output> output;
     std::vector<ProfileAck> acks;  ///< an outage keeps them back until the first sample after it
 
@@ -40,6 +65,9 @@ class Sensor {
     template <class Use>
     void put_out(const Use& use) {
       for (Output& each : late) use(each);
+      if constexpr (has_beside<Kind>) {
+        if (beside) use(*beside);
+      }
       if (output) use(*output);
     }
   };
@@ -57,6 +85,7 @@ class Sensor {
   Result process(const TruthState& truth) {
     Result result;
     if (Wiring::takes_profiles_at(rate_, truth)) apply(desk_.take_due(truth.header.sim_time_ns));
+    if constexpr (has_beside<Kind>) result.beside = beside(truth);
     result.output = Wiring::process(model_, truth);
     if (result.output && !passes_faults(*result.output, truth.header.run_id)) result.output.reset();
     if (result.output) result.acks = desk_.acknowledge(std::get<0>(Wiring::samples(*result.output)).header);
@@ -71,7 +100,7 @@ class Sensor {
   /// What it needs to go on from here (data/state/state_stream.hpp).
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
-    visit(self.model_, self.faults_, self.held_back_, self.desk_);
+    visit(self.model_, self.faults_, self.held_back_, self.desk_, self.put_out_beside_);
   }
 
  private:
@@ -79,6 +108,18 @@ class Sensor {
     std::vector<catalog::AnyProfile> profiles;
     for_each_profile(Tag<Kind>{}, sensor, [&profiles](const auto& profile) { profiles.emplace_back(profile); });
     return profiles;
+  }
+  /// Numbered from 0 without gaps; none while a fault silences the sensor.
+  std::optional<sim::Beside<Kind>> beside(const TruthState& truth) {
+    std::optional<sim::Beside<Kind>> beside = Wiring::beside(model_, truth);
+    if (!beside || faults_.silence(truth.header.sim_time_ns)) return std::nullopt;
+    for_each_of(Wiring::samples(*beside), [&](auto& sample) {
+      sample.header.run_id = truth.header.run_id;
+      sample.header.sequence_number = put_out_beside_;
+      sample.header.publish_realtime_ns = sample.header.publish_monotonic_ns = 0;
+    });
+    ++put_out_beside_;
+    return beside;
   }
   /// False when it is left out.
   bool passes_faults(Output& output, const RunId& run) {
@@ -106,6 +147,7 @@ class Sensor {
   faults::SampleFaults<catalog::FirstSampleOf<Kind>> faults_;
   HeldBack<Wiring> held_back_;
   ProfileDesk desk_;
+  std::uint64_t put_out_beside_ = 0;
 };
 
 }  // namespace inslab::sim

@@ -83,11 +83,11 @@ class SensorOutputs {
     using Stream = service::StreamOutput<Sample>;
     const catalog::Audience audience = catalog::kStream<Sample>.audience;
     const double rate_hz = sensor.rate.hz();
-    return std::make_unique<Stream>(context, dds::topics::stream<Sample>(sensor.number, rate_hz),
-                                    typename Stream::Settings{scenario::stream_consumers<Kind>(
-                                                                  context.scenario().scenario, audience, sensor.number),
-                                                              paced_by_nav_app && audience == catalog::Audience::App,
-                                                              Stream::kWindowSamples, Stream::half_a_minute(rate_hz)});
+    return std::make_unique<Stream>(
+        context, dds::topics::stream<Sample>(sensor.number, rate_hz),
+        typename Stream::Settings{scenario::stream_consumers<Sample>(context.scenario().scenario, sensor.number),
+                                  paced_by_nav_app && audience == catalog::Audience::App, Stream::kWindowSamples,
+                                  Stream::half_a_minute(rate_hz)});
   }
 
   Outputs outputs_;

@@ -170,15 +170,12 @@ TEST_F(TopicTable, LetsTheLoggerAndTheOperatorReadEverything) {
 }
 
 TEST_F(TopicTable, KeepsTheTruthFromTheAppUnderTest) {
-  const std::set<std::string> for_the_app{"inslab/imu/3",          "inslab/block/imu/3",
-                                          "inslab/gnss/3",         "inslab/block/gnss/3",
-                                          "inslab/magnetometer/3", "inslab/block/magnetometer/3",
-                                          "inslab/barometer/3",    "inslab/block/barometer/3",
-                                          "inslab/odometer/3",     "inslab/block/odometer/3",
-                                          "inslab/heading/3",      "inslab/block/heading/3",
-                                          "inslab/air_data/3",     "inslab/block/air_data/3",
-                                          "inslab/installation",   "inslab/sim/status",
-                                          "inslab/service_status", "inslab/credit"};
+  const std::set<std::string> for_the_app{
+      "inslab/imu/3",        "inslab/block/imu/3",       "inslab/gnss/3",         "inslab/block/gnss/3",
+      "inslab/gnss_pps/3",   "inslab/block/gnss_pps/3",  "inslab/magnetometer/3", "inslab/block/magnetometer/3",
+      "inslab/barometer/3",  "inslab/block/barometer/3", "inslab/odometer/3",     "inslab/block/odometer/3",
+      "inslab/heading/3",    "inslab/block/heading/3",   "inslab/air_data/3",     "inslab/block/air_data/3",
+      "inslab/installation", "inslab/sim/status",        "inslab/service_status", "inslab/credit"};
   for (const Row& row : table()) {
     EXPECT_EQ(roles_.at("nav-app").may_read(row.name), for_the_app.count(row.name) == 1) << row.name;
   }

@@ -131,6 +131,19 @@ TEST(LiveRun, WithAirDataProbesGivesTheBitsOfTheOfflineRun) {
   expect_same_bits<AirflowTruth>(folder / "live.mcap", offline_log, "inslab/air_data_truth/1", 1000);
 }
 
+TEST(LiveRun, WithPulsesPerSecondGivesTheBitsOfTheOfflineRun) {
+  const TestFolder folder;
+  const std::string scenario = source("config/scenarios/pulses.json");
+  Process live("inslab",
+               {"run", scenario, "--log", folder / "live.mcap", "--domain", own_domain(), "--clock", "lockstep"});
+  Process offline("inslab", {"simulate", scenario, "-o", folder / "offline"});
+  ASSERT_EQ(live.wait(seconds(80)), 0) << live.output();
+  ASSERT_EQ(offline.wait(seconds(60)), 0) << offline.output();
+  const std::string offline_log = folder / "offline/pulses.mcap";
+  expect_same_bits<PulsePerSecond>(folder / "live.mcap", offline_log, "inslab/gnss_pps/0", 23);
+  expect_same_bits<PulseTruth>(folder / "live.mcap", offline_log, "inslab/gnss_pps_truth/0", 23);
+}
+
 TEST(LiveRun, SummaryNamesStreamsSwapsAndLog) {
   const TestFolder folder;
   Process live("inslab",

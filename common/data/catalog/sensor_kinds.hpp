@@ -13,6 +13,7 @@
 #include "inslab/data/samples/imu_sample.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
 #include "inslab/data/samples/magnetic_field.hpp"
+#include "inslab/data/samples/pulse_per_second.hpp"
 #include "inslab/data/samples/wheel_travel.hpp"
 
 /// The kinds of sensor that there are. What is done for every kind is made for each of SensorKinds: topics, log
@@ -58,7 +59,9 @@ struct Gnss {
   static constexpr const char* service = "inslab-gnss-emulator";
   static constexpr const char* service_title = "GNSS emulator";
   static constexpr const char* purpose = "Turns the truth into what one GNSS receiver reports";
-  static constexpr std::tuple streams{Stream<GnssFix>{"gnss", Audience::App, 10.0}};
+  static constexpr std::tuple streams{Stream<GnssFix>{"gnss", Audience::App, 10.0},
+                                      Stream<PulsePerSecond>{"gnss_pps", Audience::App, 1.0},
+                                      Stream<PulseTruth>{"gnss_pps_truth", Audience::Referee, 1.0}};
   using Profiles = Types<GnssErrorProfile, InstallationProfile, FaultProfile>;
   static constexpr bool has_axes = false;
   static constexpr bool sets_the_pace = false;

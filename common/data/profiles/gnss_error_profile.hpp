@@ -1,5 +1,6 @@
 #pragma once
 
+#include "inslab/data/profiles/pulse_errors.hpp"
 #include "inslab/data/profiles/recorded_fix_error.hpp"
 #include "inslab/data/profiles/solution_rung.hpp"
 #include "inslab/data/profiles/time_tag_errors.hpp"
@@ -89,6 +90,7 @@ struct GnssErrorProfile : SolutionErrors {
   double vdop = 1.2;
   RecordedFixError recorded_error;
   TimeTagErrors time_tag;
+  PulseErrors pps;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -110,6 +112,7 @@ struct GnssErrorProfile : SolutionErrors {
               .appended(),
           self.recorded_error);
     visit(Field("time_tag", "of the clock that tags the samples").appended(), self.time_tag);
+    visit(Field("pps", "the pulse per second").appended(), self.pps);
   }
 };
 

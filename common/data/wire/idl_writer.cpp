@@ -73,6 +73,10 @@ struct NestedName<RecordedFixError> {
   static constexpr std::string_view value = "RecordedFixError";
 };
 template <>
+struct NestedName<PulseErrors> {
+  static constexpr std::string_view value = "PulseErrors";
+};
+template <>
 struct NestedName<LinearRandomPoint> {
   static constexpr std::string_view value = "LinearRandomPoint";
 };

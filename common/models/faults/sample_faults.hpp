@@ -44,6 +44,9 @@ class SampleFaults {
   /// How much later than now samples come out at `sim_time_ns`.
   double delay_s(std::int64_t sim_time_ns) const { return are_on(sim_time_ns) ? faults_.delay_s : 0.0; }
 
+  /// Whether they let nothing out at `sim_time_ns`.
+  bool silence(std::int64_t sim_time_ns) const { return faults_.off && are_on(sim_time_ns); }
+
   /// What becomes of a sample, and beside it of the other streams of its sensor; false: it is left out.
   template <class... Beside>
   bool pass(Sample& sample, Beside&... beside) {

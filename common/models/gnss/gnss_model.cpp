@@ -49,7 +49,9 @@ GnssModel::GnssModel(const Setup& setup)
       position_burst_(stream(setup, "position_burst"), random::VectorNoise::kNed, setup.gnss_rate.period_s()),
       recording_run_{setup.seed, receiver(setup.sensor_number), setup.end, setup.recordings},
       recorded_(setup.errors.recorded_error, recording_run_),
-      clock_(setup.errors.time_tag, setup.gnss_rate.period_s(), setup.seed, receiver(setup.sensor_number)) {
+      clock_(setup.errors.time_tag, setup.gnss_rate.period_s(), setup.seed, receiver(setup.sensor_number)),
+      pulses_(stream(setup, "pps")) {
+  pulses_.use(errors_.pps);
   take_errors_of(errors_.lesser_solutions.size());
 }
 
@@ -64,6 +66,7 @@ void GnssModel::apply(const GnssErrorProfile& profile) {
     if (profile.request.continuity == Continuity::Redraw) noise->redraw(epoch_);
   }
   take_errors_of(errors_.lesser_solutions.size());
+  pulses_.use(errors_.pps);
 }
 
 void GnssModel::apply(const InstallationProfile& profile) {
@@ -111,9 +114,26 @@ Vector3 GnssModel::drift_ned_m(std::int64_t time_ns) const {
   return length_m > kLongestDriftM ? drift * (kLongestDriftM / length_m) : drift;
 }
 
+GnssRevisions GnssModel::revisions() const {
+  return {errors_.request.journal_number, installation_.request.journal_number, fault_.request.journal_number};
+}
+
+std::optional<Pulse> GnssModel::pulse(const TruthState& truth) {
+  std::optional<Pulse> pulse = pulses_.at(truth, revisions());
+  if (pulse) pulse->sample.sensor_number = pulse->truth.sensor_number = sensor_number_;
+  return pulse;
+}
+
 std::optional<GnssFix> GnssModel::observe(const TruthState& truth) {
   const std::int64_t time_ns = truth.header.sim_time_ns;
   if (time_ns <= 0 || !rate_.contains(time::Nanoseconds(time_ns))) return std::nullopt;
+  std::optional<GnssFix> fix = fix_of_epoch(truth);
+  pulses_.note_epoch(time_ns, fix.has_value());
+  return fix;
+}
+
+std::optional<GnssFix> GnssModel::fix_of_epoch(const TruthState& truth) {
+  const std::int64_t time_ns = truth.header.sim_time_ns;
   epoch_ = rate_.index(time::Nanoseconds(time_ns));
   const StreamHeader header = clock_.tagged(truth.header, epoch_);
 
@@ -157,7 +177,7 @@ std::optional<GnssFix> GnssModel::observe(const TruthState& truth) {
   fix.hdop = sky.hdop;
   fix.vdop = sky.vdop;
   fix.pdop = std::hypot(sky.hdop, sky.vdop);
-  fix.revisions = {errors_.request.journal_number, installation_.request.journal_number, fault_.request.journal_number};
+  fix.revisions = revisions();
   if (recorded) add(*recorded, antenna.position, position_noise_ned_m + position_fault_ned_m, fix);
   if (fault_.wrong_fix_type != FixType::None) fix.fix_type = fault_.wrong_fix_type;
   return fix;

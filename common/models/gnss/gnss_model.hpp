@@ -10,6 +10,7 @@
 #include "inslab/foundation/time/rate.hpp"
 #include "inslab/models/gnss/constellation.hpp"
 #include "inslab/models/gnss/outage_schedule.hpp"
+#include "inslab/models/gnss/pulse_generator.hpp"
 #include "inslab/models/gnss/recorded_fixes.hpp"
 #include "inslab/models/gnss/solution_ladder.hpp"
 #include "inslab/models/timing/sensor_clock.hpp"
@@ -24,7 +25,8 @@ namespace inslab::gnss {
 /// antenna's NED. Their draws depend on (seed, sensor number, k) alone: an outage, a swap or another kind of solution
 /// changes no other epoch's. There is no fix in an outage, with fewer than four satellites of the profile's model above
 /// its mask, on a rung of the ladder without one, and where a recording that the profile names has none. A recording's
-/// errors are added to the others, its claims to theirs, and its fix type is the fix's. Source: thesis 3.4;
+/// errors are added to the others, its claims to theirs, and its fix type is the fix's. Its pulse per second, when the
+/// profile has one, is in pulse_generator.hpp. Source: thesis 3.4;
 /// (3-47)..(3-51) to first order.
 class GnssModel {
  public:
@@ -54,6 +56,10 @@ class GnssModel {
   /// come in order, and every epoch's among them. Fixes are numbered from 0 without gaps.
   std::optional<GnssFix> observe(const TruthState& truth);
 
+  /// The pulse that has risen since the truth sample before; asked for before observe() of the same sample, each once.
+  /// Its number is left 0.
+  std::optional<Pulse> pulse(const TruthState& truth);
+
   /// What a model of the same setup needs to go on from here (data/state/state_stream.hpp).
   template <class Self, class Visitor>
   static void state(Self& self, Visitor& visit) {
@@ -63,8 +69,10 @@ class GnssModel {
       self.recorded_ = RecordedFixes(self.errors_.recorded_error, self.recording_run_);
       self.clock_.use(self.errors_.time_tag);
       self.take_fault();
+      self.pulses_.use(self.errors_.pps);
     }
-    visit(self.ladder_, self.position_noise_, self.velocity_noise_, self.clock_, self.rung_, self.epoch_, self.fixes_);
+    visit(self.ladder_, self.position_noise_, self.velocity_noise_, self.clock_, self.rung_, self.epoch_, self.fixes_,
+          self.pulses_);
     if constexpr (!std::is_const_v<Self>) self.take_errors_of(self.rung_);
   }
 
@@ -75,6 +83,8 @@ class GnssModel {
   FixType fix_type_on(std::size_t rung) const;
   void take_errors_of(std::size_t rung);
   void take_fault();
+  GnssRevisions revisions() const;
+  std::optional<GnssFix> fix_of_epoch(const TruthState& truth);
   Vector3 drift_ned_m(std::int64_t time_ns) const;
 
   std::uint32_t sensor_number_;
@@ -90,6 +100,7 @@ class GnssModel {
   RecordedFixes::Run recording_run_;
   RecordedFixes recorded_;
   timing::SensorClock clock_;
+  PulseGenerator pulses_;
   std::size_t rung_ = 0;     ///< whose errors the noise has
   std::uint64_t epoch_ = 0;  ///< the last one
   std::uint64_t fixes_ = 0;

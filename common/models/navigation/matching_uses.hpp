@@ -127,6 +127,7 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::no_error("vdop", "a fix says itself how unsure it is and when it was valid"),
     profiles::no_error("recorded_error.*", "fixes come with what the real receiver claimed"),
     profiles::left_out("time_tag.*", "time tags", "the filter takes every tag for the time of validity"),
+    profiles::no_error("pps.*", "pulses are no part of a fix"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {

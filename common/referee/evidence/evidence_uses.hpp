@@ -150,6 +150,7 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::left_out("recorded_error.*", "recorded errors",
                        "a real sensor promises nothing; such a swap is not weighed"),
     profiles::handled("time_tag.*"),
+    profiles::no_error("pps.*", "pulses are no part of a fix"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {

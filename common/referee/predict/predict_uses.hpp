@@ -100,6 +100,7 @@ inline constexpr profiles::FieldUse kGnssErrorUses[] = {
     profiles::left_out("recorded_error.*", "recorded errors",
                        "a signal, not its statistics; inslab simulate and Monte Carlo have it"),
     profiles::left_out("time_tag.*", "time tags", "the prediction is of the time of validity"),
+    profiles::no_error("pps.*", "pulses are no part of a fix"),
 };
 
 inline constexpr profiles::FieldUse kInstallationUses[] = {

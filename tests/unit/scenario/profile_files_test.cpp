@@ -60,8 +60,8 @@ TEST(ProfileFiles, InstallationProfilesAreValid) {
 }
 
 TEST(ProfileFiles, GnssProfilesAreValid) {
-  check_files<GnssErrorProfile>("gnss",
-                                {"rtk", "rtk_white", "rtk_coloured", "ppp", "dgnss", "single_point", "degraded_urban"});
+  check_files<GnssErrorProfile>(
+      "gnss", {"rtk", "rtk_white", "rtk_coloured", "ppp", "dgnss", "single_point", "degraded_urban", "rtk_pulses"});
 }
 
 TEST(ProfileFiles, AirDataProfilesAreValid) {

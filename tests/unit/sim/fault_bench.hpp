@@ -141,7 +141,9 @@ struct Bench {
   }
   static void take(typename Sensor<Kind>::Result result, const TruthState& truth, Arrivals<Kind>& arrivals) {
     result.put_out([&](auto& output) {
-      arrivals.push_back({truth.header.sim_time_ns, std::get<0>(SensorModel<Kind>::samples(output))});
+      if constexpr (std::is_same_v<std::decay_t<decltype(output)>, typename SensorModel<Kind>::Output>) {
+        arrivals.push_back({truth.header.sim_time_ns, std::get<0>(SensorModel<Kind>::samples(output))});
+      }
     });
   }
   static void go_on(const Sensor<Kind>& from, Sensor<Kind>& to) {
