@@ -56,7 +56,7 @@ LoggerOnBus::LoggerOnBus(service::Context& context, const std::string& path)
       credits_(context.participant(), dds::topics::credit()),
       log_words_(context.participant(), dds::topics::credit()) {
   // Callbacks hold indices into the list, and the worker looks them up: it must not move once readers exist.
-  channels_.reserve(128);
+  channels_.reserve(512);
   const scenario::LoadedScenario& scenario = context.scenario();
   add_stream(context, dds::topics::truth(scenario.truth_grid().hz()));
   for_each_sensor(scenario, [&](auto kind, const auto& sensor) {
