@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "inslab/nav/wgs84.hpp"
+
 namespace inslab::nav {
 
 namespace {
@@ -55,6 +57,28 @@ GravityGrid::GravityGrid(const Axis& latitude, const Axis& longitude, const std:
     at(0, j) = beyond(at(1, j), at(2, j), at(3, j));
     at(rows + 1, j) = beyond(at(rows, j), at(rows - 1, j), at(rows - 2, j));
   }
+}
+
+GravityAlongWay GravityGrid::along_way() const {
+  const auto at = [this](std::size_t row, std::size_t column) { return with_border_[row * row_ + column]; };
+  Vector3 squares = Vector3::Zero();
+  double north_squares = 0.0, east_squares = 0.0;  // of slopes, 1/s^4
+  for (std::size_t i = 1; i <= latitude_.knots; ++i) {
+    const double latitude_rad = latitude_.first_rad + static_cast<double>(i - 1) * latitude_.step_rad;
+    const double sine = std::sin(latitude_rad);
+    const double north_m = latitude_.step_rad * wgs84::meridian_radius_from_sine_m(sine);
+    const double east_m = longitude_.step_rad * wgs84::transverse_radius_from_sine_m(sine) * std::cos(latitude_rad);
+    for (std::size_t j = 1; j <= longitude_.knots; ++j) {
+      squares += at(i, j).cwiseAbs2();
+      if (i < latitude_.knots) north_squares += (at(i + 1, j) - at(i, j)).squaredNorm() / (north_m * north_m);
+      if (j < longitude_.knots) east_squares += (at(i, j + 1) - at(i, j)).squaredNorm() / (east_m * east_m);
+    }
+  }
+  const auto rows = static_cast<double>(latitude_.knots), columns = static_cast<double>(longitude_.knots);
+  squares /= rows * columns;
+  const double slope_squared =
+      0.5 * (north_squares / ((rows - 1.0) * columns) + east_squares / (rows * (columns - 1.0)));
+  return {squares.cwiseSqrt(), slope_squared > 0.0 ? std::sqrt(squares.sum() / slope_squared) : 0.0};
 }
 
 double GravityGrid::steps_of_latitude(double latitude_rad) const {

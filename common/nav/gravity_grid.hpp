@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "inslab/nav/geodesy.hpp"
+#include "inslab/nav/gravity_along_way.hpp"
 
 namespace inslab::nav {
 
@@ -31,6 +32,10 @@ class GravityGrid {
 
   /// North, east, down, m/s^2.
   Vector3 disturbance_n(const Geodetic& position) const;
+
+  /// Root mean squares of the knots, and the distance at which a process has the mean square of their slopes from knot
+  /// to knot, north and east alike; 0 when all are equal.
+  GravityAlongWay along_way() const;
 
  private:
   /// Where a coordinate lies on an axis, in steps from its first knot; a longitude by the turn that is nearest.

@@ -357,6 +357,10 @@ nav::Gravity LoadedScenario::gravity() const {
   return nav::Gravity(options.model, constant_disturbance(options), std::move(field), gravity_grid);
 }
 
+std::optional<nav::GravityAlongWay> LoadedScenario::gravity_along_way() const {
+  return scenario::gravity_along_way(scenario.trajectory.gravity, gravity_grid.get());
+}
+
 nav::Gravity LoadedScenario::gravity_model() const { return nav::Gravity(scenario.trajectory.gravity.model); }
 
 nav::Geodetic LoadedScenario::start_position() const {

@@ -84,6 +84,8 @@ struct LoadedScenario {
   nav::Gravity gravity() const;
   /// Its model alone: what a navigation app knows of it.
   nav::Gravity gravity_model() const;
+  /// What a filter may be told of the difference; nothing where there is none.
+  std::optional<nav::GravityAlongWay> gravity_along_way() const;
   /// Where the vehicle begins; of a live vehicle, where it is until it reports.
   nav::Geodetic start_position() const;
   /// The sensor of that kind and number. Throws json::Error when the scenario has no such sensor.

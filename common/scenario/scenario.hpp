@@ -158,6 +158,7 @@ struct ReferenceNav {
   std::optional<std::uint32_t> odometer = std::nullopt;
   std::optional<std::uint32_t> other_odometer = std::nullopt;
   std::optional<std::uint32_t> heading = std::nullopt;
+  bool gravity_disturbance = false;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -173,6 +174,10 @@ struct ReferenceNav {
               .in(0.0, 63.0),
           self.other_odometer);
     visit(Field("heading", "the N of its inslab/heading/N; absent: it takes none").in(0.0, 63.0), self.heading);
+    visit(Field("gravity_disturbance",
+                "it estimates what gravity departs from its model by, with the sigmas and the distance that match "
+                "trajectory.gravity, or those of the file of parameters; nothing where it does not depart"),
+          self.gravity_disturbance);
     visit(Field("parameters",
                 "file of the filter's parameters; absent: those that match the sensors' profiles and "
                 "nominal installation")

@@ -28,13 +28,16 @@ double kappa_of(double share) {
   return std::sqrt(1.0 - s * s) / s;
 }
 
+double rms_rad(const GravityVariation& variation) {
+  return units::kArcsec *
+         variation.deflection_rms_arcsec.value_or(kTerrains_arcsec.at(static_cast<std::size_t>(variation.terrain)));
+}
+
 }  // namespace
 
 nav::GravityField gravity_field(const GravityVariation& variation, const nav::Geodetic& origin, std::uint64_t seed) {
-  const double rms_arcsec =
-      variation.deflection_rms_arcsec.value_or(kTerrains_arcsec.at(static_cast<std::size_t>(variation.terrain)));
   const double deflection_rad =
-      2.0 * rms_arcsec * units::kArcsec / std::sqrt(static_cast<double>(kWaves));  // of each wave, along its k
+      2.0 * rms_rad(variation) / std::sqrt(static_cast<double>(kWaves));  // of each wave, along its k
   const random::Stream lengths(seed, "gravity/length"), directions(seed, "gravity/direction"),
       phases(seed, "gravity/phase");
   std::vector<nav::GravityField::Wave> waves;
@@ -54,6 +57,26 @@ nav::Gravity::Disturbance constant_disturbance(const GravityOptions& options) {
 
 nav::Gravity uniform_gravity(const GravityOptions& options) {
   return nav::Gravity(options.model, constant_disturbance(options));
+}
+
+std::optional<nav::GravityAlongWay> gravity_along_way(const GravityOptions& options, const nav::GravityGrid* grid) {
+  nav::Vector3 variance =
+      (units::kG * units::kArcsec * nav::Vector3(options.deflection_north_arcsec, options.deflection_east_arcsec, 0.0))
+          .cwiseAbs2();
+  variance.z() = std::pow(units::kMGal * options.disturbance_mgal, 2);
+  double slope_squared = 0.0;  // of all axes, 1/s^4
+  const auto add = [&](const nav::GravityAlongWay& part) {
+    variance += part.sigma_n.cwiseAbs2();
+    if (part.correlation_m > 0.0) slope_squared += part.sigma_n.squaredNorm() / std::pow(part.correlation_m, 2);
+  };
+  if (options.variation) {
+    const double sigma_m_per_s2 = units::kG * rms_rad(*options.variation);
+    add({sigma_m_per_s2 * nav::Vector3(1.0, 1.0, std::sqrt(2.0)), options.variation->correlation_m / std::sqrt(2.0)});
+  }
+  if (grid != nullptr) add(grid->along_way());
+  if (variance.sum() == 0.0) return std::nullopt;
+  return nav::GravityAlongWay{variance.cwiseSqrt(),
+                              slope_squared > 0.0 ? std::sqrt(variance.sum() / slope_squared) : 0.0};
 }
 
 }  // namespace inslab::scenario

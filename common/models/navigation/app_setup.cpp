@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "inslab/models/navigation/matching_barometer.hpp"
+#include "inslab/models/navigation/matching_gravity.hpp"
 #include "inslab/models/navigation/matching_heading.hpp"
 #include "inslab/models/navigation/matching_magnetometer.hpp"
 #include "inslab/models/navigation/matching_odometer.hpp"
@@ -27,11 +28,16 @@ AppSetup setup_for(const scenario::LoadedScenario& scenario, const scenario::Ref
   const scenario::LoadedGnss& gnss = scenario.sensor<catalog::Gnss>(app.gnss);
   if (!app.parameters.empty()) {
     const std::string file = (scenario.file.parent_path() / app.parameters).string();
-    return {with_numbers(read_parameters(file), app), scenario.gravity_model(), app, {}};
+    NavigationParameters parameters = with_numbers(read_parameters(file), app);
+    if (app.gravity_disturbance) parameters.states.gravity_disturbance = true;
+    return {parameters, scenario.gravity_model(), app, {}};
   }
   const NavigationParameters of_imu =
       matching_parameters(imu.errors, imu.nominal_installation, gnss.nominal_installation);
   AppSetup setup{with_numbers(of_imu, app), scenario.gravity_model(), app, {}};
+  if (const auto along_way = scenario.gravity_along_way(); along_way && app.gravity_disturbance) {
+    match(*along_way, setup.parameters);
+  }
   const auto note_left_out = [&setup](const catalog::AnyProfile& profile) {
     for (const std::string& name : left_out_of_matching(profile)) {
       const auto& named = setup.left_out;

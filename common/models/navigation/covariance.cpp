@@ -89,6 +89,11 @@ void update_sized(const StateVector& h_of, double variance, double innovation, S
 
 void Covariance::propagate(const Transition& transition) {
   with_size(size() - kNavStates, [&](auto chosen) { propagate_sized<decltype(chosen)::value>(transition, P_); });
+  if (!transition.gravity) return;
+  const Transition::Gravity& gravity = *transition.gravity;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    nav::carry(gravity.way, gravity.variance[axis], gravity.first + axis, gravity.first_change + axis, P_);
+  }
 }
 
 void Covariance::update(const StateVector& h, double variance, double innovation, StateVector& x) {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "inslab/models/navigation/state_layout.hpp"
+#include "inslab/nav/gravity_along_way.hpp"
 
 namespace inslab::navigation {
 
@@ -18,6 +21,15 @@ struct Transition {
   Eigen::Matrix3d velocity_noise;  ///< (m/s)^2, n
   Eigen::Matrix3d attitude_noise;  ///< rad^2, n
   ChosenVector chosen_noise;       ///< variances
+
+  /// The departure of gravity changes with the way, after all else of the step.
+  struct Gravity {
+    nav::WayStep way;
+    Eigen::Vector3d variance;  ///< (m/s^2)^2, n
+    Eigen::Index first;        ///< of the blocks' states
+    Eigen::Index first_change;
+  };
+  std::optional<Gravity> gravity = std::nullopt;
 };
 
 /// The covariance of the errors of a layout. Symmetric to the bit after every function.

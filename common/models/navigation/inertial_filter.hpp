@@ -69,6 +69,7 @@ class InertialFilter {
     ChosenVector decay_rate;     ///< 1/T, 1/s; 0: constant
     double unknown_bias = 0.0;   ///< (m/s^2)^2, of accelerometers whose bias the state lacks
     double unknown_scale = 0.0;  ///< the same of their scale factor, of 1
+    nav::GravityAlongWay gravity;
   };
   /// Integrals over the time since the covariance was settled.
   struct Sums {
@@ -107,6 +108,8 @@ class InertialFilter {
   static Noise noise_of(const NavigationParameters& parameters, const StateLayout& layout);
   void note_motion(const Vector3& v_b_begin, std::int64_t end_ns);
   nav::ImuIncrements corrected(const nav::ImuIncrements& increments) const;
+  nav::ImuIncrements felt(const nav::ImuIncrements& increments, const nav::Quaternion& q_nb) const;
+  void go_along(const nav::WayStep& way);
   double squared_normalised(const Measurement& measurement) const;
   void take(const Measurement& measurement, StateVector& x);
   void rest();

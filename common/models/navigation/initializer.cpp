@@ -157,7 +157,16 @@ void Initializer::doubt_attitude(const Matrix3& C_nb, StateMatrix& P) const {
   errs_by(3, StateBlock::AccelBias, by_force * C_nb);
   errs_by(6, StateBlock::GyroScale, by_rate * C_nb * omega_b.asDiagonal());
   errs_by(9, StateBlock::AccelScale, by_force * C_nb * f_b.asDiagonal());
-  const Matrix3 known = cross.lazyProduct(J.transpose());
+  Matrix3 known = cross.lazyProduct(J.transpose());
+  if (layout_.has(StateBlock::Gravity)) {
+    // The plumb line is what it levels by: gravity that is added counts against a force that is.
+    const Eigen::Index first = layout_.first(StateBlock::Gravity);
+    const Matrix3 by_gravity = -by_force;
+    const Matrix3 with_gravity = by_gravity * P.diagonal().segment<3>(first).asDiagonal();
+    P.block<3, 3>(kAttitude, first) = with_gravity;
+    P.block<3, 3>(first, kAttitude) = with_gravity.transpose();
+    known += with_gravity * by_gravity.transpose();
+  }
   Vector3 least = static_sigmas();
   if (!finds_heading) least.z() = 0.0;
   const Vector3 variances = P.diagonal().segment<3>(kAttitude).cwiseMax(least.cwiseAbs2());

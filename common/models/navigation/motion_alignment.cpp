@@ -188,8 +188,13 @@ void MotionAlignment::solve() {
   Matrix3 C = first_attitude();
   Vector3 v0 = matches_.front().y_n0 - C * matches_.front().a_b0, accel_bias = Vector3::Zero(),
           gyro_bias = Vector3::Zero();
-  const Vector3 accel_sigma =
+  Vector3 accel_sigma =
       (units::kMGal * parameters_.accel.bias_sigma_mgal).cwiseMax(Vector3::Constant(kLeastForceBias_m_per_s2));
+  if (parameters_.states.gravity_disturbance) {
+    // Over so short a way it cannot be told from a bias.
+    const double gravity_sigma = units::kMGal * parameters_.gravity_disturbance.sigma_ned_mgal.maxCoeff();
+    accel_sigma = (accel_sigma.array().square() + gravity_sigma * gravity_sigma).sqrt();
+  }
   const Vector3 gyro_sigma =
       (units::kDegPerH * parameters_.gyro.bias_sigma_deg_per_h).cwiseMax(Vector3::Constant(kLeastRateBias_rad_per_s));
   const auto jacobian = [&](const Vector3& a, const Integrals& then) {

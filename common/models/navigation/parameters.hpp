@@ -6,6 +6,7 @@
 #include "inslab/foundation/fields/field.hpp"
 #include "inslab/foundation/fields/violation.hpp"
 #include "inslab/models/navigation/barometer_belief.hpp"
+#include "inslab/models/navigation/gravity_belief.hpp"
 #include "inslab/models/navigation/heading_belief.hpp"
 #include "inslab/models/navigation/magnetometer_belief.hpp"
 #include "inslab/models/navigation/odometer_belief.hpp"
@@ -90,6 +91,7 @@ struct EstimatedErrors {
   bool other_wheel_scale = false;
   bool wheel_axis = false;
   bool baseline_drift = false;
+  bool gravity_disturbance = false;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -110,6 +112,8 @@ struct EstimatedErrors {
         self.wheel_axis);
     visit(Field("baseline_drift", "three states of the two-antenna heading: its error that lasts"),
           self.baseline_drift);
+    visit(Field("gravity_disturbance", "six states: what gravity departs from its model by, and how that changes"),
+          self.gravity_disturbance);
   }
 };
 
@@ -192,6 +196,7 @@ struct NavigationParameters {
   OdometerBelief other_odometer;
   RollingConstraint rolling_constraint;
   HeadingBelief heading;
+  GravityBelief gravity_disturbance;
   EstimatedErrors states;
   Vector3 lever_arm_b_m = Vector3::Zero();
   InitialState initial;
@@ -215,6 +220,8 @@ struct NavigationParameters {
     visit(Field("rolling_constraint", "that the odometer's wheel neither slides aside nor leaves the road"),
           self.rolling_constraint);
     visit(Field("heading", "of two antennas, when the app has it"), self.heading);
+    visit(Field("gravity_disturbance", "where gravity departs from the model that the filter has of it"),
+          self.gravity_disturbance);
     visit(Field("states", "sensor errors that are estimated; position, velocity and attitude always are"), self.states);
     visit(Field("lever_arm_b_m", "from the IMU's centre to the antenna, in the IMU's axes").in(-1000.0, 1000.0),
           self.lever_arm_b_m);

@@ -1,6 +1,7 @@
 #include "inslab/models/navigation/processes.hpp"
 
 #include "inslab/foundation/units/units.hpp"
+#include "inslab/models/navigation/matching_gravity.hpp"
 
 namespace inslab::navigation {
 
@@ -45,6 +46,9 @@ Process process_of(StateBlock block, const NavigationParameters& p) {
       return {Vector3::Constant(units::kDeg * p.odometer.axis_sigma_deg), Vector3::Zero()};
     case StateBlock::BaselineDrift:
       return {p.heading.relative_drift_sigma_ned_m, p.heading.relative_drift_correlation_time_s};
+    case StateBlock::Gravity:
+    case StateBlock::GravityChange:
+      return {along_way_of(p.gravity_disturbance).sigma_n, Vector3::Zero()};
     case StateBlock::Position:
     case StateBlock::Velocity:
     case StateBlock::Attitude:

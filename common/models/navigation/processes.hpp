@@ -4,7 +4,8 @@
 
 namespace inslab::navigation {
 
-/// What a block of errors does by itself: Gauss-Markov, each for itself.
+/// What a block of errors does by itself: Gauss-Markov, each for itself. Gravity goes on with the way instead
+/// (Transition::gravity).
 struct Process {
   Vector3 sigma = Vector3::Zero();               ///< steady state, and at the beginning; in the block's unit
   Vector3 correlation_time_s = Vector3::Zero();  ///< 0: a constant

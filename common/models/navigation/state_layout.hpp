@@ -31,13 +31,15 @@ enum class StateBlock : std::uint8_t {
   OtherWheelScale,
   WheelAxis,      ///< rad, pitch and yaw of the wheel against what the filter is told
   BaselineDrift,  ///< m, n: of the second antenna of a two-antenna heading relative to the first
+  Gravity,        ///< m/s^2, n: what is added to the model's, of nav/gravity_along_way.hpp the x
+  GravityChange,  ///< m/s^2, n: the h of it
 };
 
 struct BlockFacts {
   std::string_view name;
   Eigen::Index size;  ///< errors
 };
-inline constexpr std::array<BlockFacts, 18> kBlocks{{{"position", 3},
+inline constexpr std::array<BlockFacts, 20> kBlocks{{{"position", 3},
                                                      {"velocity", 3},
                                                      {"attitude", 3},
                                                      {"gyro_bias", 3},
@@ -54,7 +56,9 @@ inline constexpr std::array<BlockFacts, 18> kBlocks{{{"position", 3},
                                                      {"wheel_scale", 2},
                                                      {"other_wheel_scale", 2},
                                                      {"wheel_axis", 2},
-                                                     {"baseline_drift", 3}}};
+                                                     {"baseline_drift", 3},
+                                                     {"gravity", 3},
+                                                     {"gravity_change", 3}}};
 inline constexpr std::array kSoftIron{StateBlock::SoftIronX, StateBlock::SoftIronY, StateBlock::SoftIronZ};
 inline constexpr std::size_t kFirstChosenBlock = 3;
 inline constexpr Eigen::Index kLargestBlock = 3;
@@ -100,7 +104,9 @@ class StateLayout {
                              chosen.wheel_scale,
                              chosen.other_wheel_scale,
                              chosen.wheel_axis,
-                             chosen.baseline_drift};
+                             chosen.baseline_drift,
+                             chosen.gravity_disturbance,
+                             chosen.gravity_disturbance};
     static_assert(std::size(is_there) == kBlocks.size());
     for (std::size_t i = 0; i < kBlocks.size(); ++i) {
       first_[i] = is_there[i] ? size_ : kAbsent;

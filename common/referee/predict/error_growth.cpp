@@ -6,6 +6,7 @@
 
 #include "inslab/data/samples/geodetic_of.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
+#include "inslab/foundation/units/units.hpp"
 #include "inslab/models/imu/second_order_drift.hpp"
 #include "inslab/models/imu/triad_parameters.hpp"
 #include "inslab/nav/attitude.hpp"
@@ -16,7 +17,8 @@ namespace {
 
 constexpr Eigen::Index kPosition = 0, kVelocity = 3, kAttitude = 6;
 constexpr Eigen::Index kFix = 9;  ///< slow errors of a receiver's position, then of its velocity
-constexpr Eigen::Index kTerms = 15;
+constexpr Eigen::Index kGravity = 15, kGravityChange = 18;  ///< of 1, where gravity departs from its model at all
+constexpr Eigen::Index kAfterGravity = 21;
 constexpr Eigen::Index kDown = 2;
 
 Vector3 squares(const Vector3& v) { return v.cwiseAbs2(); }
@@ -60,15 +62,35 @@ Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& A, const Eigen:
 }  // namespace
 
 ErrorGrowth::ErrorGrowth(const ImuErrorProfile& profile, const PredictedError& start, const nav::Gravity& gravity,
-                         Vertical vertical, double step_s)
-    : gravity_(gravity), vertical_(vertical), step_s_(step_s), time_s_(start.time_s) {
+                         Vertical vertical, double step_s, const std::optional<GravityErrors>& gravity_errors)
+    : gravity_(gravity),
+      vertical_(vertical),
+      step_s_(step_s),
+      time_s_(start.time_s),
+      first_term_(gravity_errors ? kAfterGravity : kGravity) {
   if (!(step_s > 0.0)) throw std::invalid_argument("a step of the prediction must be longer than 0 s");
   fix_times_s_[0] = fix_times_s_[1] = Vector3::Constant(std::numeric_limits<double>::infinity());
-  P_ = Eigen::MatrixXd::Zero(kTerms, kTerms);
-  P_.diagonal() << squares(start.position_n_m), squares(start.velocity_n_m_per_s), squares(start.attitude_n_rad),
-      Eigen::Matrix<double, 6, 1>::Ones();
+  P_ = Eigen::MatrixXd::Zero(first_term_, first_term_);
+  P_.diagonal().setOnes();
+  P_.diagonal().head<9>() << squares(start.position_n_m), squares(start.velocity_n_m_per_s),
+      squares(start.attitude_n_rad);
+  if (gravity_errors) {
+    along_way_ = gravity_errors->along_way;
+    if (gravity_errors->starts_on_plumb_line) begin_on_plumb_line(units::kG);
+  }
   swap(profile);
   if (vertical_ == Vertical::Held) hold_vertical();
+}
+
+/// Levelled by a force that a departure d of gravity turned: phi_E = d_N/g, phi_N = -d_E/g.
+void ErrorGrowth::begin_on_plumb_line(double gravity_m_per_s2) {
+  const Vector3 lean = along_way_->sigma_n / gravity_m_per_s2;
+  const auto err = [&](Eigen::Index phi, Eigen::Index gravity, double by) {
+    P_(phi, phi) += by * by;
+    P_(phi, gravity) = P_(gravity, phi) = by;
+  };
+  err(kAttitude + 1, kGravity, lean.x());
+  err(kAttitude, kGravity + 1, -lean.y());
 }
 
 void ErrorGrowth::set_density(const ImuErrorProfile& profile) {
@@ -90,7 +112,7 @@ void ErrorGrowth::swap(const ImuErrorProfile& profile) {
   const Continuity continuity = profile.request.continuity;
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     SensorTerm& term = terms_[i];
-    const auto state = kTerms + static_cast<Eigen::Index>(i);
+    const auto state = first_term_ + static_cast<Eigen::Index>(i);
     const auto same = std::find_if(now.begin(), now.end(), [&](const SensorTerm& other) { return other.is_of(term); });
     const double amplitude = same == now.end() ? 0.0 : same->amplitude;
     if (is_fixed_value(term.kind)) {
@@ -154,7 +176,7 @@ ErrorGrowth::Steps ErrorGrowth::steps_of(double dt_s) const {
   };
   for (int i = 0; i < 6; ++i) gauss_markov(i, fix_times_s_[i / 3][i % 3]);
   for (std::size_t k = 0; k < terms_.size(); ++k) {
-    const auto i = kTerms - kFix + static_cast<Eigen::Index>(k);
+    const auto i = first_term_ - kFix + static_cast<Eigen::Index>(k);
     if (terms_[k].amplitude == 0.0) continue;  // the process rests
     if (is_walk(terms_[k])) {
       steps.drive[i] = dt_s;
@@ -168,12 +190,19 @@ ErrorGrowth::Steps ErrorGrowth::steps_of(double dt_s) const {
 }
 
 /// What a state of 1 does to the nine, per second.
-Eigen::MatrixXd ErrorGrowth::effects(const SensedMotion& motion, const nav::Matrix3& C_nb) const {
+Eigen::MatrixXd ErrorGrowth::effects(const SensedMotion& motion, const nav::Matrix3& C_nb,
+                                     const nav::WayStep& way) const {
   Eigen::MatrixXd G = Eigen::MatrixXd::Zero(9, P_.rows() - kFix);
+  if (along_way_) {
+    // What gravity has beside its model the app has not.
+    const nav::Matrix3 departs = -nav::Matrix3(along_way_->sigma_n.asDiagonal());
+    G.block<3, 3>(kVelocity, kGravity - kFix) = departs;
+    G.block<3, 3>(kVelocity, kGravityChange - kFix) = way.mean_by_change * departs;
+  }
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const SensorTerm& term = terms_[k];
     const Vector3 error_n = C_nb * effect(term, motion);
-    const auto column = kTerms - kFix + static_cast<Eigen::Index>(k);
+    const auto column = first_term_ - kFix + static_cast<Eigen::Index>(k);
     if (term.triad == Triad::Gyro) {
       G.block<3, 1>(kAttitude, column) = -error_n;
     } else {
@@ -192,7 +221,8 @@ void ErrorGrowth::step() {
   const nav::Matrix9 F = nav::error_dynamics(geodetic_of(last_), last_.v_n, gathered_.dv_n / dt_s, gravity_);
   const nav::Matrix9 to_middle = nav::Matrix9::Identity() + 0.5 * dt_s * F;
   const nav::Matrix9 Phi = nav::Matrix9::Identity() + dt_s * F.lazyProduct(to_middle);
-  const Eigen::MatrixXd B = product(to_middle, effects(motion, C_nb));
+  const nav::WayStep way = nav::way_step(along_way_ ? nav::share_of_correlation(*along_way_, last_.v_n, dt_s) : 0.0);
+  const Eigen::MatrixXd B = product(to_middle, effects(motion, C_nb, way));
   const Steps steps = steps_of(dt_s);
   nav::Matrix9 Q = nav::Matrix9::Zero();
   Q.block<3, 3>(kAttitude, kAttitude) = dt_s * C_nb * gyro_density_.asDiagonal() * C_nb.transpose();
@@ -211,6 +241,9 @@ void ErrorGrowth::step() {
   P_.bottomLeftCorner(sensors, 9) = P_.topRightCorner(9, sensors).transpose();
   P_.bottomRightCorner(sensors, sensors).array() *= (steps.decay * steps.decay.transpose()).array();
   P_.bottomRightCorner(sensors, sensors).diagonal() += steps.drive;
+  for (Eigen::Index axis = 0; along_way_ && axis < 3; ++axis) {
+    nav::carry(way, 1.0, kGravity + axis, kGravityChange + axis, P_);
+  }
   if (vertical_ == Vertical::Held) hold_vertical();
   time_s_ = time::to_seconds(last_.header.sim_time_ns);
   gathered_ = Gathered();

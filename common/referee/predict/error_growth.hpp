@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "inslab/data/profiles/gnss_error_profile.hpp"
 #include "inslab/data/samples/imu_truth.hpp"
 #include "inslab/nav/gravity.hpp"
+#include "inslab/nav/gravity_along_way.hpp"
 #include "inslab/referee/predict/sensor_terms.hpp"
 
 /// What errors an IMU's data sheet lets one expect of inertial navigation along a known motion.
@@ -19,12 +21,20 @@ struct PredictedError {
   Vector3 attitude_n_rad = Vector3::Zero();  ///< the phi angle
 };
 
+/// What the app is not told of gravity.
+struct GravityErrors {
+  nav::GravityAlongWay along_way;
+  /// The attitude at the start errs, besides what is known of it, as the plumb line there leans.
+  bool starts_on_plumb_line = false;
+};
+
 /// Whether the height is part of the game, or held to the truth as by a perfect barometer.
 enum class Vertical { Free, Held };
 
 /// The nine-state model (nav/error_model.hpp) along the IMU's true motion, with a state for each term of its profile
-/// (sensor_terms.hpp), six Gauss-Markov states for a receiver's slow errors, and white noise beside them: the
-/// covariance of the best linear estimate. Without fixes it is that of free inertial navigation.
+/// (sensor_terms.hpp), six Gauss-Markov states for a receiver's slow errors, six for gravity's departure from its model
+/// where there is one, and white noise beside them: the covariance of the best linear estimate. Without fixes it is
+/// that of free inertial navigation.
 ///
 /// Linear: meant for errors that are small beside the Earth's radius and a radian.
 class ErrorGrowth {
@@ -32,7 +42,7 @@ class ErrorGrowth {
   /// `step_s`: the covariance goes on in steps of this length or of one sample, whichever is longer; the motion in
   /// between counts with its means. Throws std::invalid_argument when it is not positive.
   ErrorGrowth(const ImuErrorProfile& profile, const PredictedError& start, const nav::Gravity& gravity,
-              Vertical vertical, double step_s);
+              Vertical vertical, double step_s, const std::optional<GravityErrors>& gravity_errors = std::nullopt);
 
   /// Another profile from the next interval on. States keep, lose or redraw their value as its `continuity` says of
   /// theirs (imu::Bias::retune); a fixed value that changes is unknown anew.
@@ -67,7 +77,8 @@ class ErrorGrowth {
 
   void step();
   Steps steps_of(double dt_s) const;
-  Eigen::MatrixXd effects(const SensedMotion& motion, const nav::Matrix3& C_nb) const;
+  Eigen::MatrixXd effects(const SensedMotion& motion, const nav::Matrix3& C_nb, const nav::WayStep& way) const;
+  void begin_on_plumb_line(double gravity_m_per_s2);
   void set_density(const ImuErrorProfile& profile);
   void renew(Eigen::Index state, double variance);
   void update(const Eigen::VectorXd& row, double variance);
@@ -79,9 +90,11 @@ class ErrorGrowth {
   double time_s_ = 0.0;
   Gathered gathered_;
   ImuTruth last_;
-  Vector3 gyro_density_;           ///< rad^2/s
-  Vector3 accel_density_;          ///< (m/s)^2/s
-  std::vector<SensorTerm> terms_;  ///< state kTerms + i
+  Vector3 gyro_density_;   ///< rad^2/s
+  Vector3 accel_density_;  ///< (m/s)^2/s
+  std::optional<nav::GravityAlongWay> along_way_;
+  Eigen::Index first_term_;
+  std::vector<SensorTerm> terms_;  ///< state first_term_ + i
   Vector3 fix_times_s_[2];         ///< correlation times of a receiver's position and velocity errors
   Eigen::MatrixXd P_;
 };

@@ -73,7 +73,7 @@ void ExpectedErrors::add(const ImuTruth& truth) {
   use_profiles(time_ns);
   if (time::to_seconds(time_ns) <= setup_.start.time_s) return;
   if (!growth_) {
-    growth_.emplace(errors_, setup_.start, setup_.gravity, setup_.vertical, setup_.step_s);
+    growth_.emplace(errors_, setup_.start, setup_.gravity, setup_.vertical, setup_.step_s, setup_.gravity_errors);
     curve_.push_back(growth_->current());
   }
   const imu::Temperature temperature(errors_.temperature);
@@ -105,7 +105,7 @@ std::vector<std::string> ExpectedErrors::left_out() const {
   const auto add = [&names](const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
-  if (setup_.gravity.is_disturbed()) add("gravity disturbance");
+  if (setup_.gravity.is_disturbed() && !setup_.gravity_errors) add("gravity disturbance");
   for (const catalog::AnyProfile& profile : profiles_) {
     const bool of_imu = catalog::target_of(profile) == imu_;
     if (!of_imu && !(gnss_ && catalog::target_of(profile) == *gnss_)) continue;

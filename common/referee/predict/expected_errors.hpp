@@ -24,6 +24,7 @@ class ExpectedErrors {
     PredictedError start;                      ///< what comes before its time is passed over
     Vertical vertical = Vertical::Free;
     double step_s = 0.2;
+    std::optional<GravityErrors> gravity_errors = std::nullopt;  ///< nothing: gravity's departure is left out
   };
 
   /// `profiles`: those that the run begins with, then its journal, each for samples after its request's `apply_at_ns`.

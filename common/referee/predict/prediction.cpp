@@ -83,6 +83,9 @@ Prediction predicted(const scenario::LoadedScenario& loaded, const PredictionOpt
   if (uses_fixes) setup.gnss_number = loaded.gnss.front().number;
   setup.start = start_of(options);
   setup.vertical = options.hold_vertical ? Vertical::Held : Vertical::Free;
+  if (const auto along_way = loaded.gravity_along_way()) {
+    setup.gravity_errors = GravityErrors{*along_way, options.plumb_line};
+  }
   Prediction prediction{ExpectedErrors(setup, profiles_of(loaded))};
   PredictionSink sink(prediction, loaded, uses_fixes);
   sim::OfflineRun run(loaded, loaded.start(host::realtime_now()), RunId{}, sink);

@@ -18,6 +18,7 @@ struct PredictionOptions {
   double yaw_deg = 0.0;
   bool hold_vertical = false;
   bool free_inertial = false;
+  bool plumb_line = false;  ///< the start's attitude leans with gravity's departure there
 };
 
 /// What a run lets one expect, and when it has no fixes.

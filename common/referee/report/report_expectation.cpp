@@ -10,6 +10,7 @@
 #include "inslab/formats/log/log_topic.hpp"
 #include "inslab/foundation/time/gps_time.hpp"
 #include "inslab/scenario/load.hpp"
+#include "inslab/scenario/terrain_gravity.hpp"
 
 namespace inslab::report {
 
@@ -33,6 +34,14 @@ nav::Gravity gravity_of(const scenario::Scenario& scenario) {
         std::make_shared<nav::GravityGrid>(axis, axis, std::vector<nav::Vector3>(9, nav::Vector3::Zero()));
   }
   return loaded.gravity();
+}
+
+/// Of a grid nothing is known here, so that it is named as left out.
+std::optional<predict::GravityErrors> gravity_errors_of(const scenario::Scenario& scenario) {
+  const scenario::GravityOptions& options = scenario.trajectory.gravity;
+  const auto along_way = scenario::gravity_along_way(options, nullptr);
+  if (!along_way || !options.grid_file.empty()) return std::nullopt;
+  return predict::GravityErrors{*along_way, true};  // an app that levels itself leans with the plumb line
 }
 
 bool has_topic(const mcap::McapReader& log, const std::string& topic, std::string_view type) {
@@ -76,6 +85,7 @@ ExpectationOfLog::ExpectationOfLog(const mcap::McapReader& log, const evidence::
     return;
   }
   setup_.gravity = gravity_of(scenario);
+  setup_.gravity_errors = gravity_errors_of(scenario);
   setup_.imu_number = scenario.reference_nav ? scenario.reference_nav->imu : scenario.imu.front().number;
   setup_.gnss_number = receiver_of_app(scenario);
   expectation_.of = setup_.gnss_number ? fmt::format("the best filter of the fixes of gnss {}", *setup_.gnss_number)

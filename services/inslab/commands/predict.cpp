@@ -59,6 +59,8 @@ void add_predict(CLI::App& app, std::function<int()>& action) {
   sigma("--yaw", options->prediction.yaw_deg, "sigma of yaw at the start, deg");
   command->add_flag("--free-inertial", options->prediction.free_inertial,
                     "without the fixes of the scenario's first receiver");
+  command->add_flag("--plumb-line", options->prediction.plumb_line,
+                    "the start is levelled: it leans as gravity's departure from its model has the plumb line lean");
   command->add_flag("--hold-vertical", options->prediction.hold_vertical, "height and vertical velocity are known");
   add_response_options(*command, options->response);
   add_overwrite(*command);
