@@ -24,6 +24,10 @@ void match(const OdometerErrorProfile& odometer, const InstallationProfile& plac
   belief.count_m =
       odometer.counts_per_revolution > 0.0 ? odometer.wheel_circumference_m / odometer.counts_per_revolution : 0.0;
   belief.dead_below_m_per_s = odometer.dead_below_m_per_s;
+  belief.longitudinal_slip_threshold_m_per_s2 = odometer.longitudinal_slip_threshold_m_per_s2;
+  belief.longitudinal_slip_s2_per_m = odometer.longitudinal_slip_s2_per_m;
+  belief.lateral_slip_threshold_m_per_s2 = odometer.lateral_slip_threshold_m_per_s2;
+  belief.lateral_slip_s2_per_m = odometer.lateral_slip_s2_per_m;
   (is_first ? p.states.wheel_scale : p.states.other_wheel_scale) =
       belief.scale_factor_sigma_ppm > 0.0 || belief.scale_factor_drift_sigma_ppm > 0.0;
   if (is_first) p.states.wheel_axis = true;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -20,6 +22,21 @@ struct OdometerBelief {
   double noise_m_per_sqrt_m = 0.004;
   double count_m = 0.0;
   double dead_below_m_per_s = 0.0;
+  double longitudinal_slip_threshold_m_per_s2 = 0.0;
+  double longitudinal_slip_s2_per_m = 0.0;
+  double lateral_slip_threshold_m_per_s2 = 0.0;
+  double lateral_slip_s2_per_m = 0.0;
+  double slip_lasts_s = 10.0;
+
+  /// Standard deviation of the slip under a specific force of these components in the wheel's axes: by which part of
+  /// its way the wheel turns too much or too little, and by which it slides aside. All of what the tyre's curve has, as
+  /// a filter does not know which way.
+  double slip_sigma(double force_along_m_per_s2, double force_across_m_per_s2) const {
+    const double along = std::abs(force_along_m_per_s2) - longitudinal_slip_threshold_m_per_s2;
+    const double across = std::abs(force_across_m_per_s2) - lateral_slip_threshold_m_per_s2;
+    return std::min(1.0,
+                    longitudinal_slip_s2_per_m * std::max(0.0, along) + lateral_slip_s2_per_m * std::max(0.0, across));
+  }
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor& visit) {
@@ -45,6 +62,20 @@ struct OdometerBelief {
           self.noise_m_per_sqrt_m);
     visit(Field("count_m", "way of one count; 0: none").in(0.0, 20.0), self.count_m);
     visit(Field("dead_below_m_per_s", "slower than this it counts nothing").in(0.0, 10.0), self.dead_below_m_per_s);
+    visit(Field("longitudinal_slip_threshold_m_per_s2", "force along the wheel, over the mass, from which it may slip")
+              .in(0.0, 100.0),
+          self.longitudinal_slip_threshold_m_per_s2);
+    visit(Field("longitudinal_slip_s2_per_m",
+                "standard deviation of the slip for each m/s^2 beyond, of the speed that is shown and of "
+                "rolling_constraint; 0: none")
+              .in(0.0, 10.0),
+          self.longitudinal_slip_s2_per_m);
+    visit(Field("lateral_slip_threshold_m_per_s2", "force across the wheel, over the mass, from which it may slip")
+              .in(0.0, 100.0),
+          self.lateral_slip_threshold_m_per_s2);
+    visit(Field("lateral_slip_s2_per_m", "as longitudinal_slip_s2_per_m").in(0.0, 10.0), self.lateral_slip_s2_per_m);
+    visit(Field("slip_lasts_s", "so long a slip errs alike: samples in it count as one of them").in(0.0, 1e3),
+          self.slip_lasts_s);
   }
 };
 

@@ -24,9 +24,11 @@ class RecentMotion {
   struct Means {
     nav::Vector3 v_b_less_now = nav::Vector3::Zero();  ///< m/s
     nav::Vector3 omega_eb_b = nav::Vector3::Zero();    ///< rad/s
+    nav::Vector3 v_b_rate = nav::Vector3::Zero();  ///< at which the velocity changes along the IMU's own axes, m/s^2
   };
 
-  explicit RecentMotion(std::int64_t begin_ns) : steps_{{begin_ns, nav::Vector3::Zero(), nav::Vector3::Zero()}} {}
+  explicit RecentMotion(std::int64_t begin_ns)
+      : steps_{{begin_ns, nav::Vector3::Zero(), nav::Vector3::Zero(), nav::Vector3::Zero()}} {}
 
   /// Takes the next interval: what the velocity in the IMU's own axes was at both of its ends, and the turn.
   void add(std::int64_t end_ns, const nav::Vector3& v_b_begin, const nav::Vector3& v_b_end,
@@ -34,7 +36,8 @@ class RecentMotion {
     const Step& last = steps_.back();
     const double dt_s = time::to_seconds(end_ns - last.time_ns);
     const nav::Vector3 change_b = v_b_end - v_b_begin;
-    steps_.push_back({end_ns, last.way_b + dt_s * (gained_b_ + 0.5 * change_b), last.turn_b + turn_eb_b});
+    steps_.push_back(
+        {end_ns, last.way_b + dt_s * (gained_b_ + 0.5 * change_b), last.turn_b + turn_eb_b, gained_b_ + change_b});
     gained_b_ += change_b;
     const auto old = [&](const Step& step) { return time::to_seconds(end_ns - step.time_ns) > kKept_s; };
     // Half of the list at a time, or each step would move all others.
@@ -54,7 +57,8 @@ class RecentMotion {
     const double dt_s = time::to_seconds(interval_ns);
     const nav::Vector3 way_b = steps_.back().way_b - (before.way_b + part * (after->way_b - before.way_b));
     const nav::Vector3 turn_b = steps_.back().turn_b - (before.turn_b + part * (after->turn_b - before.turn_b));
-    return Means{way_b / dt_s - gained_b_, turn_b / dt_s};
+    const nav::Vector3 gain_b = gained_b_ - (before.gained_b + part * (after->gained_b - before.gained_b));
+    return Means{way_b / dt_s - gained_b_, turn_b / dt_s, gain_b / dt_s};
   }
 
  private:
@@ -62,6 +66,7 @@ class RecentMotion {
     std::int64_t time_ns;
     nav::Vector3 way_b;   ///< m, integral of gained_b_
     nav::Vector3 turn_b;  ///< rad
+    nav::Vector3 gained_b;
   };
   std::vector<Step> steps_;
   nav::Vector3 gained_b_ = nav::Vector3::Zero();  ///< m/s, of all changes so far

@@ -9,7 +9,7 @@ namespace inslab::navigation {
 
 /// A wheel neither slides aside nor leaves the road: v_o,y = v_o,z = 0 over the interval of the first odometer's sample
 /// (P. Groves (2013), 15.4.1), whatever that odometer shows. One wheel says it for all: those of an axle slide
-/// together.
+/// together. Under a force by which it slips it slides too, and the body leans on its springs.
 struct RollingWithoutSlide {
   using Sample = WheelTravel;
   static constexpr std::string_view name = "rolling_without_slide";
@@ -29,6 +29,7 @@ struct RollingWithoutSlide {
     m.innovation = motion->v_o().tail<2>();
     m.R = alike *
           nav::Vector3(0.0, constraint.lateral_sigma_m_per_s, constraint.vertical_sigma_m_per_s).cwiseAbs2().tail<2>();
+    m.R.array() += motion->slip_variance();
     motion->add_to(m, Eigen::Matrix3d::Identity().bottomRows<2>());
   }
 };

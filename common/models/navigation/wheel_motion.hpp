@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "inslab/data/samples/wheel_travel.hpp"
@@ -27,6 +28,10 @@ class WheelMotion {
 
   const nav::Vector3& v_o() const { return v_o_; }
 
+  /// What slip adds to the variance of a velocity of the contact, (m/s)^2: of its speed so much as the force over the
+  /// interval lets it slip. A slip lasts as the force does, so samples of the same one count once.
+  double slip_variance() const { return slip_variance_; }
+
   /// Rows of the derivatives of v_o by all blocks, taken `rows` times: a matrix with three columns.
   template <class Rows>
   void add_to(Measurement& m, const Rows& rows) const {
@@ -48,6 +53,10 @@ class WheelMotion {
     const nav::Vector3 v_b = C_bn * at.v_n + means.v_b_less_now;
     const nav::Vector3 u_o = C_ob * (v_b + means.omega_eb_b.cross(wheel.lever_arm_b_m));
     v_o_ = turned_back * u_o;
+    const nav::Vector3 fall_b = C_bn * nav::Vector3(0.0, 0.0, units::kG);
+    const nav::Vector3 force_o = C * (means.v_b_rate + means.omega_eb_b.cross(v_b) - fall_b);
+    const double slip_m_per_s = wheel.slip_sigma(force_o.x(), force_o.y()) * v_o_.x();
+    slip_variance_ = std::max(1.0, wheel.slip_lasts_s / dt_s) * slip_m_per_s * slip_m_per_s;
     // Errors are as old as the middle of the interval: before half of its turn, and before half of what a wrong tilt
     // makes of its forces.
     const nav::Matrix3 C_bn_middle = (nav::Matrix3::Identity() + nav::skew(0.5 * dt_s * means.omega_eb_b)) * C_bn;
@@ -60,6 +69,7 @@ class WheelMotion {
   }
 
   nav::Vector3 v_o_;
+  double slip_variance_;
   nav::Matrix3 by_velocity_, by_attitude_, by_gyro_bias_, by_gyro_scale_;
   Eigen::Matrix<double, 3, 2> by_axis_;
 };

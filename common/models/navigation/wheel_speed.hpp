@@ -10,7 +10,8 @@ namespace inslab::navigation {
 /// The mean speed that an odometer shows of an interval, (1 + s) v_o,x; where the direction is not known, its size.
 ///
 /// Whether a sample is used is asked of the filter's own speed: to ask the shown one would prefer those that err
-/// upwards. A wheel that slips is left to the innovation test.
+/// upwards. A wheel that slips by more than its force lets it is left to the
+/// innovation test.
 struct WheelSpeed {
   using Sample = WheelTravel;
   static constexpr std::string_view name = "wheel_speed";
@@ -58,6 +59,7 @@ struct WheelSpeed {
     m.innovation[0] = sign * by_scale * rolled_m_per_s - sample.distance_m / dt_s;
     m.R.resize(1);
     m.R[0] = wheel.sigma_m_per_s * wheel.sigma_m_per_s + (road_m2 + counts_m2) / (dt_s * dt_s);
+    m.R[0] += motion->slip_variance();
     motion->add_to(m, sign * by_scale * Eigen::RowVector3d::UnitX());
     m.by(scale, sign * rolled_m_per_s * Eigen::RowVector2d::Ones());
   }

@@ -31,11 +31,12 @@ inline Situation erring(Situation at, const StateVector& x, const StateLayout& l
 /// errors of the sensors are the negative of the filter's: of().
 class DrawnRun {
  public:
-  DrawnRun(NavigationParameters parameters, std::uint64_t seed, const char* stream)
+  DrawnRun(NavigationParameters parameters, std::uint64_t seed, const char* stream, const Circling& truth = Circling())
       : p_(constant(std::move(parameters))),
         layout_(p_.states),
         draws_(seed, stream),
         e_(initial_sigmas(p_)),
+        truth_(truth),
         filter_(p_, kGravity) {
     for (Eigen::Index i = 0; i < e_.size(); ++i) e_[i] *= normal();
     nav::NavState start = truth_.state();
