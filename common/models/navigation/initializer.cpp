@@ -186,7 +186,8 @@ std::optional<Beginning> Initializer::add(const ImuSample& sample) {
   f_squares_ += (f_b - f_first_).cwiseAbs2();
   if (turns_.empty() || span_s_ - turns_.back().first >= kBetweenTurns_s) turns_.emplace_back(span_s_, dtheta_sum_);
   const bool by_motion = parameters_.initial.attitude == InitialAttitude::StaticAlignment;
-  if (by_motion) motion_.add(sample);
+  // What saturates is less than what acts; without the sample motion begins anew.
+  if (by_motion && !sample.gyro_saturated && !sample.accel_saturated) motion_.add(sample);
   if (!fix_) return std::nullopt;
   if (const std::optional<Matrix3> C_nb = attitude()) return at_rest(sample, *C_nb);
   if (by_motion && motion_.result()) return in_motion(sample, *motion_.result());

@@ -28,6 +28,8 @@ constexpr double kMostHeadingSigma_rad = 5.0 * units::kDeg;
 constexpr double kMostTilt_rad = 3.0 * units::kDeg;
 // Mean square of the residuals over what they should be; beyond it something is not as modelled.
 constexpr double kWorstFit = 4.0;
+// So many turns are a spin, and worth a word.
+constexpr double kTurnsToTell = 3.0;
 // Sigmas that are 0 would make the normal equations singular.
 constexpr double kLeastForceBias_m_per_s2 = 1e-6;
 constexpr double kLeastRateBias_rad_per_s = 1e-9;
@@ -77,6 +79,7 @@ void MotionAlignment::integrate(const ImuSample& sample) {
   Integrals next = past_.back();
   next.time_ns = sample.header.sim_time_ns;
   next.omega_ib_b = sample.dtheta_b / dt_s;
+  next.turned_rad += sample.dtheta_b.norm();
   const Matrix3 C_b0b = nav::matrix_from_quaternion(next.q_b0b);
   const Vector3 dv_b0 = C_b0b * (sample.dv_b + 0.5 * sample.dtheta_b.cross(sample.dv_b));
   next.alpha_b0 += dv_b0;
@@ -243,8 +246,8 @@ void MotionAlignment::solve() {
   attitude_now.leftCols<3>().setIdentity();
   attitude_now.rightCols<3>() = -C * now.by_accel_bias;
   const double arw = units::kDegPerSqrtH * parameters_.gyro.arw_deg_per_sqrt_h.maxCoeff();
-  const double turned_rad = nav::rotation_vector_from_quaternion(now.q_b0b).norm();
-  const double scale_rad = units::kPpm * parameters_.gyro.scale_factor_sigma_ppm.maxCoeff() * turned_rad;
+  // A whole turn leaves no rotation and all of its scale factor's error.
+  const double scale_rad = units::kPpm * parameters_.gyro.scale_factor_sigma_ppm.maxCoeff() * now.turned_rad;
   // The unknowns are the truth less the estimate: attitude's is phi, the others' have their signs turned.
   Matrix12 errors = Matrix12::Zero();
   errors.topRows<3>() = -C_nn0 * jacobian(alpha, now);
@@ -265,6 +268,10 @@ void MotionAlignment::solve() {
   } else if (!(sigma_rad.z() <= kMostHeadingSigma_rad && sigma_rad.head<2>().maxCoeff() <= kMostTilt_rad)) {
     why << "motion leaves heading unsure by " << sigma_rad.z() / units::kDeg << " deg and tilt by "
         << sigma_rad.head<2>().maxCoeff() / units::kDeg << " deg";
+    if (now.turned_rad > kTurnsToTell * 2.0 * units::kPi) {
+      why << ", of which the gyros' scale factors make " << scale_rad / units::kDeg << " deg in "
+          << now.turned_rad / (2.0 * units::kPi) << " turns";
+    }
   } else {
     result_ = result;
   }

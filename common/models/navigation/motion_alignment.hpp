@@ -62,6 +62,7 @@ class MotionAlignment {
     Matrix3 by_accel_bias = Matrix3::Zero();  ///< alpha by a bias of the forces, negative; s
     Matrix3 by_gyro_bias = Matrix3::Zero();   ///< alpha by a bias of the rates
     Vector3 omega_ib_b = Vector3::Zero();
+    double turned_rad = 0.0;  ///< all turns, whichever way
     Quaternion q_n0n = Quaternion::Identity();
     Vector3 fall_n0 = Vector3::Zero();  ///< integral of gravity and what the Earth's turn adds, m/s
   };
