@@ -155,7 +155,12 @@ std::vector<Seed> text_seeds(const std::string& folder) {
            "$GPRMC,235959.50,A,4807.038,N,01131.000,W,0.0,0.0,311223,,\n"
            "$GPGGA,000000.00,4807.0381,N,01131.0000,W,4,12,0.8,545.5,M,46.9,M,1.0,0000\n"},
           {"matrix.csv", "matrix", contents(kSource / "config/scenarios/matrix.csv")},
-          {"lines.asc", "novatel", contents(kSource / "tests/fuzz/novatel/rawimusxa.asc")}};
+          {"lines.asc", "novatel", contents(kSource / "tests/fuzz/novatel/rawimusxa.asc")},
+          {"gps_2.rnx", "rinex", contents(kSource / "tests/data/gnss/gps_2.rnx")},
+          {"glonass_210.rnx", "rinex", contents(kSource / "tests/data/gnss/glonass_210.rnx")},
+          {"mixed_305.rnx", "rinex", contents(kSource / "tests/data/gnss/mixed_305.rnx")},
+          {"mixed_400.rnx", "rinex", contents(kSource / "tests/data/gnss/mixed_400.rnx")},
+          {"two_epochs.sp3", "orbits", contents(kSource / "tests/data/gnss/two_epochs.sp3")}};
 }
 
 std::vector<Seed> import_seeds() {

@@ -10,6 +10,7 @@
 #include "inslab/formats/profile_import/conversion.hpp"
 #include "inslab/formats/recordings/gnss_text.hpp"
 #include "inslab/formats/recordings/imu_recording.hpp"
+#include "inslab/formats/rinex/precise_orbits.hpp"
 #include "inslab/formats/trajectory/trajectory_judge.hpp"
 #include "inslab/formats/trajectory/trajectory_repair.hpp"
 #include "inslab/foundation/files/file_error.hpp"
@@ -20,6 +21,7 @@
 #include "inslab/scenario/document_kind.hpp"
 #include "inslab/scenario/load.hpp"
 #include "inslab/scenario/motion_matrix.hpp"
+#include "inslab/sim/navigation_files.hpp"
 #include "inslab/sim/offline_run.hpp"
 
 namespace inslab::mutations {
@@ -73,6 +75,8 @@ void read_trajectory(const std::string& path) {
 void read_text(const std::string& path, const std::string& what) {
   if (what == "trajectory") read_trajectory(path);
   if (what == "matrix") scenario::read_motion_matrix(path);
+  if (what == "rinex") sim::load_navigation_files({path});
+  if (what == "orbits") rinex::read_precise_orbits(path);
   if (what == "recording") {
     recordings::read_imu_recording(
         path, {}, [](const recordings::ImuRecordingInfo&) {}, [](const recordings::ImuIncrements&) {});

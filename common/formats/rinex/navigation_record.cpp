@@ -51,6 +51,13 @@ time::GpsTime in_week(GnssSystem system, const time::GpsTime& near, double secon
   return broadcast::nearest_in_week(near + -behind, time::from_seconds(seconds).count()) + behind;
 }
 
+/// From a time to those seconds, the way round the day that is shorter: of the day in version 2, of the week since.
+time::Nanoseconds late_in_day(const time::GpsTime& calendar, double seconds) {
+  const std::int64_t late_ns = (time::from_seconds(seconds).count() - calendar.time_of_week_ns) % kDay_ns;
+  const std::int64_t turns = late_ns > kDay_ns / 2 ? -1 : late_ns < -kDay_ns / 2 ? 1 : 0;
+  return time::Nanoseconds(late_ns + turns * kDay_ns);
+}
+
 std::string place_text(int place) { return "number " + std::to_string(place + 1) + " of the record"; }
 
 }  // namespace
@@ -67,6 +74,11 @@ std::optional<double> RecordLines::at(int place) const {
   const auto number = fortran_number(text);
   if (!number) refuse(row, "has '" + std::string(text) + "' for " + place_text(place) + "; expected a number");
   return number;
+}
+
+std::optional<double> RecordLines::known_at(int place) const {
+  const auto number = at(place);
+  return number && std::abs(*number) < kUnknown ? number : std::nullopt;
 }
 
 double RecordLines::required(int place, std::string_view name) const {
@@ -117,8 +129,8 @@ KeplerianEphemeris keplerian_from(const RecordLines& record, const SatelliteId& 
     record.refuse(3, "has toe " + std::to_string(toe_s) + "; expected seconds of a week");
   }
   e.toe = in_week(system, e.toc, toe_s);
-  const double sent_s = record.at(kSent).value_or(kUnknown);
-  e.transmitted = std::abs(sent_s) < kUnknown ? in_week(system, e.toc, sent_s) : e.toc;
+  const auto sent_s = record.known_at(kSent);
+  e.transmitted = sent_s ? in_week(system, e.toc, *sent_s) : e.toc;
   e.accuracy_m = record.at(kAccuracy).value_or(0.0);
   e.issue = record.count_at(kIssue, "the issue of the ephemeris");
   e.health = record.count_at(kHealth, "health");
@@ -139,13 +151,8 @@ GlonassEphemeris glonass_from(const RecordLines& record, const SatelliteId& sate
                                                                  : record.at(field.rinex_place).value_or(kUnknown);
     field.of(e) = std::abs(number) >= kUnknown ? 0.0 : number * field.rinex_unit;
   }
-  // Of the day in version 2, of the week since: UTC in both.
-  const std::int64_t sent_ns = time::from_seconds(record.at(kGlonassSent).value_or(0.0)).count();
-  const std::int64_t late_ns = (sent_ns - calendar.time_of_week_ns) % kDay_ns;
-  const std::int64_t nearest_ns = late_ns > kDay_ns / 2    ? late_ns - kDay_ns
-                                  : late_ns < -kDay_ns / 2 ? late_ns + kDay_ns
-                                                           : late_ns;
-  e.transmitted = e.tb + time::Nanoseconds(nearest_ns);
+  const auto sent_s = record.known_at(kGlonassSent);
+  e.transmitted = sent_s ? e.tb + late_in_day(calendar, *sent_s) : e.tb;
   e.health = record.count_at(kGlonassHealth, "health");
   e.age_days = record.count_at(kGlonassAge, "the age of the data");
   const double channel = record.required(kGlonassChannel, "the frequency channel");

@@ -18,7 +18,9 @@ struct RecordLines {
   /// The number at a place, 0 to 2 behind the epoch, then four a line; nothing where it is blank or its line missing.
   /// Throws ReadError for what is no number.
   std::optional<double> at(int place) const;
-  /// The same; throws ReadError where there is none.
+  /// The same; nothing, too, for the large number that writers put where they do not know.
+  std::optional<double> known_at(int place) const;
+  /// As at(); throws ReadError where there is none.
   double required(int place, std::string_view name) const;
   /// A count, 0 where there is none. Throws ReadError when it is not whole or outside 0 to 2^32 - 1.
   std::uint32_t count_at(int place, std::string_view name) const;

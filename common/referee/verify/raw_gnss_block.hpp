@@ -27,7 +27,7 @@ Table raw_gnss_orbits(const std::string& folder, const RawGnssSubjects& subjects
 Table raw_gnss_ranges(const std::string& folder, const RawGnssSubjects& subjects = product_satellites());
 
 /// `inslab verify raw_gnss --files FOLDER`: both tables. Of what is not in the folder the rows are left out, and the
-/// table names them; without a folder all are.
+/// table names them; without a folder all are. Throws files::ReadError when the folder that is named is none.
 std::vector<Table> raw_gnss_tables(const std::string& folder);
 
 }  // namespace inslab::verify

@@ -7,6 +7,7 @@
 
 #include "inslab/data/broadcast/gnss_signal.hpp"
 #include "inslab/formats/rinex/precise_orbits.hpp"
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/models/satellites/glonass_orbit.hpp"
 #include "inslab/models/satellites/kepler_orbit.hpp"
 #include "inslab/referee/verify/raw_gnss_block.hpp"
@@ -213,6 +214,9 @@ Table raw_gnss_orbits(const std::string& folder, const RawGnssSubjects& subjects
 }
 
 std::vector<Table> raw_gnss_tables(const std::string& folder) {
+  if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+    throw files::ReadError(folder + ": is no folder; expected the one of the reference data (docs/verification.md)");
+  }
   return {raw_gnss_orbits(folder), raw_gnss_ranges(folder)};
 }
 

@@ -7,6 +7,8 @@
 
 #include "inslab/data/broadcast/gnss_signal.hpp"
 #include "inslab/formats/rinex/rinex_navigation.hpp"
+#include "inslab/foundation/files/file_error.hpp"
+#include "inslab/foundation/files/text_lines.hpp"
 #include "inslab/models/satellites/group_delay.hpp"
 #include "inslab/referee/verify/raw_gnss_block.hpp"
 #include "inslab/referee/verify/simulator_log.hpp"
@@ -100,6 +102,14 @@ void add_row(const RangeRow& row, const std::vector<SimulatedRange>& logged, con
                         apart.samples > 0 && apart.range_m <= kRange_m && apart.rate_m_per_s <= kRate_m_per_s});
 }
 
+/// 12 of "E1 12.csv".
+std::uint8_t satellite_number(const stdfs::path& file) {
+  const std::string stem = file.stem().string();
+  const auto number = files::integer_from(std::string_view(stem).substr(stem.find(' ') + 1));
+  if (number && *number >= 1 && *number <= 99) return static_cast<std::uint8_t>(*number);
+  throw files::ReadError(file.string() + ": is named after no satellite; expected a number from 1 to 99 after a space");
+}
+
 /// All files of one signal, "E1 12.csv".
 std::vector<SimulatedRange> read_skydel_signal(const std::string& folder, const RangeRow& row) {
   std::vector<SimulatedRange> all;
@@ -107,7 +117,7 @@ std::vector<SimulatedRange> read_skydel_signal(const std::string& folder, const 
   for (const auto& entry : stdfs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (name.substr(0, begin.size()) != begin) continue;
-    const auto number = static_cast<std::uint8_t>(std::stoi(name.substr(begin.size())));
+    const auto number = satellite_number(entry.path());
     const auto ranges = read_skydel(entry.path().string(), {row.system, number}, row.rinex);
     all.insert(all.end(), ranges.begin(), ranges.end());
   }

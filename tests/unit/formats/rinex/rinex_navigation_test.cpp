@@ -178,6 +178,12 @@ TEST_F(RinexNavigation, ARecordOfZerosIsCountedAndLeftOut) {
   EXPECT_EQ(file.empty_records, 1u);
 }
 
+TEST_F(RinexNavigation, ATimeOfTransmissionThatIsUnknownIsThatOfTheState) {
+  put(path("unknown.rnx"), damaged("glonass_210.rnx", "8.550000000000D+04", "8.550000000000D+84"));
+  const GlonassEphemeris e = read_navigation(path("unknown.rnx")).glonass.at(0).ephemeris;
+  EXPECT_EQ(e.transmitted, e.tb);
+}
+
 TEST_F(RinexNavigation, ANumberThatIsNoneIsNamedByFileAndLine) {
   const std::string said = refusal(damaged("mixed_305.rnx", "4.174459597284e-09", "4.174459x97284e-09"));
   EXPECT_THAT(said, HasSubstr("damaged.rnx: line 11: has '4.174459x97284e-09' for number 6 of the record"));

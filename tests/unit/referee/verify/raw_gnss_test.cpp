@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "inslab/foundation/files/file_error.hpp"
 #include "inslab/models/satellites/kepler_orbit.hpp"
 #include "inslab/referee/verify/raw_gnss_block.hpp"
 #include "tests/unit/referee/verify/rows_held.hpp"
@@ -68,9 +69,11 @@ TEST_F(RawGnss, AnOrbitThatIsThreeMillisecondsLateIsSeen) {
   EXPECT_GE(failed_rows(raw_gnss_orbits(kFolder, faulty)), 5);  // GLONASS has a state of its own
 }
 
+TEST(RawGnssWithoutData, AFolderThatIsNoneIsRefused) { EXPECT_THROW(raw_gnss_tables("/nowhere"), files::ReadError); }
+
 TEST(RawGnssWithoutData, SaysWhatIsLeftOut) {
   std::vector<std::size_t> left_out;
-  for (const Table& table : raw_gnss_tables("/nowhere")) {
+  for (const Table& table : raw_gnss_tables("")) {
     EXPECT_TRUE(table.rows.empty());
     EXPECT_FALSE(table.judged);
     left_out.push_back(table.left_out.size());
